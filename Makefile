@@ -1,0 +1,36 @@
+# Two commands matter: `make demo` (set up and run the simulated preflight) and `make test` (set up and run every check).
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+SHELL := /bin/bash
+
+.PHONY: demo test lint slow papers blind bench gui clean
+.DEFAULT_GOAL := demo
+
+$(VENV)/.run: pyproject.toml
+	@echo "Setting up labcal in $(VENV) (once; about a minute) ..."
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	@touch $@
+
+$(VENV)/.dev: pyproject.toml $(VENV)/.run
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,dcc]'
+	@touch $@
+
+demo: $(VENV)/.run
+	@$(BIN)/labcal demo --out demo-out
+
+gui: $(VENV)/.run
+	@$(BIN)/labcal gui
+
+test: $(VENV)/.dev
+	@BIN=$(BIN) bash tools/check.sh
+
+lint: $(VENV)/.dev
+	$(BIN)/ruff check . && $(BIN)/ruff format --check . && $(BIN)/mypy && $(BIN)/lint-imports --no-cache
+
+slow: $(VENV)/.dev
+	$(BIN)/pytest -m slow
+
+clean:
+	rm -rf $(VENV) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -1,0 +1,1 @@
+"""The instruments' own side of the wire, on the twin."""

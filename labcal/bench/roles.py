@@ -1,0 +1,104 @@
+"""What a bench needs of an instrument, as small Protocols. A driver fits by having the methods, not by inheriting."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+from labcal.record.stream import Block
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """Who answered."""
+
+    manufacturer: str
+    model: str
+    serial: str
+    firmware: str = ""
+
+
+@runtime_checkable
+class Instrument(Protocol):
+    """Everything with a plug."""
+
+    name: str  # its name in bench.toml
+
+    def identify(self) -> Identity:
+        """Ask who it is. Raises InstrumentError when it is silent or is another instrument."""
+        ...
+
+    def make_safe(self) -> None:
+        """Bring it to rest: current zero and output open, motion stopped, stream ended. Safe to call twice."""
+        ...
+
+    def close(self) -> None:
+        """Let go of the link."""
+        ...
+
+
+@runtime_checkable
+class CoilSupply(Instrument, Protocol):
+    """One coil axis. Currents in ampere; the sign is meaningful only where `bipolar`."""
+
+    bipolar: bool
+    zero_current_A: float  # |read-back| below this is zero
+    can_open: bool  # off really opens the circuit
+    ramp_A_per_s: float  # fastest safe ramp
+
+    def set_current(self, current_A: float) -> None:
+        """Set and read back. Raises LimitError beyond the limits, and then nothing was sent."""
+        ...
+
+    def set_point(self) -> float:
+        """The set-point that the supply holds, read back [A]."""
+        ...
+
+    def measure_current(self) -> float:
+        """The delivered current [A]."""
+        ...
+
+    def output(self, on: bool) -> None:
+        """Close or open the output, confirmed by read-back."""
+        ...
+
+
+@runtime_checkable
+class RotationPlatform(Instrument, Protocol):
+    """The platform that turns the DUT; angles are the contract's: right-handed about the platform axis, degrees."""
+
+    motorised: bool
+    max_rate_deg_per_s: float
+
+    def home(self) -> None:
+        """Find the reference position if it is not known."""
+        ...
+
+    def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
+        """Begin an absolute move; it goes on while streams are read. Refused beyond the cable-wrap limit."""
+        ...
+
+    def moving(self) -> bool:
+        """Whether it moves; after a move, False means arrived and confirmed, else InstrumentError."""
+        ...
+
+    def angle_deg(self) -> float:
+        """The angle now, read back."""
+        ...
+
+
+@runtime_checkable
+class Magnetometer(Instrument, Protocol):
+    """A stream of samples: the reference, or the DUT. A driver starts no thread and parses what has arrived."""
+
+    def start(self) -> None:
+        """Begin the stream (or the polling)."""
+        ...
+
+    def read_until(self, t_s: float) -> list[Block]:
+        """All samples that arrived up to `t_s` on the bench's clock; waits for them. Parses, never skips."""
+        ...
+
+    def stop(self) -> None:
+        """End the stream."""
+        ...

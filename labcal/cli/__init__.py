@@ -1,0 +1,50 @@
+"""The command line: one file for each group of commands, and one place that turns faults into exit codes."""
+
+from __future__ import annotations
+
+import sys
+
+import typer
+from click.exceptions import Abort, ClickException
+
+from labcal.errors import InputError, InstrumentError, Stopped
+
+DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
+
+app = typer.Typer(
+    name="labcal",
+    help="Calibrate a magnetometer before it flies: run the bench, fit, close the loop, sign.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+
+def main() -> None:
+    """Run the command line; every fault ends in one sentence and its exit code (contract: commands)."""
+    sys.exit(_run(sys.argv[1:]))
+
+
+def _run(arguments: list[str]) -> int:
+    import labcal.cli.commands  # noqa: F401  registers every command on `app`
+
+    try:
+        code = app(arguments, standalone_mode=False)
+        return code if isinstance(code, int) else DONE
+    except ClickException as error:
+        error.show()
+        return WRONG_INPUT
+    except (KeyboardInterrupt, Abort, Stopped):
+        return _say("stopped", STOPPED)
+    except InstrumentError as error:
+        return _say(str(error), INSTRUMENT_FAILED)
+    except InputError as error:
+        return _say(str(error), WRONG_INPUT)
+    except OSError as error:
+        place = f"{error.filename}: " if error.filename else ""
+        return _say(f"{place}{error.strerror or error}", WRONG_INPUT)
+
+
+def _say(sentence: str, code: int) -> int:
+    print(f"labcal: {sentence}", file=sys.stderr)
+    return code

@@ -1,0 +1,21 @@
+"""Registers every command group on the app, in the order of the lab's work."""
+
+from __future__ import annotations
+
+import typer
+
+import labcal
+from labcal.cli import app
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"labcal {labcal.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def root(
+    version: bool = typer.Option(False, "--version", callback=_version, is_eager=True, help="Print the version."),
+) -> None:
+    """Calibrate a magnetometer before it flies: run the bench, fit, close the loop, sign."""

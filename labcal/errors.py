@@ -1,0 +1,38 @@
+"""What can go wrong, by whose turn it is: the person's (exit 2), the instrument's (3), the operator's (130)."""
+
+from __future__ import annotations
+
+
+class InputError(ValueError):
+    """The request or the input is wrong; the message is one clear sentence for the person who sent it.
+
+    `file`, `line` (from 1) and `column` (a name, or a number from 1) say where, so far as there is a where.
+    """
+
+    def __init__(
+        self, what: str, *, file: object = None, line: int | None = None, column: str | int | None = None
+    ) -> None:
+        self.what, self.file, self.line, self.column = what, file, line, column
+        place = [str(file)] if file is not None else []
+        place += [f"line {line}"] if line is not None else []
+        place += [f"column {column}"] if column is not None else []
+        super().__init__(f"{', '.join(place)}: {what}" if place else what)
+
+
+class InstrumentError(RuntimeError):
+    """An instrument failed: what happened, what state the lab is in, and what to do.
+
+    `fault` is the named fault state ("silent", "overloaded", "stuck", "wrong mode", "tripped", "link lost" …).
+    """
+
+    def __init__(self, what: str, *, fault: str = "failed", remedy: str = "") -> None:
+        self.what, self.fault, self.remedy = what, fault, remedy
+        super().__init__(f"{what} {remedy}".strip())
+
+
+class LimitError(InstrumentError):
+    """A set-point beyond a limit was refused; nothing was sent. The message carries both numbers."""
+
+
+class Stopped(Exception):
+    """The operator stopped the work; the coils are at zero."""

@@ -1,0 +1,37 @@
+"""What every estimator returns (contract: FIT)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model import AffineMap, EffectRecord
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fit:
+    """One method's answer, or why it gives none (`ok` False, `why_not` a sentence, `affine` None).
+
+    `covariance` (12, 12) orders K row by row, then k; where the frame is not known K is symmetric and the
+    covariance has rank 9. `bias_nT` and `D` are the seed paper's own parameters where the method has them.
+    """
+
+    method: str
+    ok: bool
+    why_not: str | None = None
+    affine: AffineMap | None = None
+    covariance: Array | None = None
+    frame_known: bool = False
+    bias_nT: Array | None = None
+    D: Array | None = None
+    rms_scalar_nT: float | None = None
+    holdout_rms_scalar_nT: float | None = None
+    axis_error_deg: tuple[float, ...] | None = None
+    seconds: float = 0.0
+    effects: tuple[EffectRecord, ...] = ()
+    phase_rad: Array | None = None  # the starting phases found, one per group of `record.carry(run)`
+    noise_nT: float | None = None  # standard deviation of one axis of one reading, estimated

@@ -1,0 +1,6 @@
+"""What was measured: a `Run` and what each of its segments offers an estimator."""
+
+from labcal.record.observation import Observation, carry, offers
+from labcal.record.run import Channel, Dut, Reference, Run, Segment
+
+__all__ = ["Channel", "Dut", "Observation", "Reference", "Run", "Segment", "carry", "offers"]

@@ -1,0 +1,1 @@
+"""The lab's work, one procedure a file."""
