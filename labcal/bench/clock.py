@@ -1,4 +1,4 @@
-"""The bench's clock: real, or virtual, where waiting takes no time. It is handed in; nobody calls `time` on their own."""
+"""The bench's clock: real, or virtual, where waiting takes no time. Handed in; nobody calls `time` alone."""
 
 from __future__ import annotations
 

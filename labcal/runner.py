@@ -1,0 +1,1 @@
+"""Drives a procedure, writes the store, resumes."""
