@@ -1,0 +1,284 @@
+"""The calibration file: RFC 8785 JSON in and out, checked with a path to the fault (contract: calibration file).
+
+A key this version does not know is refused: a signed sentence nobody reads could change what the file says, and a
+reader that skips it would still call the file valid. A new meaning is a new `format`. Opening a file runs no code.
+"""
+
+from __future__ import annotations
+
+import json
+import stat
+from collections.abc import Mapping
+from datetime import date
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+import rfc8785
+from numpy.typing import NDArray
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
+
+from labcal.errors import InputError
+from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
+from labcal.model.calibration import Rival
+from labcal.record import Dut
+
+FORMAT: Literal["labcal-calibration/1"] = "labcal-calibration/1"
+LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
+WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other
+ROUNDING = 1e-6  # of a covariance scaled to unit variances
+
+
+def _range(pair: tuple[float, float]) -> tuple[float, float]:
+    if pair[0] > pair[1]:
+        raise ValueError(f"from {pair[0]:g} to {pair[1]:g} runs backward")
+    return pair
+
+
+def _invertible(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
+    K = np.array(rows)
+    if not np.any(K) or np.linalg.cond(K) > WORST_CONDITION:
+        raise ValueError("is not invertible: it would map different readings to one field")
+    return rows
+
+
+def _covariance(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
+    C = np.array(rows)
+    u = np.sqrt(np.maximum(np.diag(C), 0.0))
+    scaled = C / np.outer(unit := np.where(u > 0, u, 1.0), unit)
+    if np.any(np.diag(C) < 0):
+        raise ValueError("has a negative variance on its diagonal")
+    if np.max(np.abs(scaled - scaled.T)) > ROUNDING:
+        raise ValueError("is not symmetric")
+    if np.linalg.eigvalsh((scaled + scaled.T) / 2).min() < -ROUNDING:
+        raise ValueError("is not positive semi-definite")
+    return rows
+
+
+def _unicode(text: str) -> str:
+    text.encode()  # a lone surrogate has no UTF-8
+    return text
+
+
+def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
+    if len(set(names)) < len(names):
+        raise ValueError("names one thing twice")
+    return names
+
+
+Text = Annotated[str, Field(max_length=10_000), AfterValidator(_unicode)]
+Name = Annotated[Text, Field(min_length=1)]
+Names = Annotated[tuple[Name, ...], AfterValidator(_distinct)]
+Span = Annotated[tuple[float, float], AfterValidator(_range)]
+Row = tuple[float, float, float]
+CovarianceRow = Annotated[tuple[float, ...], Field(min_length=12, max_length=12)]
+Covariance = Annotated[tuple[CovarianceRow, ...], Field(min_length=12, max_length=12), AfterValidator(_covariance)]
+Sha256 = Annotated[str, Field(pattern=r"\A[0-9a-f]{64}\z")]
+Uncertainty = Annotated[float, Field(ge=0)]
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, from_attributes=True)
+
+
+class _Dut(_Part):
+    serial: Name
+    model: Text
+    unit: Literal["nT", "count"]
+    nominal_nT_per_unit: Annotated[float, Field(gt=0)]
+
+
+class _Parameter(_Part):
+    name: Name
+    value: float
+    u: Uncertainty
+    unit: Text
+
+
+class _Rival(_Part):
+    effect: Name
+    channels: Names
+    holdout_rms_after_nT: Uncertainty
+
+
+class _Effect(_Part):
+    effect: Name
+    channels: Names
+    reference_value: dict[Name, float]
+    belongs_to: Literal["sensor", "rig", "data"]
+    provisional: bool = False
+    parameters: tuple[_Parameter, ...]
+    holdout_rms_before_nT: Uncertainty | None = None
+    holdout_rms_after_nT: Uncertainty | None = None
+    improvement_ci95_nT: Span | None = None
+    p_value: Annotated[float, Field(ge=0, le=1)] | None = None
+    rivals: tuple[_Rival, ...] = ()
+    why: Text = ""
+
+
+class _Validity(_Part):
+    field_nT: Span
+    temperature_C: Span | None
+    modes: Names
+    until: date | None
+
+
+class _Metrics(_Part):
+    before: dict[Name, float]
+    after: dict[Name, float]
+
+
+def _of_the_sensor(effects: tuple[_Effect, ...]) -> tuple[_Effect, ...]:
+    if strangers := [e.effect for e in effects if e.belongs_to != "sensor"]:
+        raise ValueError(f"holds the sensor's effects only; {strangers[0]} belongs under findings")
+    return effects
+
+
+def _not_of_the_sensor(effects: tuple[_Effect, ...]) -> tuple[_Effect, ...]:
+    if strangers := [e.effect for e in effects if e.belongs_to == "sensor"]:
+        raise ValueError(f"holds the rig's and the data's effects; {strangers[0]} belongs under effects")
+    return effects
+
+
+class _File(_Part):
+    """Every field of the file; the order is the contract's (the bytes are sorted by RFC 8785)."""
+
+    format: Literal["labcal-calibration/1"]
+    run_id: Name
+    simulated: bool
+    dut: _Dut
+    K: Annotated[tuple[Row, Row, Row], AfterValidator(_invertible)]
+    k_nT: Row
+    covariance: Covariance | None
+    frame_known: bool
+    effects: Annotated[tuple[_Effect, ...], AfterValidator(_of_the_sensor)]
+    findings: Annotated[tuple[_Effect, ...], AfterValidator(_not_of_the_sensor)]
+    validity: _Validity
+    span_s: Span
+    metrics: _Metrics
+    instruments: tuple[dict[Name, Text], ...]
+    run_sha256: Sha256
+    cage_sha256: Sha256 | None
+    supersedes: Name | None
+    software: Text
+    operator: Text
+    approvers: Names
+
+
+def read_calibration(path: Path) -> Calibration:
+    """Read the calibration at `path`. Raises InputError with the file and the path to the fault in it."""
+    return parse_calibration(read_limited(path, LARGEST_BYTES), path)
+
+
+def parse_calibration(content: bytes, file: object = "calibration") -> Calibration:
+    """The calibration that the bytes `content` state; `file` is named in faults. Raises InputError."""
+    _refuse_bad_json(content, file)
+    try:
+        stated = _File.model_validate_json(content, strict=True)
+    except ValidationError as error:
+        raise InputError(_first_fault(error), file=file) from None
+    return _calibration(stated)
+
+
+def calibration_bytes(calibration: Calibration) -> bytes:
+    """The file's bytes: RFC 8785 JSON, the same for the same calibration.
+
+    `dut.noise_nT` is not part of the file. Raises InputError naming the field, where the calibration could not be
+    read again (a NaN, a singular K, an effect under the wrong owner).
+    """
+    try:
+        stated = _File.model_validate(_fields(calibration))
+    except ValidationError as error:
+        raise InputError(_first_fault(error), file="calibration to be written") from None
+    return rfc8785.dumps(stated.model_dump(mode="json"))
+
+
+def read_limited(path: Path, largest: int) -> bytes:
+    """The whole of a regular file of at most `largest` bytes. Raises InputError."""
+    if not stat.S_ISREG(path.stat().st_mode):
+        raise InputError("is not a regular file", file=path)
+    with path.open("rb") as source:
+        content = source.read(largest + 1)
+    if len(content) > largest:
+        raise InputError(f"is larger than {largest} bytes", file=path)
+    return content
+
+
+def _refuse_bad_json(content: bytes, file: object) -> None:
+    """What a JSON parser lets pass in silence: double keys, NaN, other encodings, numbers without end."""
+    try:
+        json.loads(content.decode(), object_pairs_hook=_unique, parse_constant=_finite_only)
+    except json.JSONDecodeError as error:
+        raise InputError(f"is not JSON: {error.msg}", file=file, line=error.lineno, column=error.colno) from None
+    except UnicodeDecodeError as error:
+        raise InputError(f"is not UTF-8 (byte {error.start})", file=file) from None
+    except RecursionError:
+        raise InputError("is nested too deeply", file=file) from None
+    except ValueError as error:
+        raise InputError(str(error), file=file) from None
+
+
+def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    seen = dict(pairs)
+    if len(seen) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"states {twice!r} twice")
+    return seen
+
+
+def _finite_only(constant: str) -> float:
+    raise ValueError(f"{constant} is not a number that JSON has")
+
+
+def _first_fault(error: ValidationError) -> str:
+    fault = error.errors(include_url=False, include_context=False)[0]
+    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in fault["loc"])
+    message = fault["msg"].removeprefix("Value error, ")
+    return f"{''.join(steps).lstrip('.') or 'the file'}: {message[:1].lower()}{message[1:]}"
+
+
+def _fields(c: Calibration) -> Mapping[str, object]:
+    return {name: getattr(c, name) for name in _File.model_fields if hasattr(c, name)} | {
+        "format": FORMAT,
+        "K": c.affine.K.tolist(),
+        "k_nT": c.affine.k_nT.tolist(),
+        "covariance": None if c.covariance is None else c.covariance.tolist(),
+        "metrics": {"before": {}, "after": {}} | dict(c.metrics),
+    }
+
+
+def _calibration(f: _File) -> Calibration:
+    until = f.validity.until
+    return Calibration(
+        run_id=f.run_id,
+        simulated=f.simulated,
+        dut=Dut(**f.dut.model_dump()),
+        affine=AffineMap(_frozen(f.K), _frozen(f.k_nT)),
+        covariance=None if f.covariance is None else _frozen(f.covariance),
+        frame_known=f.frame_known,
+        effects=tuple(map(_effect, f.effects)),
+        findings=tuple(map(_effect, f.findings)),
+        validity=Validity(**f.validity.model_dump() | {"until": until and until.isoformat()}),
+        span_s=f.span_s,
+        metrics=f.metrics.model_dump(),
+        instruments=f.instruments,
+        run_sha256=f.run_sha256,
+        cage_sha256=f.cage_sha256,
+        supersedes=f.supersedes,
+        software=f.software,
+        operator=f.operator,
+        approvers=f.approvers,
+    )
+
+
+def _effect(stated: _Effect) -> EffectRecord:
+    parameters = tuple(Parameter(**p.model_dump()) for p in stated.parameters)
+    rivals = tuple(Rival(**r.model_dump()) for r in stated.rivals)
+    return EffectRecord(**stated.model_dump(exclude={"parameters", "rivals"}), parameters=parameters, rivals=rivals)
+
+
+def _frozen(values: object) -> NDArray[np.float64]:
+    array = np.array(values, dtype=float)
+    array.setflags(write=False)
+    return array
