@@ -1,0 +1,129 @@
+"""What an effect is made of: the scene it acts in, its form, its family."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.calibration import EffectRecord, Owner
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rig:
+    """What only a run with a vector reference knows (n rows): needed by effects of the rig, absent in `apply`."""
+
+    prediction_nT: Array  # (n, 3) p, the reference carried into B
+    reference_nT: Array  # (n, 3) the reference in C
+    to_body: Array  # (n, 3, 3) p = to_body @ reference; NaN where the reference is given in B
+    axis_body: Array  # (n, 3) NaN where there is no platform axis
+    axis_cage: Array  # (n, 3)
+    angle_rad: Array  # (n,) platform angle, unwrapped within a segment; NaN where there is none
+    mounting: NDArray[np.intp]  # (n,) rows of one mounting share an unknown phase and tilt
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scene:
+    """All that an effect may look at, row by row (n rows, in time order)."""
+
+    t_s: Array  # (n,) the run's clock
+    segment: NDArray[np.intp]  # (n,) a change is a boundary for delays, derivatives and hysteresis
+    field_nT: Array  # (n, 3) a = K m − k, in B
+    channels: Mapping[str, Array] = field(default_factory=dict)  # each (n,), in its unit
+    mode: NDArray[np.str_] | None = None  # (n,)
+    axes: Array = field(default_factory=lambda: np.eye(3))  # (3, 3) K per nominal unit: column i moves with reading i
+    rig: Rig | None = None
+
+    def __len__(self) -> int:
+        return len(self.t_s)
+
+    @property
+    def along_axes_nT(self) -> Array:
+        """The field along the sensor's own axes (n, 3) [nT], so that field = axes @ along_axes."""
+        return np.asarray(np.linalg.solve(self.axes, self.field_nT.T).T)
+
+    def select(self, rows: NDArray[Any]) -> Scene:
+        """The same scene with only these rows (mask or numbers, in time order)."""
+        rig = self.rig and Rig(*(getattr(self.rig, name)[rows] for name in Rig.__slots__))
+        return replace(
+            self,
+            t_s=self.t_s[rows],
+            segment=self.segment[rows],
+            field_nT=self.field_nT[rows],
+            channels={name: values[rows] for name, values in self.channels.items()},
+            mode=None if self.mode is None else self.mode[rows],
+            rig=rig,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A parameter that does not enter linearly: its value, unit, and the grid that a search starts from."""
+
+    name: str
+    value: float
+    unit: str
+    grid: tuple[float, ...] = ()
+
+
+class Form(Protocol):
+    """One way an effect can look. Frozen; `columns` is all its physics."""
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Names of the channels it needs."""
+        ...
+
+    @property
+    def reference_value(self) -> Mapping[str, float]:
+        """Where each channel counts as zero, so that k has one meaning."""
+        ...
+
+    @property
+    def parameters(self) -> tuple[tuple[str, str], ...]:
+        """Name and unit of each linear parameter, in the order of the columns."""
+        ...
+
+    @property
+    def shape(self) -> tuple[Shape, ...]:
+        """The parameters that do not enter linearly."""
+        ...
+
+    def reshaped(self, **values: float) -> Self:
+        """The same form at other shape parameters."""
+        ...
+
+    def columns(self, scene: Scene) -> Array:
+        """d e / d parameter (n, 3, p) [nT of B per unit]."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Family:
+    """All that is known about one effect id: whose it is, how it can look, and what would show it."""
+
+    id: str
+    belongs_to: Owner
+    candidates: Callable[[Run], Sequence[Form]]  # the forms that this run could show; empty where its needs are not met
+    restore: Callable[[EffectRecord], Form]  # the form that a calibration file describes
+    experiment: str = ""  # what would show it, one sentence
+    bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fitted:
+    """A form with its linear parameters: what `apply` subtracts."""
+
+    family: Family
+    form: Form
+    beta: Array  # (p,)
+
+    def predict(self, scene: Scene) -> Array:
+        """The effect e (n, 3) [nT of B]."""
+        return np.asarray(self.form.columns(scene) @ self.beta)
