@@ -100,7 +100,7 @@ class Form(Protocol):
         ...
 
     def columns(self, scene: Scene) -> Array:
-        """d e / d parameter (n, 3, p) [nT of B per unit]."""
+        """The derivative of e by each parameter (n, 3, p) [nT of B per unit]."""
         ...
 
 
