@@ -10,8 +10,11 @@ from pathlib import Path
 
 
 @contextmanager
-def replacing(path: Path) -> Iterator[Path]:
-    """Give a temporary path beside `path`; on success it is flushed to disk and takes the name, else it goes."""
+def replacing(path: Path, mode: int | None = None) -> Iterator[Path]:
+    """Give a temporary path beside `path`; on success it is flushed to disk and takes the name, else it goes.
+
+    `mode` is the file's permissions (0o600 for a secret); by default the umask decides.
+    """
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     os.close(handle)
     part = Path(name)
@@ -19,7 +22,7 @@ def replacing(path: Path) -> Iterator[Path]:
         yield part
         with part.open("rb+") as written:
             os.fsync(written.fileno())
-        os.chmod(part, 0o666 & ~_umask())
+        os.chmod(part, 0o666 & ~_umask() if mode is None else mode)
         part.replace(path)
     except BaseException:
         with suppress(FileNotFoundError):
@@ -27,9 +30,9 @@ def replacing(path: Path) -> Iterator[Path]:
         raise
 
 
-def write_bytes(path: Path, content: bytes) -> None:
+def write_bytes(path: Path, content: bytes, mode: int | None = None) -> None:
     """Write `content` to `path`, whole or not at all."""
-    with replacing(path) as part:
+    with replacing(path, mode) as part:
         part.write_bytes(content)
 
 

@@ -1,0 +1,18 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from labcal.home import home
+
+
+def test_home_is_where_the_environment_says(home_of_its_own: Path):
+    assert home() == home_of_its_own
+
+
+@pytest.mark.parametrize("unset", ["", None])
+def test_without_it_home_is_the_user_s_data_folder(monkeypatch: pytest.MonkeyPatch, unset: str | None):
+    monkeypatch.setenv("LABCAL_HOME", unset) if unset is not None else monkeypatch.delenv("LABCAL_HOME")
+    assert home().is_absolute()
+    assert home().name == "labcal"
