@@ -1,0 +1,28 @@
+"""One way to write a number: sign always shown, thin groups of three, fixed decimals, unit said elsewhere, once."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+FieldUnit = Literal["nT", "µT", "mG"]
+PER_NT: dict[FieldUnit, float] = {"nT": 1.0, "µT": 1e-3, "mG": 1e-2}
+DECIMALS: dict[FieldUnit, int] = {"nT": 1, "µT": 4, "mG": 3}
+FIGURE_SPACE, NARROW_SPACE, MINUS = "\u2007", "\u202f", "\u2212"
+
+
+def number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
+    """`value` with a true minus sign and groups of three: +19 998.7 or −3.2."""
+    text = f"{value:+,.{decimals}f}" if signed else f"{value:,.{decimals}f}"
+    return text.replace(",", NARROW_SPACE).replace("-", MINUS)
+
+
+def field(value_nT: float, unit: FieldUnit = "nT") -> str:
+    """A field component in the display unit."""
+    return number(value_nT * PER_NT[unit], DECIMALS[unit])
+
+
+def duration(seconds: float) -> str:
+    """Minutes and seconds, 06:40; hours where there are any, 1:06:40."""
+    whole = max(0, round(seconds))
+    hours, minutes, rest = whole // 3600, whole // 60 % 60, whole % 60
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes:02}:{rest:02}"

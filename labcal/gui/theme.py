@@ -1,0 +1,143 @@
+"""Colours, sizes and the style sheet: neutral greys, one accent, three states, one colour for each axis.
+
+States and axes come from the Okabe-Ito palette, which colour-blind eyes tell apart; every state has a shape and a
+word as well. Spacing stands on an 8-pixel grid.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from string import Template
+
+GRID = 8
+TEXT, SMALL, LARGE = 10.5, 9.0, 22.0  # points: body, captions, what is read from across the room
+WALL_SCALE = 1.8
+
+
+@dataclass(frozen=True, slots=True)
+class Theme:
+    """One set of colours, as #rrggbb."""
+
+    name: str
+    page: str  # behind everything
+    surface: str  # cards, panels
+    sunken: str  # entry fields
+    line: str
+    text: str
+    muted: str
+    accent: str
+    on_accent: str
+    good: str
+    warning: str
+    bad: str
+    axis_x: str
+    axis_y: str
+    axis_z: str
+
+    @property
+    def axes(self) -> tuple[str, str, str]:
+        """The colours of x, y and z, the same in every plot and table."""
+        return self.axis_x, self.axis_y, self.axis_z
+
+
+LIGHT = Theme(
+    name="light",
+    page="#f3f4f5",
+    surface="#ffffff",
+    sunken="#f7f8f9",
+    line="#d5d9dd",
+    text="#1c2126",
+    muted="#57606a",
+    accent="#0b5cad",
+    on_accent="#ffffff",
+    good="#00694b",
+    warning="#8a5a00",
+    bad="#b23a00",
+    axis_x="#b84a00",
+    axis_y="#007a58",
+    axis_z="#0072b2",
+)
+DARK = Theme(
+    name="dark",
+    page="#16191c",
+    surface="#1f2327",
+    sunken="#181b1e",
+    line="#363c42",
+    text="#e8eaed",
+    muted="#a2abb4",
+    accent="#6cb4f0",
+    on_accent="#0d1a26",
+    good="#37c89b",
+    warning="#e6a93c",
+    bad="#ff8a5c",
+    axis_x="#f08a4b",
+    axis_y="#37c89b",
+    axis_z="#63b3ea",
+)
+
+STATES = {"PASS": ("✓", "good"), "MARGINAL": ("▲", "warning"), "FAIL": ("✕", "bad"), "CANNOT DECIDE": ("?", "warning")}
+
+_SHEET = Template(
+    """
+* { font-size: ${text_pt}pt; color: $text; }
+QMainWindow, QWidget#page, QStackedWidget { background: $page; }
+QFrame#card, QFrame#panel, QFrame#topbar { background: $surface; border: 1px solid $line; border-radius: 6px; }
+QFrame#topbar { border-radius: 0; border-width: 0 0 1px 0; }
+QFrame#panel { border-radius: 0; border-width: 0 0 0 1px; }
+QFrame#rail { background: $surface; border: 0; border-right: 1px solid $line; }
+QFrame#statusline { background: $surface; border: 0; border-top: 1px solid $line; }
+QLabel { background: transparent; }
+QLabel#title { font-size: ${title_pt}pt; font-weight: 600; }
+QLabel#caption { font-size: ${small_pt}pt; color: $muted; }
+QLabel#large { font-size: ${large_pt}pt; font-weight: 600; }
+QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padding: 4px 12px; border-radius: 4px;
+                   letter-spacing: 2px; }
+QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
+QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
+QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
+QPushButton:disabled { color: $muted; background: $page; }
+QPushButton#primary { background: $accent; color: $on_accent; border-color: $accent; font-weight: 600; }
+QPushButton#primary:disabled { background: $line; color: $muted; border-color: $line; }
+QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700; padding: 12px 24px; }
+QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 12px 16px; }
+QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; font-weight: 600; padding-left: 12px; }
+QPushButton#rail:focus { border: 2px solid $accent; padding: 10px 14px; }
+QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { background: $sunken;
+    border: 1px solid $line; border-radius: 4px; padding: 5px 8px; selection-background-color: $accent; selection-color: $on_accent; }
+QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
+QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
+    selection-color: $on_accent; }
+QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; gridline-color: $line;
+    alternate-background-color: $sunken; selection-background-color: $accent; selection-color: $on_accent; }
+QHeaderView::section { background: $page; color: $muted; border: 0; border-bottom: 1px solid $line; padding: 6px 8px; }
+QProgressBar { background: $sunken; border: 1px solid $line; border-radius: 4px; height: 14px; text-align: center; }
+QProgressBar::chunk { background: $accent; border-radius: 3px; }
+QToolTip { background: $surface; color: $text; border: 1px solid $line; padding: 4px; }
+QScrollArea { border: 0; background: transparent; } QSplitter::handle { background: $line; }
+QCheckBox:focus, QRadioButton:focus { color: $accent; }
+"""
+)
+
+
+def style_sheet(theme: Theme, scale: float = 1.0) -> str:
+    """The application's style sheet for `theme`, with all texts `scale` times their size."""
+    colours = {name: getattr(theme, name) for name in Theme.__dataclass_fields__}
+    sizes = {
+        "text_pt": f"{TEXT * scale:.1f}",
+        "small_pt": f"{SMALL * scale:.1f}",
+        "title_pt": f"{TEXT * 1.35 * scale:.1f}",
+        "large_pt": f"{LARGE * scale:.1f}",
+    }
+    return _SHEET.substitute(colours | sizes)
+
+
+def contrast(a: str, b: str) -> float:
+    """Contrast ratio of two colours by WCAG 2.1, from 1 to 21."""
+    brighter, darker = sorted((_luminance(a), _luminance(b)), reverse=True)
+    return (brighter + 0.05) / (darker + 0.05)
+
+
+def _luminance(colour: str) -> float:
+    channels = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    linear = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels)
+    return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
