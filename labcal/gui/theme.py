@@ -103,7 +103,8 @@ QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 12px 
 QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; font-weight: 600; padding-left: 12px; }
 QPushButton#rail:focus { border: 2px solid $accent; padding: 10px 14px; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { background: $sunken;
-    border: 1px solid $line; border-radius: 4px; padding: 5px 8px; selection-background-color: $accent; selection-color: $on_accent; }
+    border: 1px solid $line; border-radius: 4px; padding: 5px 8px;
+    selection-background-color: $accent; selection-color: $on_accent; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
     selection-color: $on_accent; }

@@ -1,0 +1,222 @@
+"""The frame around every page: top bar with Coils off, rail, the field and instruments at the right, one line below."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QApplication,
+    QButtonGroup,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QMainWindow,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from labcal.gui.lab_vm import LabState, LabViewModel
+from labcal.gui.numbers import MINUS, field, number
+from labcal.gui.theme import GRID
+from labcal.gui.widgets import Numbers, label, named, set_state
+
+LIGHT_SHAPES = {"ok": ("✓", "good"), "waiting": ("…", ""), "fault": ("✕", "bad"), "absent": ("○", "")}
+UNITS = ("nT", "µT", "mG")
+
+
+class TopBar(QFrame):
+    """DUT, operator, bench, SIMULATED where it is, and Coils off: in sight on every page."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("topbar")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
+        row.setSpacing(GRID)
+        self.dut, self.operator, self.bench = label(), label(), label()
+        for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):
+            row.addWidget(label(caption, "caption"))
+            row.addWidget(value)
+            row.addSpacing(3 * GRID)
+        row.addWidget(label(self.tr("Bench"), "caption"))
+        row.addWidget(self.bench)
+        row.addStretch()
+        self.simulated = label(self.tr("SIMULATED"), "simulated")
+        row.addWidget(self.simulated)
+        row.addStretch()
+        self.off = QPushButton(self.tr("COILS OFF   F12"))
+        self.off.setObjectName("off")
+        self.off.setToolTip(self.tr("Take every coil to zero now (F12). Works in every state and asks nothing."))
+        self.off.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        row.addWidget(self.off)
+
+    def show_state(self, state: LabState) -> None:
+        """Write the state."""
+        for value, text in ((self.dut, state.dut_serial), (self.operator, state.operator), (self.bench, state.bench)):
+            value.setText(text or "–")
+        self.simulated.setVisible(state.simulated)
+
+
+class SidePanel(QFrame):
+    """The field now, the coil currents and the instruments."""
+
+    unit_asked = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("panel")
+        self.setFixedWidth(31 * GRID)
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        self._column.setSpacing(GRID)
+        self._unit = QPushButton("nT")
+        self._unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
+        self._unit.clicked.connect(self._next_unit)
+        head = QHBoxLayout()
+        head.addWidget(label(self.tr("FIELD"), "caption"))
+        head.addStretch()
+        head.addWidget(self._unit)
+        self._column.addLayout(head)
+        self._field = Numbers(("set", "measured", "U (k=2)", "x", "y", "z"))
+        self._column.addWidget(self._field)
+        self._column.addSpacing(GRID)
+        self._coils_head = label(self.tr("COILS   A"), "caption")
+        self._column.addWidget(self._coils_head)
+        self._coils = Numbers(("x", "y", "z"))
+        self._column.addWidget(self._coils)
+        self._zero = label("")
+        self._column.addWidget(self._zero)
+        self._column.addSpacing(GRID)
+        self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
+        self._lights = QVBoxLayout()
+        self._column.addLayout(self._lights)
+        self._column.addStretch()
+        self._rows: list[QLabel] = []
+
+    def _next_unit(self) -> None:
+        self.unit_asked.emit(UNITS[(UNITS.index(self._unit.text()) + 1) % len(UNITS)])
+
+    def show_state(self, state: LabState) -> None:
+        """Write the field, the coils and the lights."""
+        self._unit.setText(state.unit)
+        self._show_field(state)
+        for row, axis in enumerate(state.coil_A or (None,) * 3):
+            self._coils.show_row(row, "–" if axis is None else number(axis, 3))
+        words = {None: ("", ""), True: (self.tr("✓ all at zero"), "good"), False: (self.tr("● energised"), "warning")}
+        text, mark = words[state.coils_at_zero]
+        self._zero.setText(text)
+        set_state(self._zero, mark)
+        self._show_lights(state)
+
+    def _show_field(self, state: LabState) -> None:
+        def size(vector: tuple[float, float, float] | None) -> str:
+            return "–" if vector is None else field(sum(v * v for v in vector) ** 0.5, state.unit)
+
+        self._field.show_row(0, size(state.field_set_nT))
+        self._field.show_row(1, size(state.field_measured_nT))
+        u = "–" if state.field_U_nT is None else "±" + field(state.field_U_nT, state.unit).lstrip("+" + MINUS)
+        self._field.show_row(2, u)
+        for row, axis in enumerate(state.field_measured_nT or (None,) * 3):
+            self._field.show_row(3 + row, "–" if axis is None else field(axis, state.unit))
+
+    def _show_lights(self, state: LabState) -> None:
+        while len(self._rows) < len(state.lights):
+            self._rows.append(label("", wrap=True))
+            self._lights.addWidget(self._rows[-1])
+        for row, (name, light, words) in zip(self._rows, state.lights, strict=False):
+            shape, colour = LIGHT_SHAPES[light]
+            row.setText(f"{shape} {name}  {words}")
+            set_state(row, colour)
+        for row in self._rows[len(state.lights) :]:
+            row.hide()
+
+
+class Frame(QMainWindow):
+    """The main window: pages by name in the rail's order; `coils_off` fires on its button and on F12 with any focus."""
+
+    coils_off = Signal()
+
+    def __init__(self, lab: LabViewModel, pages: dict[str, QWidget]) -> None:
+        super().__init__()
+        self.setWindowTitle("labcal")
+        self.resize(1360, 860)
+        self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
+        self.message, self.waiting = label(), label()
+        self._rail_buttons = QButtonGroup(self)
+        self._names = tuple(pages)
+        middle = QHBoxLayout()
+        middle.setSpacing(0)
+        middle.addWidget(self._rail(pages))
+        middle.addWidget(self.stack, 1)
+        middle.addWidget(self.side)
+        page = named(QWidget(), "page")
+        column = QVBoxLayout(page)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.top)
+        column.addLayout(middle, 1)
+        column.addWidget(self._status_line())
+        self.setCentralWidget(page)
+        self.top.off.clicked.connect(self.coils_off)
+        self.side.unit_asked.connect(lambda unit: lab.update(unit=unit))
+        lab.changed.connect(self.show_state)
+        self.show_state(lab.state)
+        self.open_page(self._names[0])
+        application = QApplication.instance()
+        if application is not None:
+            application.installEventFilter(self)
+
+    def _rail(self, pages: dict[str, QWidget]) -> QFrame:
+        rail = named(QFrame(), "rail")
+        rail.setFixedWidth(17 * GRID)
+        column = QVBoxLayout(rail)
+        column.setContentsMargins(0, 2 * GRID, 0, 2 * GRID)
+        column.setSpacing(0)
+        for index, (name, page) in enumerate(pages.items()):
+            entry = named(QPushButton(name), "rail")
+            entry.setCheckable(True)
+            entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(name, index + 1))
+            QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click)
+            self._rail_buttons.addButton(entry, index)
+            column.addWidget(entry)
+            self.stack.addWidget(page)
+        column.addStretch()
+        self._rail_buttons.idClicked.connect(self.stack.setCurrentIndex)
+        return rail
+
+    def _status_line(self) -> QFrame:
+        line = named(QFrame(), "statusline")
+        row = QHBoxLayout(line)
+        row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
+        row.addWidget(self.message)
+        row.addStretch()
+        row.addWidget(self.waiting)
+        return line
+
+    def open_page(self, name: str) -> None:
+        """Show the page called `name`."""
+        index = self._names.index(name)
+        self._rail_buttons.button(index).setChecked(True)
+        self.stack.setCurrentIndex(index)
+
+    def show_state(self, state: LabState) -> None:
+        """Write the lab's state into every part of the frame."""
+        self.top.show_state(state)
+        self.side.show_state(state)
+        self.message.setText(state.message)
+        self.waiting.setText(state.waiting)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take F12 before anything else can, whatever has the focus and whatever card is open."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_F12:
+            if not event.isAutoRepeat():
+                self.coils_off.emit()
+            return True
+        return super().eventFilter(watched, event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Coils off before the window goes."""
+        self.coils_off.emit()
+        super().closeEvent(event)
