@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import hypot
+
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
@@ -18,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.lab_vm import LabState, LabViewModel
-from labcal.gui.numbers import MINUS, field, number
+from labcal.gui.numbers import field, number
 from labcal.gui.theme import GRID
 from labcal.gui.widgets import Numbers, label, named, set_state
 
@@ -112,11 +114,11 @@ class SidePanel(QFrame):
 
     def _show_field(self, state: LabState) -> None:
         def size(vector: tuple[float, float, float] | None) -> str:
-            return "–" if vector is None else field(sum(v * v for v in vector) ** 0.5, state.unit)
+            return "–" if vector is None else field(hypot(*vector), state.unit, signed=False)
 
         self._field.show_row(0, size(state.field_set_nT))
         self._field.show_row(1, size(state.field_measured_nT))
-        u = "–" if state.field_U_nT is None else "±" + field(state.field_U_nT, state.unit).lstrip("+" + MINUS)
+        u = "–" if state.field_U_nT is None else "±" + field(state.field_U_nT, state.unit, signed=False)
         self._field.show_row(2, u)
         for row, axis in enumerate(state.field_measured_nT or (None,) * 3):
             self._field.show_row(3 + row, "–" if axis is None else field(axis, state.unit))

@@ -16,9 +16,9 @@ def number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
     return text.replace(",", NARROW_SPACE).replace("-", MINUS)
 
 
-def field(value_nT: float, unit: FieldUnit = "nT") -> str:
-    """A field component in the display unit."""
-    return number(value_nT * PER_NT[unit], DECIMALS[unit])
+def field(value_nT: float, unit: FieldUnit = "nT", *, signed: bool = True) -> str:
+    """A field component, or with `signed` False a magnitude, in the display unit."""
+    return number(value_nT * PER_NT[unit], DECIMALS[unit], signed=signed)
 
 
 def duration(seconds: float) -> str:

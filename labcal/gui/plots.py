@@ -1,0 +1,98 @@
+"""Plots in the theme's colours: traces of three axes against time, and loci on the sphere in three projections."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from labcal.gui.theme import Theme
+
+Array = NDArray[np.float64]
+AXES = ("x", "y", "z")
+VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
+
+
+def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
+    """An empty plot with named axes (units in the name) in the theme's colours."""
+    widget = pg.PlotWidget(background=theme.surface)
+    item = widget.getPlotItem()
+    item.showGrid(x=True, y=True, alpha=0.15)
+    item.hideButtons()
+    for side, text in (("bottom", bottom), ("left", left)):
+        axis = item.getAxis(side)
+        axis.setLabel(text, color=theme.muted)
+        axis.setPen(pg.mkPen(theme.line))
+        axis.setTextPen(pg.mkPen(theme.muted))
+        axis.enableAutoSIPrefix(False)
+    widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    return widget
+
+
+class Traces(QWidget):
+    """Three curves, x y z, against time, each named at its right end."""
+
+    def __init__(self, theme: Theme, left: str) -> None:
+        super().__init__()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.plot = plot(theme, "time  s", left)
+        row.addWidget(self.plot)
+        self._curves = [self.plot.plot(pen=pg.mkPen(colour, width=1.6)) for colour in theme.axes]
+        self._names = [
+            pg.TextItem(name, colour, anchor=(0, 0.5)) for name, colour in zip(AXES, theme.axes, strict=True)
+        ]
+        for name in self._names:
+            self.plot.addItem(name, ignoreBounds=True)
+        for curve in self._curves:
+            curve.setDownsampling(auto=True, method="peak")
+            curve.setClipToView(True)
+
+    def show_rows(self, rows: Array) -> None:
+        """Draw `rows` (n, 4): time [s], x, y, z."""
+        for axis, (curve, name) in enumerate(zip(self._curves, self._names, strict=True)):
+            curve.setData(rows[:, 0], rows[:, 1 + axis], connect="finite")
+            name.setVisible(len(rows) > 0)
+            if len(rows):
+                name.setPos(float(rows[-1, 0]), float(rows[-1, 1 + axis]))
+
+
+class Loci(QWidget):
+    """Directions on the sphere, seen along z, x and y: where the field has been in the body's axes.
+
+    Points in the front half are filled, behind it they are hollow; `truth` draws the circle that a fit expects.
+    """
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        circle = np.linspace(0, 2 * np.pi, 181)
+        self._views = []
+        for right, up in VIEWS:
+            widget = plot(theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
+            widget.setAspectLocked(True)
+            widget.setRange(xRange=(-1.1, 1.1), yRange=(-1.1, 1.1))
+            widget.plot(np.cos(circle), np.sin(circle), pen=pg.mkPen(theme.muted, width=1))
+            faint = QColor(theme.accent)
+            faint.setAlpha(70)
+            behind = pg.ScatterPlotItem(size=5, pen=pg.mkPen(faint), brush=None)
+            front = pg.ScatterPlotItem(size=5, pen=None, brush=pg.mkBrush(theme.accent))
+            widget.addItem(behind)
+            widget.addItem(front)
+            row.addWidget(widget)
+            self._views.append((front, behind))
+
+    def show_field(self, field_nT: Array) -> None:
+        """Draw fields (n, 3) by their direction; at most 4 000 of them, evenly taken."""
+        field = field_nT[np.isfinite(field_nT).all(axis=1)]
+        field = field[:: max(1, len(field) // 4000)]
+        length = np.linalg.norm(field, axis=1, keepdims=True)
+        direction = field / np.where(length > 0, length, 1.0)
+        for (right, up), (front, behind) in zip(VIEWS, self._views, strict=True):
+            toward = direction[:, 3 - right - up] >= 0
+            front.setData(direction[toward, right], direction[toward, up])
+            behind.setData(direction[~toward, right], direction[~toward, up])

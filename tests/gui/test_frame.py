@@ -1,0 +1,69 @@
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit, QWidget
+
+from labcal.gui.frame import Frame
+from labcal.gui.lab_vm import LabViewModel
+
+
+@pytest.fixture
+def lab():
+    return LabViewModel()
+
+
+@pytest.fixture
+def frame(qtbot, lab):
+    window = Frame(lab, {"Start": QLineEdit(), "Bench": QWidget(), "Run": QWidget()})
+    qtbot.addWidget(window)
+    window.show()
+    return window
+
+
+def test_f12_takes_the_coils_to_zero_even_while_a_field_has_the_focus(qtbot, frame):
+    entry = frame.stack.currentWidget()
+    entry.setFocus()
+    with qtbot.waitSignal(frame.coils_off, timeout=1000):
+        qtbot.keyClick(entry, Qt.Key.Key_F12)
+    assert entry.text() == ""
+
+
+def test_the_button_takes_the_coils_to_zero(qtbot, frame):
+    with qtbot.waitSignal(frame.coils_off, timeout=1000):
+        qtbot.mouseClick(frame.top.off, Qt.MouseButton.LeftButton)
+
+
+def test_closing_the_window_takes_the_coils_to_zero(qtbot, frame):
+    with qtbot.waitSignal(frame.coils_off, timeout=1000):
+        frame.close()
+
+
+def test_simulated_is_shown_where_it_is_and_only_there(lab, frame):
+    lab.update(simulated=True)
+    assert frame.top.simulated.isVisible()
+    lab.update(simulated=False)
+    assert not frame.top.simulated.isVisible()
+
+
+def test_the_unit_button_changes_what_is_shown_and_nothing_else(qtbot, lab, frame):
+    lab.update(field_measured_nT=(0.0, 0.0, -19998.7))
+    assert "\u221219\u202f998.7" in texts(frame.side)
+    qtbot.mouseClick(frame.side._unit, Qt.MouseButton.LeftButton)
+    assert "\u221219.9987" in texts(frame.side)
+    assert lab.state.field_measured_nT == (0.0, 0.0, -19998.7)
+
+
+def test_what_is_not_known_is_shown_as_such(frame):
+    assert "–" in texts(frame.side)
+    assert "energised" not in " ".join(texts(frame.side))
+
+
+def test_control_and_a_number_open_a_page(qtbot, frame):
+    qtbot.waitExposed(frame)
+    qtbot.keyClick(frame, Qt.Key.Key_2, Qt.KeyboardModifier.ControlModifier)
+    assert frame.stack.currentIndex() == 1
+
+
+def texts(widget):
+    from PySide6.QtWidgets import QLabel
+
+    return [child.text() for child in widget.findChildren(QLabel)]
