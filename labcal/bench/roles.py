@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
-from labcal.record.stream import Block
+from labcal.record.stream import Block, Prompt
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,4 +101,17 @@ class Magnetometer(Instrument, Protocol):
 
     def stop(self) -> None:
         """End the stream."""
+        ...
+
+
+@runtime_checkable
+class Hands(Protocol):
+    """The person at a simulated bench, who does to the twin what a prompt asks. A real bench has none (None).
+
+    A prompt says what to do in its `drawing`: "body_from_cage" (3x3, at angle 0) mounts the DUT, "mode" switches
+    its power mode, "angle_deg" turns a dial that has no motor, "load" and "on" switch a load.
+    """
+
+    def do(self, prompt: Prompt) -> None:
+        """Do it before the answer is given."""
         ...
