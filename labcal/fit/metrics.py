@@ -1,0 +1,66 @@
+"""How good a fit is: magnitude residual, held-out blocks, and where the rotation axes come to lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.result import Fit
+from labcal.geometry import plane_normal
+from labcal.model import AffineMap
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+FOLDS = 5
+
+
+def scalar_residual(run: Run, found: Fit) -> Array:
+    """|K m − k| − |ref| (n,) [nT], NaN where either is missing; zero references leave NaN throughout."""
+    if found.affine is None or run.reference.kind == "none":
+        return np.full(len(run), np.nan)
+    return np.asarray(np.linalg.norm(found.affine.apply(run.reading), axis=1) - run.magnitude_nT)
+
+
+def folds(run: Run, count: int = FOLDS) -> Iterator[tuple[NDArray[np.bool_], NDArray[np.bool_]]]:
+    """Masks (training, test) (n,): each fold holds out one contiguous block of every segment's time.
+
+    A run that has one stretch a rotation axis would lose an axis were whole stretches held out.
+    """
+    block = _block_of_row(run, count)
+    for index in range(count):
+        test = block == index
+        if test.any() and not test.all():
+            yield ~test, test
+
+
+def _block_of_row(run: Run, count: int) -> NDArray[np.intp]:
+    block = np.zeros(len(run), dtype=np.intp)
+    for index in range(len(run.segments)):
+        rows = run.rows(index)
+        block[rows] = (np.arange(len(rows)) * count // max(len(rows), 1) + index) % count
+    return block
+
+
+def axis_errors_deg(run: Run, affine: AffineMap) -> tuple[float, ...] | None:
+    """Angle between each rotation segment's declared `axis_body` and the normal of its calibrated locus' plane.
+
+    None where no rotation segment states its axis, or one has too few rows for a plane.
+    """
+    errors = []
+    for index, segment in enumerate(run.segments):
+        if segment.kind != "rotation" or segment.axis_body is None:
+            continue
+        field = affine.apply(run.reading[run.rows(index)])
+        field = field[np.isfinite(field).all(axis=1)]
+        if len(field) < 3:
+            return None
+        normal, _ = plane_normal(field)
+        errors.append(_angle_deg(normal, np.asarray(segment.axis_body)))
+    return tuple(errors) or None
+
+
+def _angle_deg(a: Array, b: Array) -> float:
+    """The acute angle between two lines; exact for small ones."""
+    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b)), abs(a @ b))))

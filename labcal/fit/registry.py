@@ -1,0 +1,94 @@
+"""The methods by name, and what every one of them is told about itself: time, residuals, held-out residuals."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from labcal.errors import InputError
+from labcal.fit.metrics import axis_errors_deg, folds, scalar_residual
+from labcal.fit.result import Fit
+from labcal.record import Run
+
+Estimator = Callable[..., Fit]
+
+METHODS: Mapping[str, str] = {
+    "ml": "labcal.fit.ml:ml",
+    "centered": "labcal.fit.centered:centered",
+    "centered-sequential": "labcal.fit.centered:centered_sequential",
+    "twostep": "labcal.fit.twostep:twostep",
+    "ekf": "labcal.fit.ekf:ekf",
+    "ukf": "labcal.fit.ukf:ukf",
+    "ukf-augmented": "labcal.fit.ukf:ukf_augmented",
+    "foster-elkaim": "labcal.fit.foster_elkaim:foster_elkaim",
+    "telemetry": "labcal.fit.telemetry:telemetry",
+    "pso-scalar": "labcal.fit.pso_scalar:pso_scalar",
+    "pso-axis": "labcal.fit.pso_axis:pso_axis",
+}
+
+
+def fit(run: Run, method: str = "ml", *, holdout: bool = True, **options: Any) -> Fit:
+    """Estimate a calibration of `run` by `method`; `options` go to the estimator.
+
+    An estimator is a pure function `(run, **options) -> Fit`; it answers `ok=False` where the run does not determine
+    its parameters. Residuals, held-out residuals (skipped with `holdout=False`), axis errors and the time are added
+    here. Raises InputError for a method that does not exist.
+    """
+    if method not in METHODS:
+        raise InputError(f"there is no method {method!r}; the methods are {', '.join(METHODS)}")
+    module, _, function = METHODS[method].partition(":")
+    if find_spec(module) is None:
+        return Fit(method=method, ok=False, why_not="not available yet")
+    estimator: Estimator = getattr(import_module(module), function)
+    start = time.perf_counter()
+    found = _estimate(estimator, method, run, options)
+    found = replace(found, method=method, seconds=time.perf_counter() - start)
+    return _with_metrics(found, estimator, run, options, holdout=holdout)
+
+
+def fit_all(run: Run, **options: Any) -> list[Fit]:
+    """Every method's answer, in the order of `METHODS`; `options` by method name, each a mapping."""
+    return [fit(run, method, **options.get(method, {})) for method in METHODS]
+
+
+def _estimate(estimator: Estimator, method: str, run: Run, options: Mapping[str, Any]) -> Fit:
+    """The estimator's answer; numbers that break down (a singular matrix, an overflow) are an answer too."""
+    try:
+        with np.errstate(all="ignore"):
+            return estimator(run, **options)
+    except (np.linalg.LinAlgError, ArithmeticError) as error:
+        return Fit(method=method, ok=False, why_not=f"the numbers broke down: {error}")
+
+
+def _with_metrics(found: Fit, estimator: Estimator, run: Run, options: Mapping[str, Any], *, holdout: bool) -> Fit:
+    if not found.ok or found.affine is None:
+        return found
+    residual = scalar_residual(run, found)
+    return replace(
+        found,
+        rms_scalar_nT=_rms(residual),
+        holdout_rms_scalar_nT=_holdout(found, estimator, run, options) if holdout else None,
+        axis_error_deg=axis_errors_deg(run, found.affine),
+    )
+
+
+def _holdout(found: Fit, estimator: Estimator, run: Run, options: Mapping[str, Any]) -> float | None:
+    """Rms of the magnitude residual on blocks of time that the fit did not see; None where a fold has no fit."""
+    kept = []
+    for train, test in folds(run):
+        refit = _estimate(estimator, found.method, run.select(train), options)
+        if not refit.ok or refit.affine is None:
+            return None
+        kept.append(scalar_residual(run.select(test), refit))
+    return _rms(np.concatenate(kept)) if kept else None
+
+
+def _rms(residual: Any) -> float | None:
+    seen = residual[np.isfinite(residual)]
+    return float(np.sqrt(np.mean(seen**2))) if len(seen) else None

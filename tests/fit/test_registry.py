@@ -1,0 +1,33 @@
+import numpy as np
+import pytest
+
+from labcal.errors import InputError
+from labcal.fit import METHODS, fit
+from labcal.record import Dut, Reference, Run, Segment
+
+
+def empty_run() -> Run:
+    return Run(
+        run_id="r",
+        started_utc="2026-01-01T00:00:00Z",
+        simulated=True,
+        operator="",
+        dut=Dut(serial="s"),
+        reference=Reference(kind="none"),
+        segments=(Segment("a", "free"),),
+        t_s=np.arange(5.0),
+        segment_index=np.zeros(5, dtype=np.intp),
+        reading=np.ones((5, 3)),
+    )
+
+
+def test_a_method_that_does_not_exist_is_named_with_those_that_do() -> None:
+    with pytest.raises(InputError, match=r"no method 'magic'.*twostep"):
+        fit(empty_run(), "magic")
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_run_without_a_reference_gets_no_calibration(method: str) -> None:
+    found = fit(empty_run(), method)
+    assert not found.ok
+    assert found.why_not
