@@ -56,7 +56,7 @@ class Observations:
 
 
 def observe(run: Run, *, as_scalar: bool = False) -> Observations:
-    """The usable rows of `run`; with `as_scalar` their magnitude alone. Raises ValueError where there is no reference."""
+    """The usable rows of `run`; with `as_scalar` their magnitude alone. Raises ValueError where there is none."""
     carried = carry(run)
     kind = np.full(len(run), SCALAR, dtype=np.int8)
     if not as_scalar:
