@@ -1,0 +1,146 @@
+"""Run bundles: a folder, or a zip of it, with run.json and samples.csv."""
+
+from __future__ import annotations
+
+import io
+import stat
+import zipfile
+import zlib
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path, PurePosixPath
+
+from labcal.errors import InputError
+from labcal.files import write_bytes
+from labcal.record import Run
+from labcal.store.run_json import read_run_json, write_run_json
+from labcal.store.samples_csv import read_samples, write_samples
+
+RUN_JSON, SAMPLES_CSV = "run.json", "samples.csv"
+LARGEST = {RUN_JSON: 16 << 20, SAMPLES_CSV: 1 << 30}  # bytes
+ZIP_DATE = (1980, 1, 1, 0, 0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Bundle:
+    """The two files of a bundle, byte for byte, and where they came from (for messages)."""
+
+    run_json: bytes
+    samples_csv: bytes
+    source: Path = Path()
+
+    @property
+    def sha256(self) -> str:
+        """SHA-256 of `sha256(run.json)\\nsha256(samples.csv)\\n`, lower-case hex (contract: run_sha256)."""
+        digests = (sha256(part).hexdigest() for part in (self.run_json, self.samples_csv))
+        return sha256("".join(f"{digest}\n" for digest in digests).encode()).hexdigest()
+
+    def run(self) -> Run:
+        """The run that the files hold. Raises InputError with file, line and column at the first fault."""
+        header = read_run_json(self.run_json, file=self.source / RUN_JSON)
+        return read_samples(self.samples_csv, header, file=self.source / SAMPLES_CSV)
+
+
+def bundle_of(run: Run) -> Bundle:
+    """The files that stand for `run`: the same bytes whenever they are made."""
+    return Bundle(write_run_json(run), write_samples(run), Path(run.run_id))
+
+
+def load_bundle(path: Path) -> Bundle:
+    """The bytes of a bundle, folder or zip, unread. Raises InputError where it is no bundle."""
+    if path.is_dir():
+        return Bundle(_from_folder(path / RUN_JSON), _from_folder(path / SAMPLES_CSV), path)
+    if not path.exists():
+        raise InputError("there is no such file or folder", file=path)
+    if not path.is_file():
+        raise InputError("expected a folder or a zip file", file=path)
+    return _from_zip(path)
+
+
+def read_bundle(path: Path) -> Run:
+    """Read a bundle, folder or zip. Raises InputError with file, line and column at the first fault."""
+    return load_bundle(path).run()
+
+
+def save_bundle(bundle: Bundle, path: Path) -> None:
+    """Write the bundle to `path`: a zip where the name ends in .zip, else a folder."""
+    if path.suffix.lower() == ".zip":
+        write_bytes(path, _zipped(bundle))
+        return
+    if path.exists() and not path.is_dir():
+        raise InputError("is a file; a bundle is a folder, or a name that ends in .zip", file=path)
+    path.mkdir(parents=True, exist_ok=True)
+    write_bytes(path / SAMPLES_CSV, bundle.samples_csv)
+    write_bytes(path / RUN_JSON, bundle.run_json)
+
+
+def write_bundle(run: Run, path: Path) -> None:
+    """Write `run` to `path`: a zip where the name ends in .zip, else a folder."""
+    save_bundle(bundle_of(run), path)
+
+
+def bundle_sha256(run: Run | Bundle) -> str:
+    """`run_sha256` of a run's exported bundle, or of a bundle's own bytes (contract: calibration file)."""
+    return (run if isinstance(run, Bundle) else bundle_of(run)).sha256
+
+
+def _from_folder(path: Path) -> bytes:
+    if not path.is_file():
+        raise InputError(f"the bundle has no {path.name}", file=path.parent)
+    if path.stat().st_size > LARGEST[path.name]:
+        raise InputError(f"larger than {LARGEST[path.name] >> 20} MiB: split the run", file=path)
+    return path.read_bytes()
+
+
+def _zipped(bundle: Bundle) -> bytes:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name, content in ((RUN_JSON, bundle.run_json), (SAMPLES_CSV, bundle.samples_csv)):
+            member = zipfile.ZipInfo(name, ZIP_DATE)
+            member.create_system, member.external_attr = 3, (stat.S_IFREG | 0o644) << 16
+            archive.writestr(member, content, zipfile.ZIP_DEFLATED, 6)
+    return buffer.getvalue()
+
+
+def _from_zip(path: Path) -> Bundle:
+    try:
+        with zipfile.ZipFile(path) as archive:
+            members = _members(archive, path)
+            return Bundle(
+                _content(archive, members[RUN_JSON], path), _content(archive, members[SAMPLES_CSV], path), path
+            )
+    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError, OverflowError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"not a readable zip file: {error}", file=path) from None
+
+
+def _members(archive: zipfile.ZipFile, path: Path) -> dict[str, zipfile.ZipInfo]:
+    """The two files, at the top or together in one folder. Refuses paths that climb out, links and doubles."""
+    found: dict[str, zipfile.ZipInfo] = {}
+    for member in archive.infolist():
+        name = PurePosixPath(member.filename.replace("\\", "/"))
+        if name.is_absolute() or ".." in name.parts or ":" in member.filename:
+            raise InputError(f"the zip has a path that climbs out of it: {member.filename!r}", file=path)
+        if stat.S_ISLNK(member.external_attr >> 16):
+            raise InputError(f"the zip has a link in it: {member.filename!r}", file=path)
+        if name.name in LARGEST and len(name.parts) <= 2:
+            if name.name in found:
+                raise InputError(f"the zip has two files called {name.name}", file=path)
+            found[name.name] = member
+    for required in LARGEST:
+        if required not in found:
+            raise InputError(f"the bundle has no {required}", file=path)
+    return found
+
+
+def _content(archive: zipfile.ZipFile, member: zipfile.ZipInfo, path: Path) -> bytes:
+    """One member's bytes, never more than allowed, whatever the zip says about its size."""
+    name = PurePosixPath(member.filename).name
+    if member.flag_bits & 1:
+        raise InputError(f"{name} is encrypted", file=path)
+    with archive.open(member) as stream:
+        content = stream.read(LARGEST[name] + 1)
+    if len(content) > LARGEST[name]:
+        raise InputError(f"{name} is larger than {LARGEST[name] >> 20} MiB: split the run", file=path)
+    return content

@@ -1,0 +1,293 @@
+"""run.json, the header of a run bundle: what it may say, and where it is wrong."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
+from datetime import datetime
+from difflib import get_close_matches
+from typing import Annotated, Any, Literal, NoReturn, Self
+
+import numpy as np
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from labcal.errors import InputError
+from labcal.record import Dut, Reference, Run, Segment
+from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
+from labcal.store.table import decode
+
+FORMAT = "labcal-run/1"
+FIXED_COLUMNS = (
+    *("t_s", "segment", "dut_x", "dut_y", "dut_z", "ref_x", "ref_y", "ref_z", "ref_f"),
+    *("angle_deg", "mode"),
+)
+UNITS: Mapping[str, tuple[str, ...]] = {
+    "temperature": ("degC", "K", "degF"),
+    "current": ("A", "mA", "uA", "µA", "nA", "kA"),
+    "voltage": ("V", "mV", "uV", "µV", "kV"),
+    "power": ("W", "mW", "uW", "µW", "kW"),
+    "rate": ("deg/s", "rad/s", "rpm", "Hz", "kHz", "1/s", "1/min", "count/s", "nT/s", "bit/s", "kbit/s", "degC/s"),
+    "pressure": ("Pa", "hPa", "kPa", "MPa", "mbar", "bar", "Torr"),
+    "humidity": ("%", "%RH", "1"),
+    "count": ("count", "1", ""),
+}
+ROUNDING = 1e-4  # how far a written axis or matrix may be from length one: four decimals are rounded, not wrong
+
+
+def _unit_axis(v: Vector) -> Vector:
+    """`v` at length one. Raises ValueError where it is farther from it than rounding explains."""
+    length = float(np.linalg.norm(v))
+    if abs(length - 1) > ROUNDING:
+        raise ValueError(f"expected a unit vector, found one of length {length:.6g}")
+    if abs(length - 1) < 1e-12:
+        return v
+    return (v[0] / length, v[1] / length, v[2] / length)
+
+
+def _rotation(m: Matrix) -> Matrix:
+    """The rotation nearest to `m`. Raises ValueError where it is farther from one than rounding explains."""
+    R = np.array(m)
+    with np.errstate(over="ignore"):
+        off = float(np.abs(R @ R.T - np.eye(3)).max())
+    if not off < ROUNDING:
+        raise ValueError(f"expected a rotation matrix; R Rᵀ differs from the identity by {off:.2g}")
+    if np.linalg.det(R) < 0:
+        raise ValueError("expected a rotation matrix, found one that mirrors (its determinant is -1)")
+    if off > 1e-12:
+        u, _, vt = np.linalg.svd(R)
+        R = u @ vt
+    a, b, c = R.tolist()
+    return (tuple(a), tuple(b), tuple(c))
+
+
+def _iso_8601(text: str) -> str:
+    try:
+        datetime.fromisoformat(text)
+    except ValueError:
+        raise ValueError("expected a date and time in ISO 8601, such as 2026-03-02T08:15:00Z") from None
+    return text
+
+
+Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
+RunId = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\x00-\x20\x7f/\\][^\x00-\x1f\x7f/\\]*$")]
+Mode = Annotated[str, Field(max_length=100, pattern=r"^[^\x00-\x1f\x7f]*$")]
+Utc = Annotated[str, AfterValidator(_iso_8601)]
+Axis = Annotated[Vector, AfterValidator(_unit_axis)]
+Rotation = Annotated[Matrix, AfterValidator(_rotation)]
+Spread = Annotated[float, Field(ge=0)]
+
+
+class _Part(BaseModel):
+    """A JSON object: more keys than known are let be, a known key misspelt is refused."""
+
+    model_config = ConfigDict(strict=True, frozen=True, allow_inf_nan=False, extra="allow")
+
+    @model_validator(mode="after")
+    def _spelling(self) -> Self:
+        absent = sorted(type(self).model_fields.keys() - self.model_fields_set)
+        for key in self.model_extra or ():
+            if meant := get_close_matches(key, absent, n=1, cutoff=0.8):
+                raise ValueError(f"unknown key {key!r}; is {meant[0]!r} meant?")
+        return self
+
+    def known(self) -> dict[str, Any]:
+        """The keys of the format, by name."""
+        return {name: getattr(self, name) for name in type(self).model_fields}
+
+
+class DutPart(_Part):
+    """The device under test."""
+
+    serial: str
+    model: str = ""
+    unit: Literal["nT", "count"]
+    nominal_nT_per_unit: float = Field(gt=0)
+    noise_nT: Spread | None = None
+
+
+class ReferencePart(_Part):
+    """The reference sensor and what is stated about it."""
+
+    kind: Literal["vector", "scalar", "none"]
+    serial: str = ""
+    noise_nT: Spread | None = None
+    place: Literal["dut", "remote", "computed"] | None = None
+    position_m: Vector | None = None
+    u_scale_ppm: Spread | None = None
+    u_offset_nT: Spread | None = None
+    u_align_deg: Spread | None = None
+    u_time_s: Spread | None = None
+    calibration: str | None = None
+
+
+class SegmentPart(_Part):
+    """One segment; its axes are of unit length, its attitude is a rotation, and they agree."""
+
+    id: Name
+    kind: SegmentKind
+    axis_body: Axis | None = None
+    axis_cage: Axis | None = None
+    body_from_cage: Rotation | None = None
+    reference_frame: Literal["cage", "body"] = "cage"
+    mode: Mode | None = None
+    note: str = ""
+    mounting: str | None = None
+    angle_noise_deg: Spread | None = None
+    u_axis_body_deg: Spread | None = None
+    u_axis_cage_deg: Spread | None = None
+    u_time_s: Spread | None = None
+
+    @model_validator(mode="after")
+    def _agree(self) -> Self:
+        if self.body_from_cage is None or self.axis_cage is None or self.axis_body is None:
+            return self
+        off = np.linalg.norm(np.array(self.body_from_cage) @ self.axis_cage - self.axis_body)
+        if off > 1e-3:
+            raise ValueError(f"body_from_cage · axis_cage must be axis_body; they differ by {off:.3g}")
+        return self
+
+
+class ChannelPart(_Part):
+    """What a housekeeping column means."""
+
+    unit: str
+    quantity: Quantity
+    role: Role = "dut"
+
+    @model_validator(mode="after")
+    def _unit_exists(self) -> Self:
+        known = UNITS.get(self.quantity)
+        if known is not None and self.unit not in known:
+            units = ", ".join(unit for unit in known if unit)
+            raise ValueError(f"there is no unit {self.unit!r} of {self.quantity}; expected one of {units}")
+        return self
+
+
+class RunJson(_Part):
+    """The whole of run.json."""
+
+    format: Literal["labcal-run/1"]
+    run_id: RunId
+    started_utc: Utc
+    simulated: bool
+    operator: str = ""
+    dut: DutPart
+    reference: ReferencePart
+    segments: tuple[SegmentPart, ...] = Field(min_length=1)
+    channels: dict[Name, ChannelPart] = {}
+
+    @model_validator(mode="after")
+    def _names(self) -> Self:
+        ids = [segment.id for segment in self.segments]
+        for place, name in enumerate(ids):
+            if name in ids[:place]:
+                raise ValueError(f"two segments have the id {name!r}")
+        for name in self.channels:
+            if name in FIXED_COLUMNS:
+                raise ValueError(f"a channel cannot be called {name!r}: samples.csv has a column of that name")
+        return self
+
+    def record_segments(self) -> tuple[Segment, ...]:
+        """The segments as the record knows them."""
+        return tuple(Segment(**segment.known()) for segment in self.segments)
+
+
+def read_run_json(data: bytes, *, file: object) -> RunJson:
+    """Read and check run.json. Raises InputError with the line, the key and what was expected."""
+    text = decode(data, file=str(file))
+    _check_json(text, str(file))
+    try:
+        return RunJson.model_validate_json(text)
+    except ValidationError as error:
+        _refuse(error, text, str(file))
+
+
+def write_run_json(run: Run) -> bytes:
+    """The header of `run` as run.json: fixed order, only what is stated, UTF-8 with LF."""
+    header = {
+        "format": FORMAT,
+        "run_id": run.run_id,
+        "started_utc": run.started_utc,
+        "simulated": run.simulated,
+        "operator": run.operator,
+        "dut": _stated(run.dut),
+        "reference": _stated(run.reference),
+        "segments": [_stated(segment) for segment in run.segments],
+        "channels": {c.name: {"unit": c.unit, "quantity": c.quantity, "role": c.role} for c in run.channels},
+    }
+    return (json.dumps(header, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def _stated(part: Dut | Reference | Segment) -> dict[str, Any]:
+    always = {"noise_nT"}
+    return {key: value for key, value in asdict(part).items() if value is not None or key in always}
+
+
+def _check_json(text: str, file: str) -> None:
+    """Refuse what is not JSON, and what Python or pydantic would let pass: doubled keys, NaN, endless nesting."""
+    try:
+        json.loads(text, object_pairs_hook=_unique, parse_constant=_not_a_number)
+    except json.JSONDecodeError as error:
+        raise InputError(f"not JSON: {error.msg}", file=file, line=error.lineno, column=error.colno) from None
+    except RecursionError:
+        raise InputError("not a run: its JSON is nested too deeply", file=file) from None
+    except ValueError as error:  # a doubled key, NaN, or an integer of thousands of digits
+        raise InputError(str(error), file=file) from None
+
+
+def _unique(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in found:
+            raise ValueError(f"the key {key!r} is there twice in one object")
+        found[key] = value
+    return found
+
+
+def _not_a_number(word: str) -> NoReturn:
+    raise ValueError(f"expected finite numbers, found {word}")
+
+
+def _refuse(error: ValidationError, text: str, file: str) -> NoReturn:
+    first = error.errors(include_url=False)[0]
+    path = tuple(part for part in first["loc"] if part != "[key]")
+    what = first["msg"].removeprefix("Value error, ").replace("Input should be", "expected")
+    if first["type"] == "missing":
+        what = "the key is missing"
+    elif first["type"] != "value_error":
+        what += f", found {str(first['input'])[:40]!r}"
+    raise InputError(what, file=file, line=_line_of(text, path), column=".".join(map(str, path)) or None) from None
+
+
+def _line_of(text: str, path: Sequence[str | int]) -> int:
+    """Line (from 1) of the value at `path`, or of the deepest part of the path that is there."""
+    at = _past_blanks(text, 0)
+    for key in path:
+        at = next((start for name, start in _children(text, at) if name == key), at)
+    return text.count("\n", 0, at) + 1
+
+
+def _children(text: str, at: int) -> Iterator[tuple[str | int, int]]:
+    """Keys or indices of the valid JSON value at `at`, each with the place where its value begins."""
+    close = {"{": "}", "[": "]"}.get(text[at])
+    if close is None:
+        return
+    decoder, index = json.JSONDecoder(), 0
+    at = _past_blanks(text, at + 1)
+    while text[at] != close:
+        key: str | int = index
+        if close == "}":
+            key, at = decoder.raw_decode(text, at)
+            at = _past_blanks(text, _past_blanks(text, at) + 1)
+        yield key, at
+        at = _past_blanks(text, decoder.raw_decode(text, at)[1])
+        if text[at] == ",":
+            at = _past_blanks(text, at + 1)
+        index += 1
+
+
+def _past_blanks(text: str, at: int) -> int:
+    while at < len(text) and text[at] in " \t\r\n":
+        at += 1
+    return at

@@ -1,0 +1,117 @@
+"""samples.csv, the rows of a run bundle: read with the header's word for what a column means, written byte-stable."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.errors import InputError
+from labcal.record import Channel, Dut, Reference, Run
+from labcal.store.run_json import FIXED_COLUMNS, RunJson
+from labcal.store.table import Table, read_table, require_increasing
+
+Array = NDArray[np.float64]
+
+DUT = ("dut_x", "dut_y", "dut_z")
+REFERENCE = {"vector": ("ref_x", "ref_y", "ref_z"), "scalar": ("ref_f",), "none": ()}
+LONGEST_MODE = 100
+
+
+def read_samples(data: bytes, header: RunJson, *, file: object) -> Run:
+    """The run of `header` with the rows of samples.csv. Raises InputError at the first fault."""
+    table = _table(data, header, str(file))
+    numbers = table.numbers
+    return Run(
+        run_id=header.run_id,
+        started_utc=header.started_utc,
+        simulated=header.simulated,
+        operator=header.operator,
+        dut=Dut(**header.dut.known()),
+        reference=Reference(**header.reference.known()),
+        segments=header.record_segments(),
+        t_s=numbers["t_s"],
+        segment_index=_segment_index(table, [segment.id for segment in header.segments]),
+        reading=_stack(numbers, DUT),
+        reference_vector=_stack(numbers, REFERENCE["vector"]) if header.reference.kind == "vector" else None,
+        reference_magnitude=numbers["ref_f"] if header.reference.kind == "scalar" else None,
+        angle_deg=numbers.get("angle_deg"),
+        row_mode=_row_mode(table),
+        channels=tuple(
+            Channel(name, part.unit, part.quantity, numbers[name], part.role)
+            for name, part in header.channels.items()
+            if name in numbers
+        ),
+    )
+
+
+def write_samples(run: Run) -> bytes:
+    """The rows of `run` as samples.csv: LF, shortest numbers that read back the same, empty where missing."""
+    names, columns = zip(*_columns(run), strict=True)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(names)
+    writer.writerows(zip(*columns, strict=True))
+    return text.getvalue().encode()
+
+
+def _table(data: bytes, header: RunJson, file: str) -> Table:
+    known = {*FIXED_COLUMNS, *header.channels}
+    texts = {"segment", "mode"}
+    required = ("t_s", "segment", *DUT, *REFERENCE[header.reference.kind])
+    table = read_table(data, file=file, numbers=known - texts, texts=texts, required=required, must_end=True)
+    for name in table.header:
+        if name not in known:
+            what = f"run.json declares no channel of this name; it has {', '.join(header.channels) or 'none'}"
+            raise InputError(what, file=file, line=1, column=name)
+    if not len(table):
+        raise InputError("expected rows of samples after the header, found none", file=file, line=2)
+    require_increasing(table)
+    return table
+
+
+def _segment_index(table: Table, ids: Sequence[str]) -> NDArray[np.intp]:
+    place = {name: index for index, name in enumerate(ids)}
+    cells = table.texts["segment"]
+    if not place.keys() >= set(cells):
+        row = next(i for i, cell in enumerate(cells) if cell not in place)
+        raise table.fault(f"unknown segment {cells[row][:40]!r}; run.json has {', '.join(ids)}", row, "segment")
+    return np.array([place[cell] for cell in cells], dtype=np.intp)
+
+
+def _row_mode(table: Table) -> NDArray[np.str_] | None:
+    if "mode" not in table.texts:
+        return None
+    cells = table.texts["mode"]
+    if any(len(mode) > LONGEST_MODE for mode in set(cells)):
+        row = next(i for i, cell in enumerate(cells) if len(cell) > LONGEST_MODE)
+        raise table.fault(f"expected a power mode of at most {LONGEST_MODE} letters", row, "mode")
+    return np.array(cells, dtype=np.str_)
+
+
+def _stack(numbers: Mapping[str, Array], names: Sequence[str]) -> Array:
+    return np.stack([numbers[name] for name in names], axis=1)
+
+
+def _columns(run: Run) -> Iterable[tuple[str, Sequence[str]]]:
+    ids = [segment.id for segment in run.segments]
+    yield "t_s", _texts(run.t_s)
+    yield "segment", [ids[index] for index in run.segment_index]
+    yield from zip(DUT, map(_texts, run.reading.T), strict=True)
+    if run.reference_vector is not None:
+        yield from zip(REFERENCE["vector"], map(_texts, run.reference_vector.T), strict=True)
+    elif run.reference_magnitude is not None:
+        yield "ref_f", _texts(run.reference_magnitude)
+    if run.angle_deg is not None:
+        yield "angle_deg", _texts(run.angle_deg)
+    if run.row_mode is not None:
+        yield "mode", run.row_mode.tolist()
+    for channel in run.channels:
+        yield channel.name, _texts(channel.values)
+
+
+def _texts(values: Array) -> list[str]:
+    return ["" if value != value else repr(value).removesuffix(".0") for value in values.tolist()]

@@ -1,0 +1,373 @@
+"""Bundles: what a good one gives, and the sentence that each fault gets."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import stat
+import time
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from labcal.errors import InputError
+from labcal.store import Bundle, bundle_of, bundle_sha256, load_bundle, read_bundle, write_bundle
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "bundle-1"
+
+
+def change_of(path: str, value: Any):
+    """A function that sets the key at the dotted `path` of a header to `value` (... takes it away)."""
+    *way, last = [int(part) if part.isdigit() else part for part in path.split(".")]
+
+    def change(header: Any) -> None:
+        for part in way:
+            header = header[part]
+        if value is ...:
+            del header[last]
+        else:
+            header[last] = value
+
+    return change
+
+
+def cell_of(rows: str, line: int, column: str, text: str) -> str:
+    lines = rows.splitlines()
+    cells = lines[line - 1].split(",")
+    cells[lines[0].split(",").index(column)] = text
+    lines[line - 1] = ",".join(cells)
+    return "\n".join(lines) + "\n"
+
+
+def test_a_good_bundle_is_read_as_written(bundle) -> None:
+    run = read_bundle(bundle())
+    assert (run.run_id, run.dut.serial, run.dut.noise_nT, run.reference.kind) == ("r1", "SN1", None, "vector")
+    np.testing.assert_array_equal(run.t_s, [0.1, 0.2, 0.3])
+    np.testing.assert_array_equal(run.reading, [[1, 2, 3.25], [-1, np.nan, 3.25], [1e-3, 2, 3.25]])
+    np.testing.assert_array_equal(run.angle_deg, [0, 359.5, np.nan])
+    np.testing.assert_array_equal(run.channel("i").values, [0.128, np.nan, -0.128])
+    assert list(run.mode) == ["nominal", "full", ""]
+    assert [run.segments[i].id for i in run.segment_index] == ["x", "x", "still"]
+    assert run.segments[0].axis_body == (1.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("rows", ["crlf", "bom", "quoted"])
+def test_line_ends_byte_order_marks_and_quotes_are_no_fault(bundle, rows: str, sample_rows: str) -> None:
+    written = {
+        "crlf": sample_rows.replace("\n", "\r\n").encode(),
+        "bom": b"\xef\xbb\xbf" + sample_rows.encode(),
+        "quoted": sample_rows.replace("0.3,still", '"0.3","still"').encode(),
+    }
+    assert bundle_of(read_bundle(bundle(rows=written[rows]))).sha256 == bundle_of(read_bundle(bundle())).sha256
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "text"),
+    [
+        (3, "dut_x", "nan"),
+        (3, "dut_x", "NaN"),
+        (3, "ref_y", "inf"),
+        (3, "temp", "-Infinity"),
+        (3, "temp", "1e999"),
+        (3, "dut_z", "1_000"),
+        (3, "dut_z", " 1"),
+        (3, "dut_z", "1,5"),
+        (4, "dut_z", "12.3.4"),
+        (4, "dut_z", "--1"),
+        (4, "dut_z", "none"),
+        (4, "i", "١"),
+        (4, "angle_deg", "0x10"),
+        (4, "segment", "y"),
+        (4, "segment", ""),
+        (2, "segment", "x "),
+        (4, "t_s", "0.2"),
+        (4, "t_s", "0.15"),
+        (3, "t_s", ""),
+        (4, "mode", "m" * 101),
+    ],
+)
+def test_a_wrong_cell_is_named_by_file_line_and_column(
+    bundle, sample_rows: str, line: int, column: str, text: str
+) -> None:
+    with pytest.raises(InputError) as caught:
+        read_bundle(bundle(rows=cell_of(sample_rows, line, column, text)))
+    assert Path(caught.value.file).name == "samples.csv"
+    assert caught.value.line == line
+    if "," not in text:
+        assert caught.value.column == column
+
+
+def test_every_truncation_of_the_rows_is_refused_or_ends_at_a_row(bundle, sample_rows: str) -> None:
+    data = sample_rows.encode()
+    for length in range(len(data)):
+        path = bundle(rows=data[:length])
+        if data[:length].endswith(b"\n") and data[:length].count(b"\n") > 1:
+            assert len(read_bundle(path)) == data[:length].count(b"\n") - 1
+            continue
+        with pytest.raises(InputError):
+            read_bundle(path)
+
+
+@pytest.mark.parametrize(
+    ("rows", "says"),
+    [
+        ("", "empty"),
+        ("t_s,segment\n", "dut_x"),
+        ("t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z\n", "found none"),
+        ("t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z,t_s\n", "twice"),
+        ("t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z,\n", "column name"),
+        ("t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z,hk\n0,x,1,2,3,4,5,6,7\n", "no channel"),
+        ("t_s,segment,dut_x,dut_y,dut_z,ref_f\n0,x,1,2,3,4\n", "ref_x"),
+        ("t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z\n0,x,1,2,3,4,5,6\n\n1,x,1,2,3,4,5,6\n", "expected 8 cells"),
+        ('t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z\n0,"x\n",1,2,3,4,5,6\n', "line end"),
+        ('t_s,segment,dut_x,dut_y,dut_z,ref_x,ref_y,ref_z\n0,"x"y,1,2,3,4,5,6\n', "comma-separated"),
+        ('"t_s\nsegment\n', "comma-separated"),
+        (b"t_s,segment\n\xff\xfe\n", "UTF-8"),
+    ],
+)
+def test_a_wrong_table_is_refused_in_words(bundle, rows: str | bytes, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        read_bundle(bundle(rows=rows))
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "says"),
+    [
+        ("format", "labcal-run/2", "labcal-run/1"),
+        ("run_id", ..., "missing"),
+        ("run_id", "../up", "pattern"),
+        ("started_utc", "yesterday", "ISO 8601"),
+        ("simulated", "yes", "boolean"),
+        ("dut.unit", "gauss", "'nT' or 'count'"),
+        ("dut.nominal_nT_per_unit", 0, "greater than 0"),
+        ("dut.nominal_nT_per_unit", "1", "valid number"),
+        ("dut.noise_nT", -1, "greater than or equal to 0"),
+        ("reference.kind", "tensor", "'vector', 'scalar' or 'none'"),
+        ("segments", [], "at least 1"),
+        ("segments.0.kind", "spin", "'rotation', 'static' or 'free'"),
+        ("segments.0.id", "still", "two segments"),
+        ("segments.0.axis_body", [1, 1, 0], "unit vector"),
+        ("segments.0.axis_cage", [0, 0], "missing|at least|3 items"),
+        ("segments.0.axis_bdy", [1, 0, 0], ""),
+        ("segments.1.body_from_cage", [[1, 0, 0], [0, 1, 0], [0, 0, 1.01]], "rotation matrix"),
+        ("segments.1.body_from_cage", [[1, 0, 0], [0, 1, 0], [0, 0, -1]], "mirrors"),
+        ("segments.1.body_from_cage", [[1e200, 0, 0], [0, 1e200, 0], [0, 0, 1]], "rotation matrix"),
+        ("segments.0.body_from_cage", [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "must be axis_body"),
+        ("channels.i.unit", "furlong", "no unit 'furlong' of current"),
+        ("channels.i.unit", "degC", "no unit 'degC' of current"),
+        ("channels.i.quantity", "curent", "'temperature', 'current'"),
+        ("channels.dut_x", {"unit": "A", "quantity": "current"}, "dut_x"),
+        ("channels.i.roles", "coil", "is 'role' meant"),
+    ],
+)
+def test_a_wrong_header_is_refused_with_its_line_and_key(bundle, path: str, value: Any, says: str) -> None:
+    if path.endswith("axis_bdy"):  # a misspelt optional key must not turn a rotation into a scalar segment
+
+        def change(header: Any) -> None:
+            header["segments"][0]["axis_bdy"] = header["segments"][0].pop("axis_body")
+
+        says = "is 'axis_body' meant"
+    else:
+        change = change_of(path, value)
+    with pytest.raises(InputError, match=says) as caught:
+        read_bundle(bundle(change))
+    assert Path(caught.value.file).name == "run.json"
+    assert caught.value.line is not None
+
+
+def test_the_line_named_is_the_line_of_the_fault(bundle) -> None:
+    folder = bundle(change_of("channels.i.unit", "furlong"))
+    with pytest.raises(InputError) as caught:
+        read_bundle(folder)
+    lines = (folder / "run.json").read_text().splitlines()
+    assert lines[caught.value.line - 1] == '  "i": {'
+    assert caught.value.column == "channels.i"
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "",
+        "{",
+        "[]",
+        "null",
+        '{"format": NaN}',
+        '{"format": "labcal-run/1", "format": "labcal-run/1"}',
+        "[" * 100_000,
+        '{"a":' * 3000 + "1" + "}" * 3000,
+        "9" * 5000,
+        '"\\ud800"',
+        "\x00",
+    ],
+)
+def test_what_is_not_a_header_is_refused(header: str) -> None:
+    with pytest.raises(InputError):
+        Bundle(header.encode(), b"").run()
+
+
+def test_unknown_keys_that_resemble_nothing_are_let_be(bundle) -> None:
+    assert read_bundle(bundle(change_of("recorded_with", "another lab's tool"))).run_id == "r1"
+
+
+def test_rounded_axes_are_made_exact(bundle) -> None:
+    run = read_bundle(bundle(change_of("segments.0.axis_body", [0.7071, 0.7071, 0])))
+    assert run.segments[0].axis_body == pytest.approx((0.5**0.5, 0.5**0.5, 0), abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["out", "out.zip"])
+def test_export_reads_back_the_same_and_repeats_byte_for_byte(bundle, tmp_path: Path, name: str) -> None:
+    run = read_bundle(bundle())
+    write_bundle(run, tmp_path / name)
+    first = load_bundle(tmp_path / name)
+    again = bundle_of(first.run())
+    assert (again.run_json, again.samples_csv) == (first.run_json, first.samples_csv)
+    if name.endswith("zip"):
+        written = (tmp_path / name).read_bytes()
+        os.utime(tmp_path / name, (0, 0))
+        write_bundle(run, tmp_path / name)
+        assert (tmp_path / name).read_bytes() == written
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_the_golden_bundle_still_reads_and_writes_its_own_bytes() -> None:
+    golden = load_bundle(GOLDEN)
+    again = bundle_of(golden.run())
+    assert (again.run_json, again.samples_csv) == (golden.run_json, golden.samples_csv)
+    assert golden.run().reading[1, 0] == 1234.5678901234567
+
+
+def test_run_sha256_is_the_digest_of_the_two_digests(bundle) -> None:
+    folder = bundle()
+    digests = "".join(
+        hashlib.sha256((folder / name).read_bytes()).hexdigest() + "\n" for name in ("run.json", "samples.csv")
+    )
+    assert bundle_sha256(load_bundle(folder)) == hashlib.sha256(digests.encode()).hexdigest()
+
+
+def zip_of(path: Path, members: list[tuple[Any, bytes]]) -> Path:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members:
+            archive.writestr(name, content)
+    return path
+
+
+def test_a_zipped_folder_is_a_bundle_too(bundle, tmp_path: Path) -> None:
+    folder = bundle()
+    members = [(f"run7/{name}", (folder / name).read_bytes()) for name in ("run.json", "samples.csv")]
+    assert read_bundle(zip_of(tmp_path / "b.zip", [*members, ("__MACOSX/._x", b"")])).run_id == "r1"
+
+
+@pytest.mark.parametrize("name", ["../run.json", "/run.json", "a/../../run.json", "..\\run.json", "C:\\run.json"])
+def test_a_zip_that_climbs_out_is_refused(bundle, tmp_path: Path, name: str) -> None:
+    folder = bundle()
+    good = [(part, (folder / part).read_bytes()) for part in ("run.json", "samples.csv")]
+    with pytest.raises(InputError, match="climbs out"):
+        read_bundle(zip_of(tmp_path / "b.zip", [*good, (name, b"{}")]))
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["b.zip", "bundle"]
+
+
+def test_zips_with_links_doubles_bombs_or_missing_files_are_refused(bundle, tmp_path: Path, monkeypatch) -> None:
+    folder, path = bundle(), tmp_path / "b.zip"
+    header, rows = (((part), (folder / part).read_bytes()) for part in ("run.json", "samples.csv"))
+    link = zipfile.ZipInfo("samples.csv")
+    link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
+    with pytest.raises(InputError, match="a link"):
+        read_bundle(zip_of(path, [header, (link, b"/etc/passwd")]))
+    with pytest.raises(InputError, match=r"no samples\.csv"):
+        read_bundle(zip_of(path, [header]))
+    with pytest.raises(InputError, match="two files"):
+        read_bundle(zip_of(path, [header, rows, ("a/samples.csv", b"")]))
+    monkeypatch.setattr("labcal.store.bundle.LARGEST", {"run.json": 1 << 20, "samples.csv": 1 << 20})
+    with pytest.raises(InputError, match="larger than"):
+        read_bundle(zip_of(path, [header, ("samples.csv", bytes(50 << 20))]))
+
+
+def test_every_damaged_zip_is_an_input_error(bundle, tmp_path: Path) -> None:
+    path = tmp_path / "b.zip"
+    write_bundle(read_bundle(bundle()), path)
+    good, rng = path.read_bytes(), np.random.default_rng(1)
+    for _ in range(300):
+        damaged = bytearray(good[: rng.integers(len(good) // 2, len(good) + 1)])
+        for place in rng.integers(0, len(damaged), 3):
+            damaged[place] = rng.integers(256)
+        path.write_bytes(damaged)
+        try:
+            read_bundle(path)
+        except InputError:
+            continue
+
+
+def test_what_is_no_bundle_at_all_is_refused(tmp_path: Path) -> None:
+    for path in (tmp_path / "absent", tmp_path):
+        with pytest.raises(InputError):
+            read_bundle(path)
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(InputError):
+        read_bundle(tmp_path / "pipe")
+
+
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.data())
+def test_spoilt_rows_are_read_or_refused_never_worse(data: st.DataObject, sample_rows: str) -> None:
+    rows = bytearray(sample_rows.encode())
+    for _ in range(data.draw(st.integers(1, 4))):
+        place = data.draw(st.integers(0, len(rows)))
+        rows[place : place + data.draw(st.integers(0, 5))] = data.draw(
+            st.one_of(st.binary(max_size=4), st.sampled_from([b",", b"\n", b'"', b"nan", b"\r", b"-", b"e9", b"x"]))
+        )
+    header = (GOLDEN.parent / "bundle-small.json").read_bytes()
+    try:
+        run = Bundle(header, bytes(rows)).run()
+    except InputError:
+        return
+    assert np.all(np.diff(run.t_s) > 0)
+
+
+json_values = st.recursive(
+    st.none() | st.booleans() | st.floats() | st.integers() | st.text(max_size=5) | st.just("rotation"),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=5), inner, max_size=4),
+    max_leaves=10,
+)
+
+
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.data())
+def test_spoilt_headers_are_read_or_refused_never_worse(data: st.DataObject, sample_rows: str) -> None:
+    header = json.loads((GOLDEN.parent / "bundle-small.json").read_text())
+    spot: Any = header
+    while True:
+        keys = list(spot) if isinstance(spot, dict) else list(range(len(spot)))
+        key = data.draw(st.sampled_from(keys))
+        if not isinstance(spot[key], dict | list) or not spot[key] or data.draw(st.booleans()):
+            break
+        spot = spot[key]
+    spot[key] = data.draw(json_values)
+    try:
+        Bundle(json.dumps(header).encode(), sample_rows.encode()).run()
+    except InputError:
+        return
+
+
+def test_a_hundred_thousand_rows_read_in_seconds(bundle, sample_rows: str) -> None:
+    line = sample_rows.splitlines()[1].split(",", 1)[1]
+    rows = sample_rows.splitlines()[0] + "\n" + "".join(f"{i / 100},{line}\n" for i in range(100_000))
+    path = bundle(rows=rows)
+    start = time.perf_counter()
+    assert len(read_bundle(path)) == 100_000
+    assert time.perf_counter() - start < 10  # about one on an idle machine
+
+
+def test_all_shared_bundles_read_and_repeat(shared: Path) -> None:
+    folders = [path.parent for path in shared.glob("data/**/run.json")]
+    assert len(folders) >= 11
+    for folder in folders:
+        run = read_bundle(folder)
+        again = bundle_of(run).run()
+        np.testing.assert_array_equal(again.reading, run.reading)
+        assert again.segments == run.segments
