@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import time
 from datetime import UTC, datetime, timedelta
 from typing import Protocol
 
 
 class Clock(Protocol):
-    """Seconds since the bench was opened; never goes back."""
+    """Seconds since the bench was opened; never goes back.
+
+    `listen_s`: how often lines have to be looked at so that what arrives is stamped truly.
+    """
+
+    listen_s: float
 
     def now(self) -> float:
         """Seconds since the bench was opened."""
@@ -25,6 +31,8 @@ class Clock(Protocol):
 
 class RealClock:
     """True time: monotonic for intervals, the system's for dates."""
+
+    listen_s = 0.002
 
     def __init__(self) -> None:
         self._start = time.monotonic()
@@ -44,7 +52,11 @@ class RealClock:
 
 
 class VirtualClock:
-    """Simulated time: waiting moves it. Emulated instruments put on the link what they would have sent by then."""
+    """Simulated time: waiting moves it. Emulated instruments put on the link what they would have sent by then,
+    each piece with its own stamp: nothing is gained by looking often.
+    """
+
+    listen_s = math.inf
 
     def __init__(self, start: datetime) -> None:
         self._start, self._now = start, 0.0

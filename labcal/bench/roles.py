@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
+from labcal.record.run import Quantity, Role
 from labcal.record.stream import Block, Prompt
 
 
@@ -16,6 +17,16 @@ class Identity:
     model: str
     serial: str
     firmware: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelSpec:
+    """A housekeeping channel that an instrument or the bench delivers: one column of "channel" blocks."""
+
+    name: str
+    unit: str
+    quantity: Quantity
+    role: Role = "dut"
 
 
 @runtime_checkable
@@ -60,6 +71,23 @@ class CoilSupply(Instrument, Protocol):
 
     def output(self, on: bool) -> None:
         """Close or open the output, confirmed by read-back."""
+        ...
+
+
+@runtime_checkable
+class PolarityRelay(Instrument, Protocol):
+    """Reversing contacts that turn unipolar supplies into signed coil axes. Never switched under current."""
+
+    def reverses(self, axis: str) -> bool:
+        """Whether contacts are wired into the coil `axis` ("x", "y", "z")."""
+        ...
+
+    def set_polarity(self, axis: str, sign: int) -> None:
+        """Switch to +1 or -1, confirmed by reading the contacts back."""
+        ...
+
+    def polarity(self, axis: str) -> int:
+        """+1 or -1, read back."""
         ...
 
 
@@ -114,4 +142,14 @@ class Hands(Protocol):
 
     def do(self, prompt: Prompt) -> None:
         """Do it before the answer is given."""
+        ...
+
+
+@runtime_checkable
+class DutStream(Magnetometer, Protocol):
+    """The device under test: a magnetometer that may send housekeeping beside its readings."""
+
+    @property
+    def channels(self) -> tuple[ChannelSpec, ...]:
+        """The housekeeping columns of its "channel" blocks."""
         ...

@@ -1,0 +1,168 @@
+"""The bench: every instrument of a bench.toml by name and by role, on one clock, read in one loop."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from labcal.bench.cage import Cage
+from labcal.bench.clock import Clock
+from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.roles import (
+    ChannelSpec,
+    CoilSupply,
+    DutStream,
+    Hands,
+    Identity,
+    Instrument,
+    Magnetometer,
+    RotationPlatform,
+)
+from labcal.record.stream import Block
+
+COIL_POLL_S = 1.0
+COIL_CHANNELS = tuple(
+    spec
+    for axis in AXES
+    for spec in (
+        ChannelSpec(f"i_coil_{axis}", "A", "current", "coil"),
+        ChannelSpec(f"polarity_coil_{axis}", "1", "other", "coil"),
+    )
+)
+MOTOR_CHANNEL = ChannelSpec("motor_on", "1", "other", "platform")
+
+
+class Bench:
+    """Instruments in their roles. Angles are the contract's (`angle_sign` is applied), currents are signed.
+
+    `hands` does to a simulated lab what a prompt asks of a person; None in a real one.
+    """
+
+    def __init__(
+        self,
+        config: BenchConfig,
+        clock: Clock,
+        instruments: Mapping[str, Instrument],
+        supplies: Mapping[str, CoilSupply],
+        platform: RotationPlatform,
+        reference: Magnetometer,
+        dut: DutStream,
+        hands: Hands | None = None,
+    ) -> None:
+        self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated
+        self.platform, self.reference, self.dut = platform, reference, dut
+        self.cage = Cage(config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until)
+        self._instruments, self.hands = dict(instruments), hands
+        self._pending: list[Block] = []
+        self._streaming = False
+        self._next_angle_s = self._next_coils_s = math.inf
+
+    def instruments(self) -> Mapping[str, Instrument]:
+        """Every instrument by its name in bench.toml."""
+        return self._instruments
+
+    def identities(self) -> dict[str, Identity]:
+        """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another."""
+        return {name: instrument.identify() for name, instrument in self._instruments.items()}
+
+    @property
+    def channels(self) -> tuple[ChannelSpec, ...]:
+        """All housekeeping channels that `stream_until` delivers: the DUT's, the coils' and the platform's."""
+        return (*self.dut.channels, *COIL_CHANNELS, MOTOR_CHANNEL)
+
+    def start(self) -> None:
+        """Begin all streams; from here on nothing that arrives is lost, ramps included."""
+        self.reference.start()
+        self.dut.start()
+        self._next_angle_s = self._next_coils_s = self.clock.now()
+        self._streaming = True
+
+    def stream_until(self, t_s: float) -> list[Block]:
+        """Everything that arrived up to `t_s` on the bench's clock, in blocks at their own stamps; waits for it."""
+        self._wait_until(t_s)
+        arrived, self._pending = self._pending, []
+        return arrived
+
+    def stop(self) -> None:
+        """End all streams."""
+        self._streaming = False
+        with ExitStack() as steps:
+            steps.callback(self.reference.stop)
+            steps.callback(self.dut.stop)
+
+    def make_safe(self) -> None:
+        """Coils to zero first, then every instrument to rest; a failure of one does not skip another."""
+        with ExitStack() as steps:
+            for instrument in reversed(self._instruments.values()):
+                steps.callback(instrument.make_safe)
+            steps.callback(self.cage.zero)
+
+    def close(self) -> None:
+        """Let go of every link."""
+        with ExitStack() as steps:
+            for instrument in self._instruments.values():
+                steps.callback(instrument.close)
+
+    def __enter__(self) -> Bench:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        with ExitStack() as steps:
+            steps.callback(self.close)
+            steps.callback(self.make_safe)
+
+    def _wait_until(self, t_s: float) -> None:
+        while self._streaming and self.clock.now() < t_s:
+            due = min(t_s, self._next_angle_s, self._next_coils_s, self.clock.now() + self.clock.listen_s)
+            self.clock.wait_until(due)
+            self._poll()
+            if self.clock.listen_s < math.inf:
+                self._listen()
+        self.clock.wait_until(t_s)
+        if self._streaming:
+            self._listen()
+
+    def _listen(self) -> None:
+        now = self.clock.now()
+        self._pending += [b for stream in (self.dut, self.reference) for b in stream.read_until(now) if len(b)]
+
+    def _poll(self) -> None:
+        if self.clock.now() >= self._next_angle_s:
+            self._next_angle_s = self.clock.now() + self.config.platform.poll_s
+            self._poll_platform()
+        if self.clock.now() >= self._next_coils_s:
+            self._next_coils_s = self.clock.now() + COIL_POLL_S
+            self._poll_coils()
+
+    def _poll_platform(self) -> None:
+        t = self.clock.now()
+        angle, moving = self.platform.angle_deg(), self.platform.moving()
+        self._keep("angle", self.platform.name, ("angle_deg",), t, [angle])
+        self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, [float(moving)])
+
+    def _poll_coils(self) -> None:
+        t, currents = self.clock.now(), self.cage.currents_A()
+        signs = np.where(np.signbit(currents), -1.0, 1.0)
+        values = np.column_stack([currents, signs]).ravel()
+        self._keep("channel", "cage", tuple(c.name for c in COIL_CHANNELS), t, values)
+
+    def _keep(self, stream: Any, source: str, columns: tuple[str, ...], t_s: float, values: ArrayLike) -> None:
+        row = np.asarray(values, dtype=float)[None, :]
+        self._pending.append(Block(stream, source, columns, np.array([t_s]), row))
+
+
+def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None) -> Bench:
+    """Open every instrument of `path`. Use as a context manager: on leaving, all is made safe and let go of.
+
+    `clock`: the real one unless all links are emulated, then a virtual one. `seed` repeats a simulated lab exactly.
+    Raises InputError for a bad file, InstrumentError where a link cannot be opened.
+    """
+    from labcal.bench.loading import load_bench
+
+    return load_bench(Path(path), clock, seed)

@@ -1,0 +1,213 @@
+"""bench.toml: what stands in the lab, on which lines, and within which limits. Read and validated here."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+
+from labcal.errors import InputError
+
+AXES = ("x", "y", "z")
+Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Vector = tuple[Finite, Finite, Finite]
+Matrix = tuple[Vector, Vector, Vector]
+RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut"]
+
+
+def _each_axis(value: Any) -> Any:
+    return (value,) * 3 if isinstance(value, (int, float)) else value
+
+
+def _of_length_one(value: Vector) -> Vector:
+    if abs(float(np.linalg.norm(value)) - 1) > 1e-6:
+        raise ValueError("must be a unit vector")
+    return value
+
+
+PerAxis = Annotated[tuple[Positive, Positive, Positive], BeforeValidator(_each_axis)]  # one number, or one an axis
+Unit = Annotated[Vector, AfterValidator(_of_length_one)]
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=False)
+
+
+class CageLimits(_Table):
+    """What the coils may do. A set-point beyond a limit is refused."""
+
+    current_A: PerAxis
+    ramp_A_per_s: PerAxis
+    field_nT: Positive  # of the field at the centre
+    rms_current_A: PerAxis | None = None  # root mean square over `rms_window_s`: what the wire bears for ever
+    rms_window_s: Positive = 600.0
+    temperature_C: Finite = 60.0
+
+
+class CageConfig(_Table):
+    """The coils: the measured current-to-field matrix, or one constant an axis, and their limits."""
+
+    constants_nT_per_A: PerAxis | None = None
+    matrix_nT_per_A: Matrix | None = None  # columns are the coil axes in C
+    limits: CageLimits
+    settle_s: Annotated[float, Field(ge=0)] = 0.2  # after a ramp, before the field is believed
+
+    @model_validator(mode="after")
+    def _one_of_two(self) -> Self:
+        if (self.constants_nT_per_A is None) == (self.matrix_nT_per_A is None):
+            raise ValueError("state either constants_nT_per_A or matrix_nT_per_A")
+        if np.linalg.cond(self.matrix) > 100:
+            raise ValueError("matrix_nT_per_A is singular: its columns are the three coil axes")
+        return self
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """Current-to-field matrix (3, 3) [nT/A]; columns are the coil axes in C."""
+        if self.matrix_nT_per_A is not None:
+            return np.array(self.matrix_nT_per_A)
+        return np.diag(np.array(self.constants_nT_per_A))
+
+
+class PlatformConfig(_Table):
+    """The rotation platform: its axis in C and the sense of its own scale."""
+
+    axis_cage: Unit = (0.0, 0.0, 1.0)
+    angle_sign: Literal[1, -1] = 1
+    wrap_deg: Positive = 400.0  # |angle| that the cables bear
+    poll_s: Positive = 0.1
+    angle_noise_deg: Positive | None = None
+    u_axis_cage_deg: Positive | None = None
+
+
+class ReferenceConfig(_Table):
+    """The reference sensor as far as it is stated. `cage_from_sensor` turns its axes into C."""
+
+    kind: Literal["vector", "scalar"] = "vector"
+    cage_from_sensor: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    offset_nT: Vector = (0.0, 0.0, 0.0)  # in the sensor's axes, subtracted first
+    noise_nT: Positive | None = None
+    place: Literal["dut", "remote", "computed"] | None = None
+    position_m: Vector | None = None
+    u_scale_ppm: Positive | None = None
+    u_offset_nT: Positive | None = None
+    u_align_deg: Positive | None = None
+    u_time_s: Positive | None = None
+    calibration: str | None = None
+
+
+class DutLimits(_Table):
+    """What the device under test may be put through; binds every procedure."""
+
+    field_nT: Positive | None = None
+    rate_deg_per_s: Positive | None = None
+    temperature_C: tuple[Finite, Finite] | None = None
+    modes: tuple[str, ...] = ()
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        if self.temperature_C is not None and self.temperature_C[0] >= self.temperature_C[1]:
+            raise ValueError("temperature_C must be [lowest, highest]")
+        return self
+
+
+class DutConfig(_Table):
+    """The device under test."""
+
+    serial: str = Field(min_length=1)
+    model: str = ""
+    unit: Literal["nT", "count"] = "nT"
+    nominal_nT_per_unit: Positive = 1.0
+    noise_nT: Positive | None = None  # of one axis of one sample
+    limits: DutLimits = DutLimits()
+
+
+class InstrumentConfig(_Table):
+    """One instrument: which driver speaks to it, over which link, and what it is for."""
+
+    driver: str
+    link: str = Field(pattern=r"^[a-z-]+://")
+    role: RoleName
+    settings: dict[str, Any] = {}  # the driver's own; checked by the driver's Settings
+
+
+class BenchConfig(_Table):
+    """A whole bench.toml. `twin` is for the simulated lab alone and is never dumped into a record."""
+
+    name: str = Field(min_length=1)
+    datum: str = "z along the platform axis, x along the mark on its base"
+    cage: CageConfig
+    platform: PlatformConfig = PlatformConfig()
+    reference: ReferenceConfig = ReferenceConfig()
+    dut: DutConfig
+    instruments: dict[str, InstrumentConfig]
+    twin: dict[str, Any] = Field(default={}, exclude=True, repr=False)
+
+    @model_validator(mode="after")
+    def _roles_filled_once(self) -> Self:
+        roles = [i.role for i in self.instruments.values()]
+        twice = sorted({r for r in roles if roles.count(r) > 1})
+        missing = [f"coil-{axis}" for axis in AXES if f"coil-{axis}" not in roles] + [
+            role for role in ("platform", "reference", "dut") if role not in roles
+        ]
+        if twice:
+            raise ValueError(f"two instruments have the role {', '.join(twice)}")
+        if missing:
+            raise ValueError(f"no instrument has the role {', '.join(missing)}")
+        if self.twin and not self.simulated:
+            raise ValueError("the table [twin] is for benches whose links are all emulated://")
+        return self
+
+    @property
+    def simulated(self) -> bool:
+        """Whether every link is emulated."""
+        return all(i.link.startswith("emulated://") for i in self.instruments.values())
+
+
+def read_config(path: Path) -> BenchConfig:
+    """Read and validate a bench.toml. Raises InputError with the file, the line and the key."""
+    try:
+        text = path.read_text(encoding="utf-8")
+        table = tomllib.loads(text)
+    except UnicodeDecodeError as error:
+        raise InputError("is not UTF-8 text", file=path) from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"is not TOML: {error}", file=path) from error
+    try:
+        return BenchConfig.model_validate(table)
+    except ValidationError as error:
+        first = error.errors()[0]
+        keys = tuple(str(part) for part in first["loc"])
+        raise InputError(_sentence(first["type"], first["msg"], keys), file=path, line=line_of(text, keys)) from error
+
+
+def _sentence(kind: str, message: str, keys: tuple[str, ...]) -> str:
+    name = ".".join(keys) or "the file"
+    if kind == "extra_forbidden":
+        return f"{name} is not a key that is known here"
+    return f"{name}: {message.removeprefix('Value error, ')}"
+
+
+def line_of(text: str, keys: tuple[str, ...]) -> int | None:
+    """The line (from 1) of a TOML text that comes nearest to stating `keys`; None where nothing of it is there."""
+    best, where, table = 0, None, tuple[str, ...]()
+    for number, line in enumerate(text.splitlines(), 1):
+        head = line.split("#")[0].strip()
+        if head.startswith("["):
+            table = _path(head.strip("[]"))
+            stated = table
+        elif "=" in head:
+            stated = table + _path(head.split("=")[0])
+        else:
+            continue
+        if len(stated) > best and keys[: len(stated)] == stated:
+            best, where = len(stated), number
+    return where
+
+
+def _path(dotted: str) -> tuple[str, ...]:
+    return tuple(part.strip(" \"'") for part in dotted.split("."))

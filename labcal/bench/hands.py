@@ -1,0 +1,48 @@
+"""The hands at a simulated bench: what a prompt asks of a person is done to the simulated lab."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from labcal.bench.clock import Clock
+from labcal.record.stream import Prompt
+
+
+class SimulatedLab(Protocol):
+    """What hands can do in a lab; times on the bench's clock."""
+
+    def mount(self, t_s: float, body_from_cage: Sequence[Sequence[float]]) -> None:
+        """Mount the DUT with this attitude (3, 3) at platform angle zero."""
+        ...
+
+    def switch_mode(self, t_s: float, mode: str) -> None:
+        """Switch the DUT's power mode."""
+        ...
+
+    def turn_dial(self, t_s: float, angle_deg: float) -> None:
+        """Turn a platform without a motor."""
+        ...
+
+    def switch_load(self, t_s: float, load: str, on: bool) -> None:
+        """Switch a load of the spacecraft."""
+        ...
+
+
+class SimulatedHands:
+    """Does what a prompt's `drawing` says: mount, switch the mode, turn the dial, switch a load."""
+
+    def __init__(self, lab: SimulatedLab, clock: Clock) -> None:
+        self._lab, self._clock = lab, clock
+
+    def do(self, prompt: Prompt) -> None:
+        """Do it now, before the answer is given."""
+        t, asked = self._clock.now(), prompt.drawing
+        if "body_from_cage" in asked:
+            self._lab.mount(t, asked["body_from_cage"])
+        if "mode" in asked:
+            self._lab.switch_mode(t, asked["mode"])
+        if "angle_deg" in asked:
+            self._lab.turn_dial(t, asked["angle_deg"])
+        if "load" in asked:
+            self._lab.switch_load(t, asked["load"], bool(asked["on"]))

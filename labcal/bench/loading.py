@@ -1,0 +1,144 @@
+"""From bench.toml to instruments: drivers, emulators and the simulated lab are found by entry point, never imported."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass, field, fields
+from datetime import UTC, datetime
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any, NoReturn, TypeVar, cast
+
+from pydantic import TypeAdapter, ValidationError
+
+from labcal.bench.bench import Bench
+from labcal.bench.clock import Clock, RealClock, VirtualClock
+from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
+from labcal.bench.hands import SimulatedHands
+from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
+from labcal.bench.polarity import ReversedSupply
+from labcal.bench.roles import CoilSupply, Instrument, PolarityRelay
+from labcal.errors import InputError, LimitError
+
+DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"
+T = TypeVar("T")
+
+
+@dataclass
+class Loader:
+    """Opens what one bench.toml names: each link once, each emulator once, one simulated lab for all of them."""
+
+    path: Path
+    config: BenchConfig
+    clock: Clock
+    seed: int
+    links: dict[str, Link] = field(default_factory=dict)
+    twin: Any = None
+
+    def instrument(self, name: str) -> Instrument:
+        """The driver of the instrument `name`, on its link, with its checked settings."""
+        entry = self.config.instruments[name]
+        driver = self._load(DRIVERS, entry.driver, ("instruments", name, "driver"))
+        settings = self.settings(name, driver.Settings)
+        if entry.role.split("-")[0] not in driver.roles:
+            self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
+        return cast(Instrument, driver(name, self.link(name, entry, settings), self.clock, settings))
+
+    def settings(self, name: str, kind: type[T]) -> T:
+        """The instrument's settings as its driver's own `Settings`. Raises InputError naming file, line and key."""
+        stated, where = self.config.instruments[name].settings, ("instruments", name, "settings")
+        known = [f.name for f in fields(kind)]  # type: ignore[arg-type]
+        for key in stated:
+            if key not in known:
+                self.refuse(f"{key} is no setting of this driver; it knows {', '.join(known)}", (*where, key))
+        try:
+            return TypeAdapter(kind).validate_python(stated)
+        except ValidationError as error:
+            first = error.errors()[0]
+            self.refuse(f"{first['msg'].removeprefix('Value error, ')}", (*where, *map(str, first["loc"])))
+
+    def link(self, name: str, entry: InstrumentConfig, settings: Any) -> Link:
+        """The link of one instrument; instruments that state the same link share it."""
+        key = entry.link if entry.link != "emulated://" else f"emulated://{name}"
+        if key not in self.links:
+            if key.startswith("emulated://"):
+                self.links[key] = EmulatedLink(key, self._emulator(name, entry, settings), self.clock)
+            else:
+                self.links[key] = open_link(entry.link, self.clock)
+        return self.links[key]
+
+    def refuse(self, what: str, keys: tuple[str, ...]) -> NoReturn:
+        """Raise InputError for the key `keys` of this file."""
+        line = line_of(self.path.read_text(encoding="utf-8"), keys)
+        raise InputError(f"{'.'.join(keys)}: {what}", file=self.path, line=line)
+
+    def _emulator(self, name: str, entry: InstrumentConfig, settings: Any) -> Emulator:
+        if self.twin is None:
+            self.twin = self._twin()
+        emulator = self._load(EMULATORS, entry.driver, ("instruments", name, "driver"))
+        roles = {i.role: i.settings for i in self.config.instruments.values() if i.link == entry.link}
+        shared = roles if entry.link != "emulated://" else {entry.role: entry.settings}
+        return cast(Emulator, emulator(self.twin, shared, settings))
+
+    def _twin(self) -> Any:
+        table = dict(self.config.twin)
+        kind = table.pop("kind", "cage")
+        try:
+            return self._load(TWINS, kind, ("twin", "kind"))(table, self.seed)
+        except ValidationError as error:
+            first = error.errors()[0]
+            self.refuse(first["msg"], ("twin", *map(str, first["loc"])))
+
+    def _load(self, group: str, name: str, keys: tuple[str, ...]) -> Any:
+        found = {e.name: e for e in entry_points(group=group)}
+        if name not in found:
+            what = "driver" if group == DRIVERS else "emulator" if group == EMULATORS else "twin"
+            self.refuse(f"there is no {what} {name!r}; there are {', '.join(sorted(found))}", keys)
+        return found[name].load()
+
+
+def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
+    """Open every instrument of `path` and put it in its role; links are let go of where one of them fails."""
+    config = read_config(path)
+    if clock is None:
+        clock = VirtualClock(datetime.now(UTC)) if config.simulated else RealClock()
+    loader = Loader(path, config, clock, seed or 0)
+    with ExitStack() as on_failure:
+        instruments: dict[str, Instrument] = {}
+        for name in config.instruments:
+            instruments[name] = loader.instrument(name)
+            on_failure.callback(instruments[name].close)
+        bench = _in_roles(loader, instruments)
+        on_failure.pop_all()
+        return bench
+
+
+def _in_roles(loader: Loader, instruments: Mapping[str, Instrument]) -> Bench:
+    config = loader.config
+    roles: dict[str, Any] = {entry.role: instruments[name] for name, entry in config.instruments.items()}
+    try:
+        return Bench(
+            config,
+            loader.clock,
+            instruments,
+            coil_supplies(roles, loader.clock),
+            roles["platform"],
+            roles["reference"],
+            roles["dut"],
+            SimulatedHands(loader.twin, loader.clock) if config.simulated else None,
+        )
+    except LimitError as error:
+        loader.refuse(str(error), ("cage", "limits"))
+
+
+def coil_supplies(roles: Mapping[str, Any], clock: Clock) -> dict[str, CoilSupply]:
+    """The signed supply of each axis: bipolar by itself, or unipolar behind the reversing contacts of that axis."""
+    relay: PolarityRelay | None = roles.get("polarity")
+    supplies: dict[str, CoilSupply] = {axis: roles[f"coil-{axis}"] for axis in AXES}
+    if relay is None:
+        return supplies
+    return {
+        axis: ReversedSupply(axis, supply, relay, clock) if relay.reverses(axis) else supply
+        for axis, supply in supplies.items()
+    }

@@ -1,0 +1,84 @@
+"""bench.toml: what is wrong is named with file, line and key."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal.bench.config import line_of, read_config
+from labcal.errors import InputError
+
+GOOD = """\
+name = "cage-2"
+
+[cage]
+matrix_nT_per_A = [[50000, 100, 0], [0, 50000, 0], [0, 0, 50000]]
+limits = { current_A = 2.0, ramp_A_per_s = [2, 2, 2], field_nT = 120000 }
+
+[dut]
+serial = "EM-07"
+unit = "count"
+
+[instruments]
+x = { driver = "tti-pl", link = "emulated://", role = "coil-x" }
+y = { driver = "tti-pl", link = "emulated://", role = "coil-y" }
+z = { driver = "tti-pl", link = "emulated://", role = "coil-z" }
+stage = { driver = "zaber", link = "emulated://", role = "platform" }
+ref = { driver = "hmr2300", link = "emulated://", role = "reference" }
+
+[instruments.dut]
+driver = "csv-line"
+link = "emulated://"
+role = "dut"
+
+[twin]
+secret = 1
+"""
+
+
+def config_of(tmp_path: Path, text: str) -> Path:
+    path = tmp_path / "bench.toml"
+    path.write_text(text)
+    return path
+
+
+def test_a_good_file_is_read_and_the_twin_is_never_dumped(tmp_path: Path) -> None:
+    config = read_config(config_of(tmp_path, GOOD))
+    assert config.simulated
+    assert config.cage.limits.current_A == (2.0, 2.0, 2.0)
+    np.testing.assert_array_equal(config.cage.matrix[:, 1], [100, 50000, 0])
+    assert "secret" not in config.model_dump_json()
+    assert "secret" not in repr(config)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "says"),
+    [
+        ('unit = "count"', 'unit = "furlong"', 9, "dut.unit"),
+        ('serial = "EM-07"', 'serial = "EM-07"\nserail = 1', 9, "dut.serail is not a key"),
+        ("current_A = 2.0", "current_A = -2.0", 5, "cage.limits.current_A"),
+        ("current_A = 2.0", "current_A = nan", 5, "cage.limits.current_A"),
+        ('role = "coil-y"', 'role = "coil-x"', None, "two instruments have the role coil-x"),
+        ('link = "emulated://", role = "platform"', 'link = "ttyUSB0", role = "platform"', 15, "stage.link"),
+        ("[50000, 100, 0], [0, 50000, 0]", "[50000, 100, 0], [50000, 100, 0]", 3, "singular"),
+        ("name =", "name", 1, "is not TOML"),
+    ],
+)
+def test_a_fault_names_file_line_and_key(tmp_path: Path, old: str, new: str, line: int | None, says: str) -> None:
+    path = config_of(tmp_path, GOOD.replace(old, new, 1))
+    with pytest.raises(InputError) as caught:
+        read_config(path)
+    assert says in str(caught.value)
+    assert caught.value.file == path
+    if "TOML" not in says:
+        assert caught.value.line == line
+
+
+def test_the_line_found_is_the_nearest_key_that_is_stated() -> None:
+    text = "[a]\nb = 1\n[a.c]\nd = 2\n"
+    assert line_of(text, ("a", "b")) == 2
+    assert line_of(text, ("a", "c", "d", "0")) == 4
+    assert line_of(text, ("a", "c", "missing")) == 3
+    assert line_of(text, ("z",)) is None
