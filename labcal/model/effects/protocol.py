@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Protocol, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,36 +72,38 @@ class Shape:
     grid: tuple[float, ...] = ()
 
 
-class Form(Protocol):
-    """One way an effect can look. Frozen; `columns` is all its physics."""
+Kernel = Callable[["Form", Scene], Array]
 
-    @property
-    def channels(self) -> tuple[str, ...]:
-        """Names of the channels it needs."""
-        ...
 
-    @property
-    def reference_value(self) -> Mapping[str, float]:
-        """Where each channel counts as zero, so that k has one meaning."""
-        ...
+@dataclass(frozen=True, slots=True)
+class Form:
+    """One way an effect can look: `kernel` is all its physics, the linear parameters are left open.
 
-    @property
-    def parameters(self) -> tuple[tuple[str, str], ...]:
-        """Name and unit of each linear parameter, in the order of the columns."""
-        ...
+    `kernel(form, scene)` gives the derivative of e by each linear parameter, (n, 3, p) [nT of B per unit].
+    """
 
-    @property
-    def shape(self) -> tuple[Shape, ...]:
-        """The parameters that do not enter linearly."""
-        ...
-
-    def reshaped(self, **values: float) -> Self:
-        """The same form at other shape parameters."""
-        ...
+    kernel: Kernel
+    parameters: tuple[tuple[str, str], ...]  # name and unit of each linear parameter, in the order of the columns
+    channels: tuple[str, ...] = ()
+    reference_value: Mapping[str, float] = field(default_factory=dict)  # where each channel counts as zero
+    shape: tuple[Shape, ...] = ()
 
     def columns(self, scene: Scene) -> Array:
-        """The derivative of e by each parameter (n, 3, p) [nT of B per unit]."""
-        ...
+        """The derivative of e by each linear parameter (n, 3, p)."""
+        return self.kernel(self, scene)
+
+    def at(self, name: str) -> float:
+        """The value of a shape parameter."""
+        return next(s.value for s in self.shape if s.name == name)
+
+    def reshaped(self, **values: float) -> Form:
+        """The same form at other shape parameters."""
+        return replace(self, shape=tuple(replace(s, value=values.get(s.name, s.value)) for s in self.shape))
+
+    def drive(self, scene: Scene) -> Array:
+        """Its first channel, counted from the reference value (n,)."""
+        name = self.channels[0]
+        return np.asarray(scene.channels[name] - self.reference_value[name])
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,10 +112,17 @@ class Family:
 
     id: str
     belongs_to: Owner
+    kernel: Kernel
     candidates: Callable[[Run], Sequence[Form]]  # the forms that this run could show; empty where its needs are not met
-    restore: Callable[[EffectRecord], Form]  # the form that a calibration file describes
+    shapes: tuple[str, ...] = ()  # names of the parameters that do not enter linearly
     experiment: str = ""  # what would show it, one sentence
     bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
+
+    def restore(self, record: EffectRecord) -> Form:
+        """The form that a calibration file describes."""
+        linear = tuple((p.name, p.unit) for p in record.parameters if p.name not in self.shapes)
+        shape = tuple(Shape(p.name, p.value, p.unit) for p in record.parameters if p.name in self.shapes)
+        return Form(self.kernel, linear, record.channels, dict(record.reference_value), shape)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,0 +1,68 @@
+"""The platform axis is not where it was declared: in the cage, or in the body for each way of mounting.
+
+With the true axis turned by the small vector d in the cage, p = R M (v − d × v); mounted along an axis turned by e in
+the body, p' = p + e × p (to first order, from v_B = R(axis_body, −angle) · body_from_cage · v_C).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labcal.geometry import skew
+from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.record import Run, offers
+
+DEG = np.pi / 180
+
+
+def kernel(form: Form, scene: Scene) -> Array:
+    """`cage_x` … turn the axis in C; `body_1:x` … turn the first mounting axis in B. Per degree."""
+    assert scene.rig is not None
+    out = np.zeros((len(scene), 3, len(form.parameters)))
+    turning = np.isfinite(scene.rig.angle_rad)
+    axes = _mounted(scene.rig.axis_body)
+    for column, (name, _) in enumerate(form.parameters):
+        direction = np.eye(3)["xyz".index(name[-1])]
+        if name.startswith("cage"):
+            turned = np.einsum("nij,nj->ni", scene.rig.to_body, -scene.rig.reference_nT @ skew(direction).T)
+            out[turning, :, column] = turned[turning] * DEG
+        else:
+            rows = turning & (axes == int(name[5:].split(":")[0]))
+            out[rows, :, column] = scene.rig.prediction_nT[rows] @ skew(direction).T * DEG
+    return out
+
+
+def _mounted(axis_body: Array) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
+    """A number from 1 for each different axis, 0 where there is none."""
+    known = np.isfinite(axis_body).all(axis=1)
+    number = np.zeros(len(axis_body), dtype=np.intp)
+    if known.any():
+        _, index = np.unique(np.round(axis_body[known], 6), axis=0, return_inverse=True)
+        number[known] = index.ravel() + 1
+    return number
+
+
+def candidates(run: Run) -> list[Form]:
+    """A tilt in the cage, common to all; and one in the body for each mounted axis."""
+    segments = [s for s in run.segments if s.kind == "rotation" and offers(run, s) == "vector"]
+    if not segments:
+        return []
+    cage = Form(kernel, tuple((f"cage_{a}", "deg") for a in _across([s.axis_cage or (0, 0, 1) for s in segments])))
+    mounted = np.unique(np.round([s.axis_body for s in segments if s.axis_body is not None], 6), axis=0)
+    body = tuple((f"body_{i}:{a}", "deg") for i, axis in enumerate(mounted, start=1) for a in _across([tuple(axis)]))
+    return [cage, Form(kernel, body)] if len(mounted) > 1 else [cage]
+
+
+def _across(axes: list[tuple[float, float, float]]) -> str:
+    """The directions about which a turn moves any of these axes."""
+    spread = np.sum([1 - np.square(axis) for axis in axes], axis=0)
+    return "".join(a for a, moved in zip("xyz", spread, strict=True) if moved > 1e-6)
+
+
+FAMILY = Family(
+    "axis-tilt",
+    "rig",
+    kernel,
+    candidates,
+    experiment="mount the device turned by 180° about the platform axis and repeat",
+)

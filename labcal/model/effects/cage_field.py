@@ -1,0 +1,42 @@
+"""A field fixed to the cage that the reference does not see: motor, carriage, table, or the reference's own zero."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.regressors import AXES
+from labcal.record import Run, offers
+
+
+def kernel(form: Form, scene: Scene) -> Array:
+    """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body and θ the platform angle."""
+    assert scene.rig is not None
+    angle = np.nan_to_num(scene.rig.angle_rad)
+    turning = np.isfinite(scene.rig.angle_rad)
+    out = np.empty((len(scene), 3, len(form.parameters)))
+    for column, (name, _) in enumerate(form.parameters):
+        kind, axis = name.split("_")
+        drive = np.ones(len(scene))
+        if kind != "c":
+            wave = np.cos if kind.startswith("cos") else np.sin
+            drive = wave(int(kind[3:]) * angle) * turning
+        out[:, :, column] = scene.rig.to_body[:, :, AXES.index(axis)] * drive[:, None]
+    return out
+
+
+def candidates(run: Run) -> list[Form]:
+    """A constant; and one that changes with the angle, up to the second harmonic."""
+    if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
+        return []
+    sets = (("c",), ("c", "cos1", "sin1"), ("c", "cos1", "sin1", "cos2", "sin2"))
+    return [Form(kernel, tuple((f"{k}_{a}", "nT") for k in kinds for a in AXES)) for kinds in sets]
+
+
+FAMILY = Family(
+    "cage-field",
+    "rig",
+    kernel,
+    candidates,
+    experiment="repeat with the coils at zero, and with the reference turned by 180°",
+)

@@ -1,0 +1,48 @@
+"""Readings that answer to the field across their axis: products of the components along two axes.
+
+In a magnetoresistive bridge the field across the film changes the sensitivity along it (s_i s_j), which for larger
+fields becomes even in the crossing field (s_i s_j²).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.regressors import AXES
+from labcal.record import Run
+
+MIXED = tuple((i, i, j) for i in range(3) for j in range(3) if j != i)
+SQUARES = tuple((i, j, j) for i in range(3) for j in range(3) if j != i)
+OPPOSITE = tuple((i, (i + 1) % 3, (i + 2) % 3) for i in range(3))
+CUBIC = tuple((i, i, j, j) for i in range(3) for j in range(3) if j != i)
+
+
+def kernel(form: Form, scene: Scene) -> Array:
+    """Each parameter `q_x:xy` adds c s_x s_y to the reading along sensor axis x."""
+    s = scene.along_axes_nT
+    out = np.empty((len(scene), 3, len(form.parameters)))
+    for column, (name, _) in enumerate(form.parameters):
+        axis, factors = name[2:].split(":")
+        product = np.prod([s[:, AXES.index(f)] for f in factors], axis=0)
+        out[:, :, column] = product[:, None] * scene.axes[:, AXES.index(axis)]
+    return out
+
+
+def _parameters(terms: tuple[tuple[int, ...], ...]) -> tuple[tuple[str, str], ...]:
+    unit = {2: "1/nT", 3: "1/nT^2"}
+    return tuple((f"q_{AXES[t[0]]}:{''.join(AXES[f] for f in t[1:])}", unit[len(t) - 1]) for t in terms)
+
+
+def candidates(run: Run) -> list[Form]:
+    """Products with the axis' own component, all products of second order, and the even cubic ones."""
+    return [Form(kernel, _parameters(terms)) for terms in (MIXED, SQUARES, MIXED + SQUARES + OPPOSITE, CUBIC)]
+
+
+FAMILY = Family(
+    "cross-field",
+    "sensor",
+    kernel,
+    candidates,
+    experiment="hold the field along one axis and step it along another",
+)

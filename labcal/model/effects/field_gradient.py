@@ -1,0 +1,58 @@
+"""The device is off the centre: the field there differs from the reference's in proportion to the cage's field.
+
+A constant place off the axis gives Δv = A v with A symmetric and traceless (curl and divergence are zero); a device
+off the platform axis moves on a circle, and the difference turns with the angle.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.regressors import AXES
+from labcal.record import Run, offers
+
+SYMMETRIC = {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+
+
+def kernel(form: Form, scene: Scene) -> Array:
+    """`a_xy` … an element of A; `cos_x` … along x of C in proportion to |v| and the cosine of the angle."""
+    assert scene.rig is not None
+    v, angle = scene.rig.reference_nT, scene.rig.angle_rad
+    turning = np.isfinite(angle)
+    size = np.linalg.norm(v, axis=1) * turning
+    out = np.empty((len(scene), 3, len(form.parameters)))
+    for column, (name, _) in enumerate(form.parameters):
+        kind, which = name.split("_")
+        if kind == "a":
+            cage = v @ _traceless(which)
+        else:
+            wave = np.cos if kind == "cos" else np.sin
+            cage = (size * wave(np.nan_to_num(angle)))[:, None] * np.eye(3)[AXES.index(which)]
+        out[:, :, column] = np.einsum("nij,nj->ni", scene.rig.to_body, cage)
+    return out
+
+
+def _traceless(which: str) -> Array:
+    i, j = SYMMETRIC[which]
+    out = np.zeros((3, 3))
+    out[i, j] = out[j, i] = 1.0
+    return out - np.diag([0, 0, 1.0]) if i == j else out
+
+
+def candidates(run: Run) -> list[Form]:
+    """A constant place off the centre; a circle about the platform axis; both."""
+    if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
+        return []
+    place = tuple((f"a_{w}", "1") for w in SYMMETRIC)
+    circle = tuple((f"{w}_{a}", "1") for w in ("cos", "sin") for a in AXES)
+    return [Form(kernel, p) for p in (place, circle, place + circle)]
+
+
+FAMILY = Family(
+    "field-gradient",
+    "rig",
+    kernel,
+    candidates,
+    experiment="move the device by 5 cm and repeat one segment",
+)

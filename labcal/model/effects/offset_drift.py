@@ -1,0 +1,46 @@
+"""Sensor offset that drifts smoothly in time: a low polynomial, or a settling after switch-on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.regressors import AXES, on_each_axis
+from labcal.record import Run
+
+
+def kernel(form: Form, scene: Scene) -> Array:
+    """E = Σ c_k (t − t_ref)^k, or c exp(−(t − t_ref)/tau) where the form has a tau."""
+    t = scene.t_s - form.at("t_ref_s")
+    if any(s.name == "tau_s" for s in form.shape):
+        return on_each_axis(np.exp(-t / form.at("tau_s")))
+    powers = range(1, len(form.parameters) // 3 + 1)
+    return np.concatenate([on_each_axis(t**k) for k in powers], axis=2)
+
+
+def candidates(run: Run) -> list[Form]:
+    """Polynomials of degree one to three about the middle of the run, and a settling from its start."""
+    first, last = float(run.t_s[0]), float(run.t_s[-1])
+    span = last - first
+    if span <= 0:
+        return []
+    centre = (Shape("t_ref_s", (first + last) / 2, "s"),)
+    found = [Form(kernel, _polynomial(degree), shape=centre) for degree in (1, 2, 3)]
+    grid = tuple(span * f for f in (0.05, 0.15, 0.4))
+    settling = (Shape("t_ref_s", first, "s"), Shape("tau_s", grid[1], "s", grid))
+    return [*found, Form(kernel, tuple((f"c_{a}", "nT") for a in AXES), shape=settling)]
+
+
+def _polynomial(degree: int) -> tuple[tuple[str, str], ...]:
+    return tuple((f"c{k}_{a}", f"nT/s^{k}" if k > 1 else "nT/s") for k in range(1, degree + 1) for a in AXES)
+
+
+FAMILY = Family(
+    "offset-drift",
+    "sensor",
+    kernel,
+    candidates,
+    shapes=("t_ref_s", "tau_s"),
+    experiment="repeat the first segment at the end, and again after a pause",
+    bound_to_run=True,
+)
