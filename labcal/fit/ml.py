@@ -1,0 +1,153 @@
+"""Maximum likelihood for whatever a run offers: the default method."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.identify import Identified, identify
+from labcal.fit.observations import SCALAR, Observations, observe
+from labcal.fit.result import Fit
+from labcal.fit.solve import KNEE, LEAST_SQUARES, ROBUST, Form, FormName, Loss, Solution, form, solve
+from labcal.fit.start import starts
+from labcal.fit.system import Noise, map_of
+from labcal.model import AffineMap
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
+SUBSAMPLE = 2000  # rows on which the starts compete
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Estimate:
+    """All that a maximum-likelihood fit knows: what the loop builds on, where `Fit` is for people and files."""
+
+    seen: Observations
+    noise: Noise  # as used in the weights
+    form: Form
+    solution: Solution
+    identified: Identified
+    scale: float  # observed over expected standard deviation of the normalised residuals
+
+    @property
+    def affine(self) -> AffineMap:
+        """The map in the DUT's unit."""
+        return AffineMap(*map_of(self.solution.theta, self.seen.scale))
+
+    @property
+    def covariance(self) -> Array:
+        """Covariance (12, 12) of K row by row, then k, in the DUT's unit."""
+        unit = np.r_[np.full(9, 1 / self.seen.scale), np.ones(3)]
+        return np.asarray(self.identified.covariance * np.outer(unit, unit))
+
+
+def ml(run: Run, *, robust: bool = True) -> Fit:
+    """Maximum likelihood: K and k (and the starting phases) from vectors, axes and magnitudes, with covariance.
+
+    Where the rotation cannot be seen K is symmetric, the covariance has rank 9 and `frame_known` is False; a run that
+    does not determine the map gets `ok=False` with the reason. `robust=False` is least squares.
+    """
+    if run.reference.kind == "none":
+        return _refused("there is no reference, so the scale is open: a field of known magnitude is needed")
+    try:
+        found = estimate(run, robust=robust)
+        if found.identified.why_not and (found.seen.kind != SCALAR).any():
+            scalar = estimate(run, as_scalar=True, robust=robust)
+            found = scalar if scalar.identified.why_not is None else found
+    except ValueError as error:
+        return _refused(str(error))
+    if found.identified.why_not:
+        return _refused(found.identified.why_not)
+    return Fit(
+        method="ml",
+        ok=True,
+        affine=found.affine,
+        covariance=found.covariance,
+        frame_known=found.form.name != "symmetric",
+        phase_rad=found.solution.phase,
+        noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit,
+    )
+
+
+def estimate(run: Run, *, allowed: FormName | None = None, as_scalar: bool = False, robust: bool = True) -> Estimate:
+    """Fit the form `allowed` (affine, or symmetric where all rows are magnitudes) to the usable rows of `run`.
+
+    Raises ValueError where no row can be used. Look at `identified.why_not` before using the numbers.
+    """
+    seen = observe(run, as_scalar=as_scalar)
+    nominal = seen.scale * run.dut.nominal_nT_per_unit
+    name = allowed or ("symmetric" if (seen.kind == SCALAR).all() else "affine")
+    shape = form(name, nominal)
+    noise = _declared(run, seen)
+    start = _best_start(seen, noise, shape, nominal)
+    found, noise, scale = _settle(run, seen, noise, shape, start, robust=robust)
+    identified = identify(seen, noise, shape, found)
+    identified = replace(identified, covariance=identified.covariance * scale**2)
+    return Estimate(seen, noise, shape, found, identified, scale)
+
+
+def _refused(why: str) -> Fit:
+    return Fit(method="ml", ok=False, why_not=why)
+
+
+def _declared(run: Run, seen: Observations) -> Noise:
+    """The declared noise; a DUT whose noise is not declared starts at 1 nT and is estimated."""
+    angle = np.radians([s.angle_noise_deg or 0.0 for s in run.segments])[seen.segment]
+    shared = run.reference.u_time_s or 0.0
+    time = np.array([s.u_time_s or shared for s in run.segments])[seen.segment]
+    reading = (run.dut.noise_nT or 1.0) / run.dut.nominal_nT_per_unit
+    return Noise(reading, run.reference.noise_nT or 0.0, angle, time)
+
+
+def _best_start(seen: Observations, noise: Noise, shape: Form, nominal: float) -> Solution:
+    """Of the closed-form starts, polished on a subsample with Huber's loss, the one with the smallest residuals."""
+    rows = np.unique(np.linspace(0, len(seen) - 1, SUBSAMPLE).astype(np.intp))
+    few, few_noise = seen.select(rows), noise.select(rows)
+    polished = []
+    for theta, phase in starts(few, nominal, symmetric=shape.name == "symmetric"):
+        rough = solve(few, few_noise, shape, theta, phase, LEAST_SQUARES, iterations=8)
+        huber = Loss(typical(few, rough), np.inf)
+        polished.append(solve(few, few_noise, shape, rough.theta, rough.phase, huber, iterations=15))
+    return min(polished, key=lambda found: typical(few, found))
+
+
+def _settle(
+    run: Run, seen: Observations, noise: Noise, shape: Form, start: Solution, *, robust: bool
+) -> tuple[Solution, Noise, float]:
+    """Alternate the fit with the scale of its residuals until both stand: solution, noise, scale left over.
+
+    The scale goes into the reading's noise where none is declared; else it widens the covariance, never narrows it.
+    """
+    found, scale = start, 1.0
+    for _ in range(8):
+        at_start = solve(seen, noise, shape, found.theta, found.phase, LEAST_SQUARES, iterations=0)
+        loss = replace(ROBUST, knee=_knee(seen, at_start)) if robust else LEAST_SQUARES
+        found = solve(seen, noise, shape, found.theta, found.phase, loss)
+        before, scale = scale, _scale(seen, found, shape)
+        if run.dut.noise_nT is None:
+            noise, before, scale = replace(noise, reading=noise.reading * scale), 1.0 / scale, 1.0
+        if abs(scale / before - 1) < 0.005:
+            break
+    return found, noise, max(scale, 1.0)
+
+
+def _knee(seen: Observations, found: Solution) -> float:
+    """Where weights begin to fall: by the residuals' median, but so that at most a tenth of the rows lose any.
+
+    More rows than that are no outliers: the model lacks something, and to leave them out would hide it.
+    """
+    return max(typical(seen, found), float(np.quantile(np.sqrt(found.cost) / KNEE[seen.kind], 0.9)), 1.0)
+
+
+def typical(seen: Observations, found: Solution) -> float:
+    """Observed over expected length of the normalised residuals, by their median."""
+    return float(np.sqrt(np.median(found.cost / MEDIAN_CHI2[seen.kind])))
+
+
+def _scale(seen: Observations, found: Solution, shape: Form) -> float:
+    """Observed over expected standard deviation of the normalised residuals, degrees of freedom taken off."""
+    free = float(np.sum(found.weight * seen.kind)) - shape.basis.shape[1] - len(found.phase)
+    return float(np.sqrt(np.sum(found.weight * found.cost) / max(free, 1.0)))
