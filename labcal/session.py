@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
 from pathlib import Path
 
+from labcal import certificate
+from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
+from labcal.home import home
+from labcal.model import Calibration
 from labcal.record import Run
 from labcal.store import Bundle, load_bundle
 
@@ -16,3 +21,46 @@ def load_run(run: str) -> Run:
 def run_bundle(run: str) -> Bundle:
     """The exported bundle of the run that `run` names, byte for byte; its `sha256` is the contract's run_sha256."""
     return load_bundle(Path(run))
+
+
+def new_key(name: str, passphrase: str) -> Signer:
+    """Make a private key for `name` under `passphrase`, and trust its public half."""
+    return certificate.keys.new_key(home(), name, passphrase)
+
+
+def trusted_keys() -> tuple[Entry, ...]:
+    """Everybody in the lab's trust list."""
+    return certificate.keys.entries(home())
+
+
+def trust_keys(allowed_signers: Path) -> tuple[Signer, ...]:
+    """Take the lines of an allowed_signers file into the lab's trust list; returns the new ones."""
+    return certificate.keys.trust(home(), allowed_signers)
+
+
+def revoke_keys(name: str) -> int:
+    """Accept no signature any more by the keys of `name`; returns how many keys those are."""
+    return certificate.keys.revoke(home(), name)
+
+
+def load_calibration(path: Path) -> Calibration:
+    """Read a calibration file, checked. Raises InputError."""
+    return certificate.read_calibration(path)
+
+
+def approve(calibration: Path, name: str) -> Calibration:
+    """Write the approver's name into a draft."""
+    return certificate.approve(calibration, name)
+
+
+def sign(calibration: Path, name: str, passphrase: str) -> Path:
+    """Sign the calibration as `name`; returns the path of the signature."""
+    key = certificate.keys.open_key(home(), name, passphrase)
+    return certificate.sign(calibration, name, key, certificate.keys.trusted(home()))
+
+
+def verify(calibration: Path, allowed_signers: Path | None = None, run: str | None = None) -> Verification:
+    """Check every signature of the calibration against the lab's trust list, or the one that is named."""
+    signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
+    sha256 = run_bundle(run).sha256 if run else None
+    return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)

@@ -1,5 +1,23 @@
 """What leaves the lab: the calibration file, keys and signatures, and the report for people."""
 
+from labcal.certificate import keys
+from labcal.certificate.allowed_signers import Signer, read_allowed_signers
 from labcal.certificate.calibration_file import calibration_bytes, parse_calibration, read_calibration
+from labcal.certificate.keys import Entry
+from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, verify
 
-__all__ = ["calibration_bytes", "parse_calibration", "read_calibration"]
+__all__ = [
+    "Check",
+    "Entry",
+    "Signer",
+    "Verification",
+    "approve",
+    "calibration_bytes",
+    "keys",
+    "parse_calibration",
+    "read_allowed_signers",
+    "read_calibration",
+    "sign",
+    "sign_simulated",
+    "verify",
+]

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import sys
+from typing import cast
 
 import typer
-from click.exceptions import Abort, ClickException
 
 from labcal.errors import InputError, InstrumentError, Stopped
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
+
+# What typer raises for a wrong word on the command line; it comes from click, or from typer's own copy of it.
+UsageFault = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
 
 app = typer.Typer(
     name="labcal",
@@ -31,10 +34,10 @@ def _run(arguments: list[str]) -> int:
     try:
         code = app(arguments, standalone_mode=False)
         return code if isinstance(code, int) else DONE
-    except ClickException as error:
+    except UsageFault as error:
         error.show()
         return WRONG_INPUT
-    except (KeyboardInterrupt, Abort, Stopped):
+    except (KeyboardInterrupt, typer.Abort, Stopped):
         return _say("stopped", STOPPED)
     except InstrumentError as error:
         return _say(str(error), INSTRUMENT_FAILED)

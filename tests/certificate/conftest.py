@@ -7,8 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
+from labcal.certificate import Signer, pkcs8
+from labcal.certificate.allowed_signers import own_line
 from labcal.certificate.calibration_file import calibration_bytes
+from labcal.certificate.sshsig import public_key_blob
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.calibration import Rival
 from labcal.record import Dut
@@ -71,3 +75,31 @@ def real_draft(calibration: Calibration, tmp_path: Path) -> Path:
     path = tmp_path / "real.json"
     path.write_bytes(calibration_bytes(replace(calibration, simulated=False)))
     return path
+
+
+@pytest.fixture(autouse=True)
+def quick_passphrases(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pkcs8, "ROUNDS", 1000)
+
+
+@pytest.fixture
+def key() -> Ed25519PrivateKey:
+    """RFC 8032, section 7.1, test 1."""
+    return Ed25519PrivateKey.from_private_bytes(
+        bytes.fromhex("9d61b19deffd5a60ba844af492ec2cc44449c5697b326919703bac031cae7f60")
+    )
+
+
+@pytest.fixture
+def other_key() -> Ed25519PrivateKey:
+    """RFC 8032, section 7.1, test 2."""
+    return Ed25519PrivateKey.from_private_bytes(
+        bytes.fromhex("4ccd089b28ff96da9db6c346ec114e0f5b8a319f35aba624da8cf6ed4fb8a6fb")
+    )
+
+
+@pytest.fixture
+def lab(key: Ed25519PrivateKey, other_key: Ed25519PrivateKey) -> tuple[Signer, ...]:
+    """A trust list of Ada (`key`) and Bob (`other_key`)."""
+    pairs = (("ada", key), ("bob", other_key))
+    return tuple(own_line(name, public_key_blob(k.public_key())) for name, k in pairs)

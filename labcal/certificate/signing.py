@@ -1,0 +1,229 @@
+"""Approving, signing and verifying a calibration file.
+
+A signature is a person's word for exact bytes; a name under `approvers` is a claim until its owner signs too. So a
+file that names no approver, or one who has not signed, is PROVISIONAL: valid, and said to be so.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+from pathlib import Path
+
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
+
+from labcal import files
+from labcal.certificate import sshsig
+from labcal.certificate.allowed_signers import Signer, own_line
+from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
+from labcal.certificate.keys import SIMULATED
+from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
+from labcal.errors import InputError
+from labcal.model import Calibration
+
+LARGEST_SIGNATURE_BYTES = 2**14
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """What one signature file came to: `objection` is None where it holds and its signer is trusted."""
+
+    file: Path
+    principal: str | None
+    fingerprint: str | None
+    objection: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """What all signatures of a calibration came to; `run_matches` is None where no run was named."""
+
+    file: Path
+    checks: tuple[Check, ...]
+    calibration: Calibration | None  # where at least one signature holds
+    run_matches: bool | None = None
+
+    @property
+    def valid(self) -> bool:
+        """At least one signature, every one of them good, and the run (where named) is the one."""
+        return bool(self.checks) and all(c.objection is None for c in self.checks) and self.run_matches is not False
+
+    @property
+    def signers(self) -> tuple[str, ...]:
+        """Who signed, of those signatures that hold."""
+        return tuple(c.principal for c in self.checks if c.objection is None and c.principal)
+
+    @property
+    def provisional(self) -> str | None:
+        """Why nobody but the signer stands for it yet; None where every approver named has signed."""
+        named = self.calibration.approvers if self.calibration else ()
+        if not named:
+            return "no approver is named"
+        missing = [name for name in named if name not in self.signers]
+        return f"named as approver, but has not signed: {', '.join(missing)}" if missing else None
+
+    def sentences(self) -> list[str]:
+        """What a person has to know, the verdict first."""
+        if not self.checks:
+            return [f"NOT VALID: {self.file.name} carries no signature."]
+        said = [f"VALID: signed by {', '.join(self.signers)}." if self.valid else "NOT VALID."]
+        if self.run_matches is False:
+            said.append("It was not made from the run that was named (run_sha256 differs).")
+        if self.run_matches:
+            said.append("It was made from the run that was named.")
+        if self.valid and self.provisional:
+            said.append(f"PROVISIONAL: {self.provisional}.")
+        if self.calibration and self.calibration.simulated:
+            said.append("SIMULATED: it describes no real sensor.")
+        return said
+
+
+def approve(path: Path, name: str) -> Calibration:
+    """Write `name` among the approvers of the draft at `path`. Raises InputError.
+
+    Refused after any signature (its bytes would no longer be the signed ones), and for the operator: two persons
+    look at a calibration, or it stays PROVISIONAL.
+    """
+    name = " ".join(name.split())
+    draft = parse_calibration(read_limited(path, LARGEST_BYTES), path)
+    if signed := signature_files(path):
+        raise InputError(f"is signed already ({signed[0].name}); only a draft can be approved", file=path)
+    if not name:
+        raise InputError("the approver has no name", file=path)
+    if _same_name(name, draft.operator):
+        raise InputError(f"{name} is the operator; another person approves", file=path)
+    if any(_same_name(name, other) for other in draft.approvers):
+        raise InputError(f"{name} has approved it already", file=path)
+    approved = replace(draft, approvers=(*draft.approvers, name))
+    files.write_bytes(path.resolve(), calibration_bytes(approved))
+    return approved
+
+
+def sign(path: Path, name: str, key: Ed25519PrivateKey, signers: Sequence[Signer] = ()) -> Path:
+    """Sign the bytes at `path` as `name` and write the signature beside them; returns its path.
+
+    `signers` is the trust list: it tells whose the signatures are that are there already. Raises InputError for a
+    file that is no calibration, for somebody who has signed it, and where an earlier signature does not hold.
+    """
+    content = read_limited(path, LARGEST_BYTES)
+    parse_calibration(content, path)
+    own = public_key_blob(key.public_key())
+    person = {own} | {s.key for s in signers if s.principal == name}
+    there = _expected(path)
+    for file in there:
+        earlier = _holding(file, content)
+        if earlier.public_key in person:
+            raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
+    target = _signature_path(path, len(there) + 1)
+    files.write_text(target, sshsig.sign(content, key))
+    return target
+
+
+def sign_simulated(path: Path, allowed_signers: Path) -> Path:
+    """Sign a simulated calibration with a key that lives in memory only, and write its trust list.
+
+    `verify` takes that principal for files that say simulated and no other. Raises InputError for a real one.
+    """
+    if not parse_calibration(read_limited(path, LARGEST_BYTES), path).simulated:
+        raise InputError("is not simulated; a key kept in memory signs nothing real", file=path)
+    key = Ed25519PrivateKey.generate()
+    files.write_text(allowed_signers, own_line(SIMULATED, public_key_blob(key.public_key())).line() + "\n")
+    return sign(path, SIMULATED, key)
+
+
+def verify(
+    path: Path, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime, run_sha256: str | None = None
+) -> Verification:
+    """Check every signature of the calibration at `path` against `signers`, and its run where one is named.
+
+    The bytes are read once; a file beside them is never asked whom to trust. Raises InputError where `path` cannot
+    be read, or a trusted person signed something that is no calibration.
+    """
+    content = read_limited(path, LARGEST_BYTES)
+    checks = _once_each([_check(file, content, signers, revoked, now) for file in _expected(path)])
+    if all(check.objection for check in checks):
+        return Verification(path, checks, None)
+    calibration = parse_calibration(content, path)
+    if not calibration.simulated:
+        checks = tuple(_real(check) for check in checks)
+    return Verification(path, checks, calibration, None if run_sha256 is None else calibration.run_sha256 == run_sha256)
+
+
+def signature_files(path: Path) -> list[Path]:
+    """The signature files that lie beside the calibration at `path`, in order of signing."""
+    numbered = re.compile(re.escape(path.name) + r"(?:\.(?P<number>[2-9]|[1-9]\d))?\.sshsig")
+    found = [(int(m["number"] or 1), f) for f in path.parent.iterdir() if (m := numbered.fullmatch(f.name))]
+    return [file for _, file in sorted(found)]
+
+
+def _signature_path(path: Path, number: int) -> Path:
+    return path.with_name(f"{path.name}.sshsig" if number == 1 else f"{path.name}.{number}.sshsig")
+
+
+def _expected(path: Path) -> list[Path]:
+    """The signature files there are, and those that must once have been there for the later ones to exist."""
+    there = signature_files(path)
+    return sorted({*there, *(_signature_path(path, n + 1) for n in range(len(there)))}, key=lambda f: (len(f.name), f))
+
+
+def _check(file: Path, content: bytes, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime) -> Check:
+    try:
+        signature = sshsig.parse(read_limited(file, LARGEST_SIGNATURE_BYTES))
+    except FileNotFoundError:
+        return Check(file, None, None, "is missing, though a later signature is there")
+    except (BadSignature, InputError) as error:
+        return Check(file, None, None, error.what if isinstance(error, InputError) else str(error))
+    mine = [s for s in signers if s.key == signature.public_key]
+    mine.sort(key=lambda signer: signer.objection(NAMESPACE, now) is not None)  # one line that vouches is enough
+    principal = mine[0].principal if mine else None
+    return Check(
+        file, principal, sshsig.fingerprint(signature.public_key), _objection(signature, content, mine, revoked, now)
+    )
+
+
+def _objection(
+    signature: sshsig.Signature, content: bytes, mine: Sequence[Signer], revoked: frozenset[bytes], now: datetime
+) -> str | None:
+    try:
+        signature.check(content)
+    except BadSignature as error:
+        return str(error)
+    if signature.public_key in revoked:
+        return "its key is revoked"
+    if not mine:
+        return "its key is nobody's in the trust list"
+    objection = mine[0].objection(NAMESPACE, now)
+    return f"its key {objection}" if objection else None
+
+
+def _once_each(checks: Sequence[Check]) -> tuple[Check, ...]:
+    """A second signature by the same person is none: it would pass one person off as two."""
+    seen: set[str | None] = set()
+    kept = []
+    for check in checks:
+        if check.objection is None and check.principal in seen:
+            check = replace(check, objection=f"repeats the signature of {check.principal}")
+        seen.add(check.principal)
+        kept.append(check)
+    return tuple(kept)
+
+
+def _real(check: Check) -> Check:
+    if check.objection is None and check.principal == SIMULATED:
+        return replace(check, objection="its key is good for simulated files only, and this file says it is real")
+    return check
+
+
+def _holding(file: Path, content: bytes) -> sshsig.Signature:
+    try:
+        signature = sshsig.parse(read_limited(file, LARGEST_SIGNATURE_BYTES))
+        signature.check(content)
+    except BadSignature as error:
+        raise InputError(f"{error}; nothing was signed", file=file) from None
+    return signature
+
+
+def _same_name(one: str, other: str) -> bool:
+    return " ".join(one.split()).casefold() == " ".join(other.split()).casefold()

@@ -1,0 +1,89 @@
+"""`labcal keys`: who may sign, and whose signature counts."""
+
+from __future__ import annotations
+
+import getpass
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+from rich.console import Console
+from rich.table import Column, Table
+
+from labcal.cli import app
+from labcal.errors import InputError
+
+if TYPE_CHECKING:
+    from labcal.certificate import Entry
+
+keys = typer.Typer(help="Keys that sign, and keys that are trusted.", no_args_is_help=True)
+app.add_typer(keys, name="keys")
+
+
+@keys.command("new")
+def new(name: str = typer.Option(..., help="The person, as in ada@lab.example.")) -> None:
+    """Make a key for a person, locked with a passphrase, and trust it in this lab."""
+    from labcal import session
+    from labcal.certificate.sshsig import fingerprint
+
+    signer = session.new_key(name, passphrase(f"New passphrase for {name}: ", again=True))
+    print(f"key of {signer.principal}: {fingerprint(signer.key)}")
+
+
+@keys.command("list")
+def list_keys(
+    allowed_signers: bool = typer.Option(False, "--allowed-signers", help="Print the trust list as OpenSSH reads it."),
+) -> None:
+    """Show whose signatures this lab accepts."""
+    from labcal import session
+
+    if allowed_signers:
+        print("".join(f"{entry.signer.line()}\n" for entry in session.trusted_keys() if not entry.revoked), end="")
+        return
+    table = Table("Person", Column("Key", no_wrap=True, min_width=50), "Private key", "Trusted", box=None)
+    for entry in session.trusted_keys():
+        table.add_row(*_row(entry))
+    Console().print(table if table.row_count else "No keys yet: `labcal keys new --name PERSON` makes one.")
+
+
+@keys.command("trust")
+def trust(file: Path = typer.Argument(..., help="Lines as `labcal keys list --allowed-signers` prints them.")) -> None:
+    """Accept the signatures of the people in an allowed_signers file."""
+    from labcal import session
+    from labcal.certificate.sshsig import fingerprint
+
+    new_ones = session.trust_keys(file)
+    for signer in new_ones:
+        print(f"trusted: {signer.principal} {fingerprint(signer.key)}")
+    if not new_ones:
+        print("nothing new: all of them are trusted already")
+
+
+@keys.command("revoke")
+def revoke(name: str = typer.Argument(..., help="The person whose keys are lost.")) -> None:
+    """Accept nothing any more that a person's present keys have signed or will sign."""
+    from labcal import session
+
+    print(f"revoked: {session.revoke_keys(name)} key(s) of {name}")
+
+
+def passphrase(question: str, *, again: bool = False) -> str:
+    """The passphrase from LABCAL_PASSPHRASE, else asked at the terminal (twice for a new one). Raises InputError."""
+    if (stated := os.environ.get("LABCAL_PASSPHRASE")) is not None:
+        return stated
+    if not sys.stdin.isatty():
+        raise InputError("there is no terminal to ask for the passphrase; set LABCAL_PASSPHRASE")
+    first = getpass.getpass(question)
+    if again and first != getpass.getpass("Once more: "):
+        raise InputError("the two passphrases differ; nothing was made")
+    return first
+
+
+def _row(entry: Entry) -> tuple[str, str, str, str]:
+    from labcal.certificate.sshsig import fingerprint
+
+    until = f"until {entry.signer.valid_before:%Y-%m-%d}" if entry.signer.valid_before else "yes"
+    trusted = "revoked" if entry.revoked else until
+    return entry.signer.principal, fingerprint(entry.signer.key), "here" if entry.private_key_here else "", trusted

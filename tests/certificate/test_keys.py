@@ -1,0 +1,174 @@
+from __future__ import annotations
+
+import shutil
+import stat
+import subprocess
+from pathlib import Path
+
+import pytest
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
+
+from labcal.certificate import keys, pkcs8
+from labcal.certificate.allowed_signers import own_line
+from labcal.certificate.sshsig import public_key_blob
+from labcal.errors import InputError
+
+
+@pytest.fixture
+def home(tmp_path: Path) -> Path:
+    return tmp_path / "home"
+
+
+def line_of(name: str, key: Ed25519PrivateKey) -> str:
+    return own_line(name, public_key_blob(key.public_key())).line() + "\n"
+
+
+def test_a_key_opens_with_its_passphrase_and_no_other(home: Path):
+    signer = keys.new_key(home, "ada@lab.example", "correct horse")
+    assert public_key_blob(keys.open_key(home, "ada@lab.example", "correct horse").public_key()) == signer.key
+    for wrong in ("correct hors", "", "Correct horse"):
+        with pytest.raises(InputError, match="the passphrase is wrong"):
+            keys.open_key(home, "ada@lab.example", wrong)
+
+
+def test_private_keys_are_their_owner_s_alone(home: Path):
+    keys.new_key(home, "ada", "pw")
+    assert stat.S_IMODE((home / "keys").stat().st_mode) == 0o700
+    for file in (home / "keys").iterdir():
+        assert stat.S_IMODE(file.stat().st_mode) == 0o600, file
+    assert b"BEGIN ENCRYPTED PRIVATE KEY" in (home / "keys" / "ada.pem").read_bytes()
+
+
+def test_a_key_that_others_may_read_is_not_used(home: Path):
+    keys.new_key(home, "ada", "pw")
+    (home / "keys" / "ada.pem").chmod(0o640)
+    with pytest.raises(InputError, match="others may read"):
+        keys.open_key(home, "ada", "pw")
+
+
+def test_openssl_opens_the_key_file(home: Path):
+    openssl = shutil.which("openssl") or pytest.skip("needs openssl, which is not installed")
+    signer = keys.new_key(home, "ada", "pw")
+    command = [
+        openssl,
+        "pkey",
+        "-in",
+        str(home / "keys" / "ada.pem"),
+        "-passin",
+        "pass:pw",
+        "-pubout",
+        "-outform",
+        "DER",
+    ]
+    public = subprocess.run(command, check=True, capture_output=True).stdout
+    assert public[-32:] == signer.key[-32:]
+    command[5] = "pass:no"
+    assert subprocess.run(command, capture_output=True, check=False).returncode != 0
+
+
+def test_a_guess_at_the_passphrase_costs_600000_rounds(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.undo()
+    openssl = shutil.which("openssl") or pytest.skip("needs openssl, which is not installed")
+    pem = pkcs8.locked(Ed25519PrivateKey.generate(), "pw")
+    told = subprocess.run([openssl, "asn1parse"], input=pem, check=True, capture_output=True).stdout
+    assert f":{600_000:06X}".encode() in told
+
+
+def test_damage_to_a_key_file_is_one_sentence(home: Path):
+    keys.new_key(home, "ada", "pw")
+    file = home / "keys" / "ada.pem"
+    whole = file.read_bytes()
+    for broken in (b"", whole[:100], whole.replace(b"A", b"B"), whole.replace(b"ENCRYPTED ", b""), b"\xff" * 300):
+        file.write_bytes(broken)
+        with pytest.raises(InputError) as caught:
+            keys.open_key(home, "ada", "pw")
+        assert str(file) in str(caught.value)
+
+
+def test_an_empty_passphrase_makes_nothing(home: Path):
+    with pytest.raises(InputError, match="empty"):
+        keys.new_key(home, "ada", "")
+    assert not home.exists()
+
+
+def test_a_key_is_never_replaced(home: Path):
+    keys.new_key(home, "ada", "pw")
+    before = (home / "keys" / "ada.pem").read_bytes()
+    with pytest.raises(InputError, match="has a key already"):
+        keys.new_key(home, "ada", "pw2")
+    assert (home / "keys" / "ada.pem").read_bytes() == before
+
+
+@pytest.mark.parametrize("name", ["", "../ada", "a b", "*", "!ada", "a,b", "ada\n", "-x", "simulated", "x" * 65, "Ä"])
+def test_names_that_could_be_a_path_or_a_pattern_are_refused(home: Path, name: str):
+    with pytest.raises(InputError):
+        keys.new_key(home, name, "pw")
+    with pytest.raises(InputError):
+        keys.open_key(home, name, "pw")
+    assert not home.exists()
+
+
+def test_trust_adds_what_another_lab_printed_once(home: Path, tmp_path: Path, key: Ed25519PrivateKey):
+    keys.new_key(home, "ada", "pw")
+    given = tmp_path / "given"
+    given.write_text("# from the other lab\n" + line_of("bob", key))
+    assert [s.principal for s in keys.trust(home, given)] == ["bob"]
+    assert keys.trust(home, given) == ()
+    assert [s.principal for s in keys.trusted(home)] == ["ada", "bob"]
+    assert [(e.signer.principal, e.private_key_here) for e in keys.entries(home)] == [("ada", True), ("bob", False)]
+
+
+def test_trust_is_for_calibrations_alone(home: Path, tmp_path: Path, key: Ed25519PrivateKey):
+    given = tmp_path / "given"
+    given.write_text(line_of("bob", key).replace('namespaces="labcal-calibration" ', ""))
+    (signer,) = keys.trust(home, given)
+    assert signer.namespaces == "labcal-calibration"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "what"),
+    [
+        ("bob ", "* ", "cannot name a person"),
+        ("bob ", "bob,eve ", "cannot name a person"),
+        ("bob ", "simulated ", "kept for keys of simulated runs"),
+        ("bob ", "bob cert-authority,", "option|plain"),
+        ("labcal-calibration", "git", "is for git"),
+    ],
+)
+def test_trust_refuses_all_lines_when_one_is_wrong(
+    home: Path, tmp_path: Path, key: Ed25519PrivateKey, other_key: Ed25519PrivateKey, old: str, new: str, what: str
+):
+    given = tmp_path / "given"
+    given.write_text(line_of("carol", other_key) + line_of("bob", key).replace(old, new))
+    with pytest.raises(InputError, match=what):
+        keys.trust(home, given)
+    assert keys.trusted(home) == ()
+
+
+def test_one_key_cannot_be_two_persons(home: Path, tmp_path: Path, key: Ed25519PrivateKey):
+    given = tmp_path / "given"
+    given.write_text(line_of("bob", key) + line_of("eve", key))
+    with pytest.raises(InputError, match="the key of eve is bob's already"):
+        keys.trust(home, given)
+
+
+def test_a_private_key_is_no_trust_list(home: Path, tmp_path: Path):
+    keys.new_key(home, "ada", "pw")
+    with pytest.raises(InputError):
+        keys.trust(home, home / "keys" / "ada.pem")
+
+
+def test_revoked_keys_stay_revoked(home: Path):
+    signer = keys.new_key(home, "ada", "pw")
+    assert keys.revoke(home, "ada") == 1
+    assert keys.revoked(home) == {signer.key}
+    assert keys.entries(home)[0].revoked
+    with pytest.raises(InputError, match="revoked already"):
+        keys.revoke(home, "ada")
+
+
+def test_a_damaged_revocation_list_is_not_passed_over(home: Path):
+    keys.new_key(home, "ada", "pw")
+    (home / "keys" / "revoked_keys").write_text("# lost\nssh-ed25519 ???\n")
+    with pytest.raises(InputError, match="line 2"):
+        keys.revoked(home)
