@@ -18,7 +18,8 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
-SUBSAMPLE = 2000  # rows on which the starts compete
+SUBSAMPLE = 500  # rows on which the starts compete
+POLISHED = 2  # starts that are followed to their minimum
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,12 +107,15 @@ def _best_start(seen: Observations, noise: Noise, shape: Form, nominal: float) -
     """Of the closed-form starts, polished on a subsample with Huber's loss, the one with the smallest residuals."""
     rows = np.unique(np.linspace(0, len(seen) - 1, SUBSAMPLE).astype(np.intp))
     few, few_noise = seen.select(rows), noise.select(rows)
-    polished = []
-    for theta, phase in starts(few, nominal, symmetric=shape.name == "symmetric"):
-        rough = solve(few, few_noise, shape, theta, phase, LEAST_SQUARES, iterations=8)
-        huber = Loss(typical(few, rough), np.inf)
-        polished.append(solve(few, few_noise, shape, rough.theta, rough.phase, huber, iterations=15))
-    return min(polished, key=lambda found: typical(few, found))
+
+    def polish(start: Solution, loss: Loss, iterations: int) -> Solution:
+        return solve(few, few_noise, shape, start.theta, start.phase, loss, iterations=iterations)
+
+    candidates = starts(few, nominal, symmetric=shape.name == "symmetric")
+    looks = [solve(few, few_noise, shape, *start, LEAST_SQUARES, iterations=0) for start in candidates]
+    best = sorted(looks, key=lambda look: typical(few, look))[:POLISHED]
+    rough = [polish(look, LEAST_SQUARES, 6) for look in best]
+    return min((polish(r, Loss(typical(few, r), np.inf), 6) for r in rough), key=lambda end: typical(few, end))
 
 
 def _settle(
