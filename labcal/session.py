@@ -10,17 +10,27 @@ from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.home import home
 from labcal.model import Calibration
 from labcal.record import Run
-from labcal.store import Bundle, load_bundle
+from labcal.store import Bundle, Store, load_bundle
 
 
 def load_run(run: str) -> Run:
-    """The run that `run` names: a run id of the local store, or a path to a bundle. Raises InputError."""
-    return run_bundle(run).run()
+    """The run that `run` names: a path to a bundle, or a run id of the local store. Raises InputError."""
+    if _is_path(run):
+        return load_bundle(Path(run)).run()
+    with Store.open() as store:
+        return store.run(run)
 
 
 def run_bundle(run: str) -> Bundle:
     """The exported bundle of the run that `run` names, byte for byte; its `sha256` is the contract's run_sha256."""
-    return load_bundle(Path(run))
+    if _is_path(run):
+        return load_bundle(Path(run))
+    with Store.open() as store:
+        return store.bundle(run)
+
+
+def _is_path(run: str) -> bool:
+    return Path(run).exists() or "/" in run or "\\" in run or run.lower().endswith(".zip")
 
 
 def new_key(name: str, passphrase: str) -> Signer:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
-from labcal.record.run import Quantity, Role
+from labcal.record.header import ChannelSpec as ChannelSpec  # drivers declare theirs with the roles
 from labcal.record.stream import Block, Prompt
 
 
@@ -17,16 +17,6 @@ class Identity:
     model: str
     serial: str
     firmware: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class ChannelSpec:
-    """A housekeeping channel that an instrument or the bench delivers: one column of "channel" blocks."""
-
-    name: str
-    unit: str
-    quantity: Quantity
-    role: Role = "dut"
 
 
 @runtime_checkable

@@ -1,6 +1,18 @@
 """What was measured: a `Run` and what each of its segments offers an estimator."""
 
+from labcal.record.header import ChannelSpec, RunHeader
 from labcal.record.observation import Observation, carry, offers
 from labcal.record.run import Channel, Dut, Reference, Run, Segment
 
-__all__ = ["Channel", "Dut", "Observation", "Reference", "Run", "Segment", "carry", "offers"]
+__all__ = [
+    "Channel",
+    "ChannelSpec",
+    "Dut",
+    "Observation",
+    "Reference",
+    "Run",
+    "RunHeader",
+    "Segment",
+    "carry",
+    "offers",
+]

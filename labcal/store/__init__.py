@@ -1,10 +1,15 @@
 """Keeping what was measured: bundles for exchange and the live store."""
 
 from labcal.store.bundle import Bundle, bundle_of, bundle_sha256, load_bundle, read_bundle, save_bundle, write_bundle
+from labcal.store.live import RunSummary, Store
 from labcal.store.table import Table, read_table
+from labcal.store.writer import RunWriter
 
 __all__ = [
     "Bundle",
+    "RunSummary",
+    "RunWriter",
+    "Store",
     "Table",
     "bundle_of",
     "bundle_sha256",

@@ -1,0 +1,147 @@
+"""From streams, each at its own stamps, to a `Run`: one row is one DUT sample. Pure numpy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.record.header import RunHeader
+from labcal.record.run import Channel, Run, Segment
+from labcal.record.stream import Block, Item, ModeChanged, SegmentClosed, SegmentOpened, Stream
+
+Array = NDArray[np.float64]
+
+DUT = ("dut_x", "dut_y", "dut_z")
+REACH = 2.0  # periods of a stream that a neighbour may be away from the row (contract: run bundle)
+
+
+def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
+    """The run that `items` recorded: the DUT's samples inside segments, everything else brought to their stamps.
+
+    Reference, angle and channels are interpolated linearly between the two neighbours where both lie within two
+    of their stream's own (median) periods, else NaN; they are never held. The angle is unwrapped before. Modes
+    are the last known. Samples between segments belong to none and are left out.
+    """
+    items = list(items)
+    stretches = _stretches(items)
+    t, readings = _samples(_blocks(items, "dut"), DUT)
+    place = _place(stretches, t)
+    t, readings, place = t[place >= 0], readings[place >= 0], place[place >= 0]
+    references, kind = _blocks(items, "reference"), header.reference.kind
+    angles = _blocks(items, "angle")
+    return Run(
+        run_id=header.run_id,
+        started_utc=header.started_utc,
+        simulated=header.simulated,
+        operator=header.operator,
+        dut=header.dut,
+        reference=header.reference,
+        segments=tuple(stretch.segment for stretch in stretches),
+        t_s=t,
+        segment_index=place,
+        reading=readings,
+        reference_vector=_at(t, *_samples(references, ("ref_x", "ref_y", "ref_z"))) if kind == "vector" else None,
+        reference_magnitude=_at(t, *_samples(references, ("ref_f",)))[:, 0] if kind == "scalar" else None,
+        angle_deg=_angle(t, angles) if angles else None,
+        row_mode=_modes(t, items),
+        channels=_channels(header, t, items),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Stretch:
+    segment: Segment
+    start_s: float
+    end_s: float
+
+
+def _stretches(items: Sequence[Item]) -> list[_Stretch]:
+    """Segments with their times; one that is opened again is a segment of its own, with a number behind its id."""
+    found: list[_Stretch] = []
+    for item in items:
+        if not isinstance(item, SegmentOpened | SegmentClosed):
+            continue
+        if found and found[-1].end_s == np.inf:
+            found[-1] = replace(found[-1], end_s=item.t_s)
+        if isinstance(item, SegmentOpened):
+            found.append(_Stretch(_own_id(item.segment, found), item.t_s, np.inf))
+    return found
+
+
+def _own_id(segment: Segment, before: Sequence[_Stretch]) -> Segment:
+    taken, name, number = {stretch.segment.id for stretch in before}, segment.id, 1
+    while name in taken:
+        number += 1
+        name = f"{segment.id}-{number}"
+    return segment if number == 1 else replace(segment, id=name)
+
+
+def _place(stretches: Sequence[_Stretch], t: Array) -> NDArray[np.intp]:
+    """Which stretch each time (n,) lies in; -1 where in none. A stretch begins with its start, its end is outside."""
+    if not stretches:
+        return np.full(len(t), -1, dtype=np.intp)
+    starts = np.array([stretch.start_s for stretch in stretches])
+    ends = np.array([stretch.end_s for stretch in stretches])
+    place = np.searchsorted(starts, t, side="right") - 1
+    return np.where((place >= 0) & (t < ends[place]), place, -1)
+
+
+def _blocks(items: Iterable[Item], stream: Stream) -> list[Block]:
+    return [item for item in items if isinstance(item, Block) and item.stream == stream and len(item)]
+
+
+def _samples(blocks: Sequence[Block], columns: Sequence[str]) -> tuple[Array, Array]:
+    """Stamps (n,), growing, and values (n, k) of the blocks that have `columns`; of equal stamps the first counts."""
+    useful = [block for block in blocks if set(columns) <= set(block.columns)]
+    if not useful:
+        return np.empty(0), np.empty((0, len(columns)))
+    t = np.concatenate([block.t_s for block in useful])
+    picked = [block.values[:, [block.columns.index(c) for c in columns]] for block in useful]
+    t, first = np.unique(t, return_index=True)
+    return t, np.concatenate(picked)[first]
+
+
+def _at(when: Array, t: Array, values: Array) -> Array:
+    """`values` (n, k) at stamps `t` (n,) brought to `when` (m,): shape (m, k), NaN where a neighbour is too far."""
+    period = float(np.median(np.diff(t))) if len(t) > 1 else 0.0
+    return np.stack([_column_at(when, t, column, period) for column in values.T], axis=1)
+
+
+def _column_at(when: Array, t: Array, values: Array, period: float) -> Array:
+    there = np.isfinite(values)
+    t, values = t[there], values[there]
+    if not len(t):
+        return np.full(len(when), np.nan)
+    after = np.clip(np.searchsorted(t, when, side="left"), 0, len(t) - 1)
+    before = np.where(t[after] == when, after, after - 1).clip(0)
+    far = np.maximum(np.abs(when - t[before]), np.abs(t[after] - when)) > REACH * period * (1 + 1e-9)
+    outside = (when < t[0]) | (when > t[-1])
+    return np.where(far | outside, np.nan, np.interp(when, t, values))
+
+
+def _angle(when: Array, blocks: Sequence[Block]) -> Array:
+    t, values = _samples(blocks, ("angle_deg",))
+    there = np.isfinite(values[:, 0])
+    return _at(when, t[there], np.unwrap(values[there], period=360.0, axis=0))[:, 0]
+
+
+def _modes(when: Array, items: Iterable[Item]) -> NDArray[np.str_] | None:
+    changes = sorted((item for item in items if isinstance(item, ModeChanged)), key=lambda change: change.t_s)
+    if not changes:
+        return None
+    names = np.array(["", *(change.mode for change in changes)], dtype=np.str_)
+    return names[np.searchsorted([change.t_s for change in changes], when, side="right")]
+
+
+def _channels(header: RunHeader, when: Array, items: Iterable[Item]) -> tuple[Channel, ...]:
+    """The header's channels that were recorded, in the header's order."""
+    blocks = _blocks(items, "channel")
+    recorded = {column for block in blocks for column in block.columns}
+    return tuple(
+        Channel(spec.name, spec.unit, spec.quantity, _at(when, *_samples(blocks, (spec.name,)))[:, 0], spec.role)
+        for spec in header.channels
+        if spec.name in recorded
+    )

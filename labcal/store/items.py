@@ -1,0 +1,91 @@
+"""Items of the timeline as rows of the database, and back. Samples are little-endian float64, row by row."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import asdict
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from pydantic import TypeAdapter
+
+from labcal.record import RunHeader
+from labcal.record.stream import (
+    Block,
+    Event,
+    Item,
+    Measurement,
+    ModeChanged,
+    Prompt,
+    SegmentClosed,
+    SegmentOpened,
+    Step,
+)
+
+SAMPLES = np.dtype("<f8")
+
+
+def _kind(of: type) -> str:
+    return re.sub(r"(?<!^)(?=[A-Z])", "-", of.__name__).lower()
+
+
+KINDS: dict[str, type] = {
+    _kind(of): of for of in (SegmentOpened, SegmentClosed, ModeChanged, Step, Measurement, Event, Prompt)
+}
+
+
+class Row(NamedTuple):
+    """What the table `item` holds of one item; the last three only of a block."""
+
+    kind: str  # "block", "segment-opened", "step" …
+    t_s: float
+    content: str  # JSON
+    stamps: bytes | None = None  # (n,) float64
+    samples: bytes | None = None  # (n, k) float64
+    raw: bytes | None = None
+
+
+def to_row(item: Item) -> Row:
+    """The row that stands for `item`. Raises ValueError for a block whose stamps, columns and values disagree."""
+    if isinstance(item, Block):
+        shape = (len(item.t_s), len(item.columns))
+        if item.values.shape != shape:
+            raise ValueError(f"{item.source}: a block of shape {item.values.shape} where {shape} is stated")
+        content = to_json({"stream": item.stream, "source": item.source, "columns": item.columns})
+        stamps, samples = (np.ascontiguousarray(part, SAMPLES).tobytes() for part in (item.t_s, item.values))
+        return Row("block", float(item.t_s[0]) if len(item) else 0.0, content, stamps, samples, item.raw)
+    return Row(_kind(type(item)), float(item.t_s), to_json(asdict(item)))
+
+
+def from_row(row: Row) -> Item:
+    """The item that `row` stands for."""
+    if row.kind == "block":
+        content = json.loads(row.content)
+        columns = tuple(content["columns"])
+        stamps = np.frombuffer(row.stamps or b"", SAMPLES)
+        samples = np.frombuffer(row.samples or b"", SAMPLES).reshape(len(stamps), len(columns))
+        return Block(content["stream"], content["source"], columns, stamps, samples, row.raw or b"")
+    item: Item = _adapter(KINDS[row.kind]).validate_json(row.content)
+    return item
+
+
+def header_from_json(text: str) -> RunHeader:
+    """The header that was written as `text`."""
+    header: RunHeader = _adapter(RunHeader).validate_json(text)
+    return header
+
+
+def to_json(value: Any) -> str:
+    """JSON on one line; numpy's numbers and arrays as plain ones, what is no JSON as its text."""
+    return json.dumps(value, default=_plain, ensure_ascii=False)
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else str(value)
+
+
+@cache
+def _adapter(of: type) -> TypeAdapter[Any]:
+    return TypeAdapter(of)

@@ -1,0 +1,199 @@
+"""The store of a bench: every run in one SQLite file, readable by others while one is being written."""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+from labcal.errors import InputError
+from labcal.home import home
+from labcal.record import Run, RunHeader
+from labcal.record.assemble import assemble
+from labcal.record.stream import Block, Item
+from labcal.store.bundle import Bundle, bundle_of, load_bundle
+from labcal.store.database import connect, named_faults, transaction
+from labcal.store.items import Row, from_row, header_from_json, to_json
+from labcal.store.liveness import Alive, is_alive
+from labcal.store.writer import INSERT_STATUS, RunWriter, utc_now
+
+FILE = "store.sqlite"
+LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
+
+
+@dataclass(frozen=True, slots=True)
+class RunSummary:
+    """One line about a run, for a list. `status`: running, finished, stopped, failed: …, interrupted, imported."""
+
+    run_id: str
+    started_utc: str
+    status: str
+    dut_serial: str
+    operator: str
+    procedure: str
+    simulated: bool
+
+
+class Store:
+    """One bench's runs. A store object belongs to one thread; any number may be open on the same file."""
+
+    def __init__(self, path: Path, connection: sqlite3.Connection) -> None:
+        self.path, self._connection = path, connection
+
+    @classmethod
+    def open(cls, path: Path | None = None) -> Self:
+        """Open the store file `path` (default: the user's own, see `labcal.home`), made where it is absent.
+
+        Raises InputError where the file is damaged or another program's, InstrumentError where it is locked.
+        """
+        path = home() / FILE if path is None else path
+        return cls(path, connect(path))
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._connection.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None) -> None:
+        self.close()
+
+    def begin(self, header: RunHeader) -> RunWriter:
+        """Begin a run. Raises InputError where its run id is taken."""
+        if not header.dut.serial:
+            raise InputError("a run needs the serial number of its DUT")
+        self._require_free(header.run_id)
+        alive = Alive(self._lock_file(header.run_id))
+        try:
+            with transaction(self._connection, self.path):
+                number = self._add(header.run_id, to_json(asdict(header)), "running")
+            return RunWriter(self.path, number, header.run_id, alive)
+        except BaseException:
+            alive.end()
+            raise
+
+    def resume(self, run_id: str) -> RunWriter:
+        """Go on with an interrupted run. Raises InputError where there is none that was interrupted."""
+        if (status := self.status(run_id)) != "interrupted":
+            raise InputError(f"run {run_id} was not interrupted: it is {status}")
+        alive = Alive(self._lock_file(run_id))
+        try:
+            with transaction(self._connection, self.path):
+                number = self._number(run_id)
+                self._connection.execute(INSERT_STATUS, (number, "running", utc_now()))
+            return RunWriter(self.path, number, run_id, alive)
+        except BaseException:
+            alive.end()
+            raise
+
+    def add_bundle(self, path: Path) -> str:
+        """Import a bundle, byte for byte, and return its run id; the same one again changes nothing.
+
+        Raises InputError at the bundle's first fault, and where its run id belongs to another run here.
+        """
+        bundle = load_bundle(path)
+        run_id = bundle.run().run_id
+        if self._has(run_id):
+            if self.bundle(run_id).sha256 != bundle.sha256:
+                raise InputError(f"the store has another run called {run_id}", file=path)
+            return run_id
+        with transaction(self._connection, self.path):
+            number = self._add(run_id, bundle.run_json.decode("utf-8-sig"), "imported")
+            parts = (number, bundle.run_json, bundle.samples_csv)
+            self._connection.execute("INSERT INTO bundle (run, run_json, samples_csv) VALUES (?, ?, ?)", parts)
+        return run_id
+
+    def runs(self) -> list[RunSummary]:
+        """All runs, the oldest first."""
+        rows = self._all(f"SELECT run_id, header, {LAST_STATUS} FROM run ORDER BY number")
+        return [self._summary(*row) for row in rows]
+
+    def status(self, run_id: str) -> str:
+        """How the run stands. Raises InputError where there is no such run."""
+        number = self._number(run_id)
+        ((status,),) = self._all(f"SELECT {LAST_STATUS} FROM run WHERE number = ?", number)
+        return self._true_status(run_id, str(status))
+
+    def header(self, run_id: str) -> RunHeader:
+        """The head of a recorded run. Raises InputError where there is no such run, or it was imported."""
+        if self._imported(run_id) is not None:
+            raise InputError(f"run {run_id} was imported: what is known of it stands in its bundle")
+        ((text,),) = self._all("SELECT header FROM run WHERE run_id = ?", run_id)
+        return header_from_json(text)
+
+    def items(self, run_id: str, *, skip: int = 0) -> Iterator[Item]:
+        """The timeline of a recorded run, after its first `skip` items: committed ones, in the order of writing."""
+        number, what = self._number(run_id), ", ".join(Row._fields)
+        with named_faults(self.path):
+            query = f"SELECT {what} FROM item WHERE run = ? ORDER BY number LIMIT -1 OFFSET ?"
+            for row in self._connection.execute(query, (number, skip)):
+                yield from_row(Row(*row))
+
+    def end_s(self, run_id: str) -> float:
+        """The last stamp of a recorded run: where the clock of one that is resumed must go on, not begin again."""
+        ends = (item.t_s[-1] if isinstance(item, Block) else item.t_s for item in self.items(run_id))
+        return float(max(ends, default=0.0))
+
+    def run(self, run_id: str) -> Run:
+        """The run's rows, as far as they are committed. Raises InputError where there is no such run."""
+        imported = self._imported(run_id)
+        return assemble(self.header(run_id), self.items(run_id)) if imported is None else imported.run()
+
+    def bundle(self, run_id: str) -> Bundle:
+        """The run's exported bundle; of an imported run the bytes that came in."""
+        return self._imported(run_id) or bundle_of(self.run(run_id))
+
+    def _add(self, run_id: str, header: str, status: str) -> int:
+        self._require_free(run_id)
+        insert = "INSERT INTO run (run_id, header) VALUES (?, ?)"
+        number = self._connection.execute(insert, (run_id, header)).lastrowid
+        assert number is not None
+        self._connection.execute(INSERT_STATUS, (number, status, utc_now()))
+        return number
+
+    def _require_free(self, run_id: str) -> None:
+        if self._has(run_id):
+            raise InputError(f"the store has a run called {run_id} already")
+
+    def _has(self, run_id: str) -> bool:
+        return bool(self._all("SELECT 1 FROM run WHERE run_id = ?", run_id))
+
+    def _number(self, run_id: str) -> int:
+        found = self._all("SELECT number FROM run WHERE run_id = ?", run_id)
+        if not found:
+            raise InputError(f"the store has no run called {run_id}; `labcal runs` lists those it has", file=self.path)
+        return int(found[0][0])
+
+    def _imported(self, run_id: str) -> Bundle | None:
+        found = self._all("SELECT run_json, samples_csv FROM bundle WHERE run = ?", self._number(run_id))
+        return Bundle(found[0][0], found[0][1], Path(run_id)) if found else None
+
+    def _summary(self, run_id: str, header: str, status: str) -> RunSummary:
+        said = json.loads(header)
+        return RunSummary(
+            run_id=run_id,
+            started_utc=said["started_utc"],
+            status=self._true_status(run_id, status),
+            dut_serial=said["dut"]["serial"],
+            operator=said.get("operator", ""),
+            procedure=said.get("procedure", ""),
+            simulated=said["simulated"],
+        )
+
+    def _true_status(self, run_id: str, written: str) -> str:
+        if written != "running" or is_alive(self._lock_file(run_id)):
+            return written
+        return "interrupted"
+
+    def _lock_file(self, run_id: str) -> Path:
+        safe = "".join(letter if letter.isalnum() or letter in "-_." else f"%{ord(letter):x}" for letter in run_id)
+        return self.path.with_name(f"{self.path.name}-writers") / f"{safe}.lock"
+
+    def _all(self, query: str, *values: object) -> list[tuple[Any, ...]]:
+        with named_faults(self.path):
+            return self._connection.execute(query, values).fetchall()

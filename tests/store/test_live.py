@@ -1,0 +1,364 @@
+"""The live store: what is written comes back, nothing is edited, and what a kill leaves behind."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import threading
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal.errors import InputError, InstrumentError, Stopped
+from labcal.record import ChannelSpec, Dut, Reference, RunHeader, Segment
+from labcal.record.stream import Block, Event, Measurement, ModeChanged, Prompt, SegmentClosed, SegmentOpened, Step
+from labcal.store import Store, load_bundle
+
+HEADER = RunHeader(
+    run_id="r1",
+    started_utc="2026-03-02T08:15:00Z",
+    simulated=True,
+    operator="bench",
+    dut=Dut("SN1", "M3", "count", 6.67, 25.0),
+    reference=Reference("vector", "R7", 3.0, "remote", (0.1, 0.0, 0.0)),
+    channels=(ChannelSpec("temp", "degC", "temperature"), ChannelSpec("i_x", "A", "current", "coil")),
+    procedure="preflight",
+    parameters={"field_nT": 20000.0, "axes": ["x", "y"]},
+    source_sha256="ab" * 32,
+    bench="[dut]\n",
+    instruments=({"name": "dut", "serial": "SN1"},),
+    software="labcal 0.1.0",
+)
+SEGMENT = Segment("x", "rotation", "nominal", "", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), mounting="A")
+
+
+def dut_block(start: float, n: int = 10) -> Block:
+    t = start + np.arange(n) / 10
+    return Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.outer(t, [1.0, 2.0, -3.0]), b"frame;" * n)
+
+
+ITEMS = (
+    ModeChanged(0.0, "nominal"),
+    Step(0.0, 1, 3, "zero", 60.0),
+    Prompt(0.1, "mount-x", "x up?", ("yes", "no"), True, {"body_from_cage": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}),
+    Event(0.2, "answer", "yes", {"by": "bench"}),
+    SegmentOpened(1.0, SEGMENT),
+    dut_block(1.0),
+    Block("reference", "ref", ("ref_x", "ref_y", "ref_z"), 0.9 + np.arange(13) / 10, np.ones((13, 3)) * np.nan),
+    Measurement(2.0, "zero", 3.5, 0.5, "nT", 10.0),
+    Measurement(2.0, "drift", 3.5, 0.5, "nT"),
+    SegmentClosed(2.05),
+)
+
+
+def same(a: object, b: object) -> bool:
+    if not isinstance(a, Block) or not isinstance(b, Block):
+        return a == b
+    told = (a.stream, a.source, a.columns, a.raw) == (b.stream, b.source, b.columns, b.raw)
+    return told and np.array_equal(a.t_s, b.t_s) and np.array_equal(a.values, b.values, equal_nan=True)
+
+
+def test_every_item_comes_back_as_it_went_in() -> None:
+    with Store.open() as store:
+        with store.begin(HEADER) as writer:
+            for item in ITEMS:
+                writer.write(item)
+            writer.finish("finished")
+        back = list(store.items("r1"))
+        assert len(back) == len(ITEMS)
+        assert all(map(same, back, ITEMS))
+        assert all(map(same, store.items("r1", skip=4), ITEMS[4:]))
+        assert store.header("r1") == replace(HEADER, instruments=({"name": "dut", "serial": "SN1"},))
+        assert store.end_s("r1") == pytest.approx(2.1)
+        (summary,) = store.runs()
+        assert (summary.status, summary.dut_serial, summary.procedure) == ("finished", "SN1", "preflight")
+        assert len(store.run("r1")) == 10
+
+
+def test_a_block_whose_parts_disagree_is_refused() -> None:
+    with Store.open() as store, store.begin(HEADER) as writer, pytest.raises(ValueError, match=r"\(2, 3\)"):
+        writer.write(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), np.zeros(2), np.zeros((2, 2))))
+
+
+def test_numbers_of_numpy_in_an_event_are_kept_as_numbers() -> None:
+    with Store.open() as store:
+        with store.begin(HEADER) as writer:
+            writer.write(Event(0.0, "read-back", "", {"amps": np.float32(0.5), "all": np.arange(3), "n": np.int64(2)}))
+        (event,) = store.items("r1")
+        assert isinstance(event, Event)
+        assert event.data == {"amps": 0.5, "all": [0, 1, 2], "n": 2}
+
+
+@pytest.mark.parametrize(
+    ("error", "status"),
+    [
+        (None, "finished"),
+        (Stopped(), "stopped"),
+        (KeyboardInterrupt(), "stopped"),
+        (InstrumentError("the supply is silent"), "failed: the supply is silent"),
+        (ZeroDivisionError(), "failed: ZeroDivisionError"),
+    ],
+)
+def test_the_status_says_how_the_run_was_left(error: BaseException | None, status: str) -> None:
+    def record() -> None:
+        with store.begin(HEADER) as writer:
+            writer.write(dut_block(0.0))
+            assert store.status("r1") == "running"
+            if error is not None:
+                raise error
+
+    with Store.open() as store:
+        if error is None:
+            record()
+        else:
+            with pytest.raises(type(error)):
+                record()
+        assert store.status("r1") == status
+        assert len(list(store.items("r1"))) == 1
+
+
+def test_another_program_reads_committed_rows_while_they_are_written() -> None:
+    with Store.open() as store, store.begin(HEADER) as writer:
+        writer.write(dut_block(0.0))
+        time.sleep(0.6)
+        program = (
+            "from labcal.store import Store\n"
+            "with Store.open() as store: print(store.status('r1'), len(list(store.items('r1'))))"
+        )
+        seen = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+        assert seen.split() == ["running", "1"]
+        writer.write(dut_block(1.0))
+
+
+def test_nothing_recorded_can_be_edited(home_of_its_own: Path) -> None:
+    with Store.open() as store:
+        with store.begin(HEADER) as writer:
+            writer.write(dut_block(0.0))
+        connection = sqlite3.connect(store.path)
+        for table in ("run", "status", "item"):
+            column = connection.execute(f"SELECT name FROM pragma_table_info('{table}') LIMIT 1 OFFSET 1").fetchone()[0]
+            for change in (f"UPDATE {table} SET {column} = 'x'", f"DELETE FROM {table}"):
+                with pytest.raises(sqlite3.IntegrityError, match="never edited"):
+                    connection.execute(change)
+        connection.close()
+
+
+def test_a_run_id_is_given_once_and_a_dut_has_a_serial() -> None:
+    with Store.open() as store:
+        with store.begin(HEADER):
+            with pytest.raises(InputError, match="r1 already"):
+                store.begin(HEADER)
+            assert store.status("r1") == "running"
+        with pytest.raises(InputError, match="serial"):
+            store.begin(replace(HEADER, run_id="r2", dut=Dut("")))
+        with pytest.raises(InputError, match="no run called nothing"):
+            store.run("nothing")
+
+
+def test_an_imported_bundle_keeps_its_bytes(bundle, tmp_path: Path) -> None:
+    path = bundle()
+    with Store.open() as store:
+        assert store.add_bundle(path) == "r1"
+        assert store.add_bundle(path) == "r1"
+        assert store.bundle("r1").sha256 == load_bundle(path).sha256
+        assert [summary.status for summary in store.runs()] == ["imported"]
+        assert len(store.run("r1")) == 3
+        with pytest.raises(InputError, match="another run called r1"):
+            store.add_bundle(bundle(lambda header: header.update(operator="else")))
+
+
+def test_a_file_that_is_no_store_is_named(tmp_path: Path) -> None:
+    text, other = tmp_path / "text.sqlite", tmp_path / "other.sqlite"
+    text.write_text("not a database, and long enough to have no header of one" * 20)
+    with pytest.raises(InputError, match="damaged, or is no store"):
+        Store.open(text)
+    with sqlite3.connect(other) as connection:
+        connection.execute("CREATE TABLE cake (slices)")
+    connection.close()
+    with pytest.raises(InputError, match="another program"):
+        Store.open(other)
+    with pytest.raises(InputError, match="cannot be opened"):
+        Store.open(tmp_path)
+
+
+def test_a_damaged_store_is_an_input_error(tmp_path: Path) -> None:
+    path = tmp_path / "s.sqlite"
+    with Store.open(path) as store:
+        for number in range(20):
+            with store.begin(replace(HEADER, run_id=f"r{number}")) as writer:
+                writer.write(dut_block(0.0, 200))
+    good = path.read_bytes()
+    path.write_bytes(good[:4096] + os.urandom(len(good) - 4096))
+
+    def use() -> None:
+        with Store.open(path) as store:
+            store.runs()
+            store.run("r3")
+
+    with pytest.raises(InputError):
+        use()
+
+
+def test_a_locked_store_is_a_named_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("labcal.store.database.PATIENCE_S", 0.1)
+    with Store.open() as store:
+        other = sqlite3.connect(store.path, isolation_level=None)
+        other.execute("BEGIN EXCLUSIVE")
+        with pytest.raises(InstrumentError) as caught:
+            store.begin(HEADER)
+        assert caught.value.fault == "store locked"
+        other.close()
+
+
+def test_a_full_disk_is_a_named_fault_and_loses_nothing_committed() -> None:
+    with Store.open() as store:
+        writer = store.begin(HEADER)
+        writer.write(dut_block(0.0))
+        writer.commit()
+        pages = store._connection.execute("PRAGMA page_count").fetchone()[0]
+        writer._connection.execute(f"PRAGMA max_page_count = {pages + 8}")
+
+        def fill() -> None:
+            for start in range(1, 1000):
+                writer.write(dut_block(float(start), 1000))
+                writer.commit()
+
+        with pytest.raises(InstrumentError) as caught:
+            fill()
+        assert caught.value.fault == "disk full"
+        assert len(list(store.items("r1"))) >= 1
+        with pytest.raises(InstrumentError):
+            writer.finish("failed: disk full")
+        assert store.status("r1") == "interrupted"
+        assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
+
+
+def test_a_fault_of_the_background_commit_reaches_the_next_write(monkeypatch: pytest.MonkeyPatch) -> None:
+    with Store.open() as store:
+        writer = store.begin(HEADER)
+        writer._connection.execute("PRAGMA max_page_count = 1")
+        writer.write(dut_block(0.0, 5000))
+        time.sleep(0.8)
+        with pytest.raises(InstrumentError, match="disk"):
+            writer.write(dut_block(1.0))
+        with pytest.raises(InstrumentError):
+            writer.finish("failed: disk")
+
+
+RECORDER = """
+import sys, itertools, numpy as np
+from labcal.record import Dut, Reference, RunHeader
+from labcal.record.stream import Block
+from labcal.store import Store
+header = RunHeader(sys.argv[1], "2026-03-02T08:15:00Z", True, "", Dut("SN1"), Reference("none"))
+writer = Store.open().begin(header)
+for number in itertools.count():
+    t = number + np.arange(10) / 10
+    writer.write(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.outer(t, [1, 2, 3])))
+    if number % 50 == 49:
+        writer.commit()
+        print(number + 1, flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="sends SIGKILL")
+def test_kill_9_loses_no_committed_row_and_shows_as_interrupted() -> None:
+    rng = np.random.default_rng()
+    for number in range(6):
+        run_id = f"k{number}"
+        with subprocess.Popen([sys.executable, "-c", RECORDER, run_id], stdout=subprocess.PIPE, text=True) as recorder:
+            assert recorder.stdout is not None
+            committed = int(recorder.stdout.readline())
+            with Store.open() as store:
+                assert store.status(run_id) == "running"
+            time.sleep(rng.uniform(0, 0.3))
+            recorder.send_signal(signal.SIGKILL)
+            said = [int(line) for line in recorder.stdout.read().splitlines() if line]
+        with Store.open() as store:
+            assert store.status(run_id) == "interrupted"
+            blocks = list(store.items(run_id))
+            assert len(blocks) >= max([committed, *said])
+            t = np.concatenate([block.t_s for block in blocks if isinstance(block, Block)])
+            np.testing.assert_allclose(t, np.arange(10 * len(blocks)) / 10, atol=1e-9)
+            assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
+
+
+def test_an_interrupted_run_can_be_resumed_a_finished_one_cannot() -> None:
+    program = RECORDER.split("writer =")[0] + (
+        "writer = Store.open().begin(header)\n"
+        "writer.write(Block('dut', 'dut', ('dut_x', 'dut_y', 'dut_z'), np.array([1.0]), np.zeros((1, 3))))\n"
+        "writer.commit()\n"
+        "import os; os._exit(9)"
+    )
+    subprocess.run([sys.executable, "-c", program, "r1"], check=False)
+    with Store.open() as store:
+        assert store.status("r1") == "interrupted"
+        with store.resume("r1") as writer:
+            assert store.status("r1") == "running"
+            writer.write(dut_block(store.end_s("r1") + 1))
+        assert store.status("r1") == "finished"
+        assert len(list(store.items("r1"))) == 2
+        with pytest.raises(InputError, match="it is finished"):
+            store.resume("r1")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
+def test_a_forked_child_that_outlives_the_writer_does_not_keep_its_run_alive() -> None:
+    program = RECORDER.split("writer =")[0] + (
+        "import os, time\n"
+        "writer = Store.open().begin(header)\n"
+        "if os.fork() == 0: time.sleep(3); os._exit(0)\n"
+        "os._exit(9)"
+    )
+    subprocess.run([sys.executable, "-W", "ignore", "-c", program, "r1"], check=False)
+    with Store.open() as store:
+        assert store.status("r1") == "interrupted"
+
+
+def test_a_thousand_samples_a_second_are_kept_up_with() -> None:
+    with Store.open() as store:
+        start = time.perf_counter()
+        with store.begin(HEADER) as writer:
+            for number in range(1000):  # ten seconds of 1 kHz in blocks of ten
+                writer.write(dut_block(float(number), 10))
+        assert time.perf_counter() - start < 5
+        assert sum(len(item) for item in store.items("r1") if isinstance(item, Block)) == 10_000
+
+
+def test_two_programs_may_make_the_store_at_once(tmp_path: Path) -> None:
+    faults = []
+
+    def make() -> None:
+        try:
+            Store.open(tmp_path / "new" / "s.sqlite").close()
+        except Exception as error:
+            faults.append(error)
+
+    threads = [threading.Thread(target=make) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not faults
+
+
+def test_the_timeline_is_plain_to_other_programs() -> None:
+    with Store.open() as store:
+        with store.begin(HEADER) as writer:
+            for item in ITEMS:
+                writer.write(item)
+        with sqlite3.connect(store.path) as connection:
+            kinds = [kind for (kind,) in connection.execute("SELECT kind FROM item ORDER BY number")]
+            query = "SELECT content, stamps, samples FROM item WHERE kind = 'block' LIMIT 1"
+            content, stamps, samples = connection.execute(query).fetchone()
+        connection.close()
+    assert kinds[:3] == ["mode-changed", "step", "prompt"]
+    assert json.loads(content)["columns"] == ["dut_x", "dut_y", "dut_z"]
+    np.testing.assert_array_equal(np.frombuffer(samples, "<f8").reshape(-1, 3)[:, 0], np.frombuffer(stamps, "<f8"))
