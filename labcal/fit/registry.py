@@ -21,7 +21,7 @@ Estimator = Callable[..., Fit]
 METHODS: Mapping[str, str] = {
     "ml": "labcal.fit.ml:ml",
     "centered": "labcal.fit.centered:centered",
-    "centered-sequential": "labcal.fit.centered:centered_sequential",
+    "centered-sequential": "labcal.fit.centered_sequential:centered_sequential",
     "twostep": "labcal.fit.twostep:twostep",
     "ekf": "labcal.fit.ekf:ekf",
     "ukf": "labcal.fit.ukf:ukf",

@@ -1,0 +1,91 @@
+"""What a run says about (c, E), in weighted sums; Crassidis, Lai & Harman 2003, (15) to (18).
+
+Beside the paper's sums it holds what the noise adds to them. L is made of the readings and shares their noise with v,
+so the loss' gradient at the truth is not zero on average but Σ Cov(L, v)/σ², with Cov(B, v) = 2 S u (`scalar_check`).
+This is linear in (c, E). Set against the gradient it takes away the bias of the published estimates, some (σ/|h|)²
+times the condition of the problem; set against the information it leaves what the signal, not the noise, determines.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.scalar_check import (
+    MISSING,
+    TWICE,
+    noise_mean,
+    noise_variance,
+    observation,
+    regressor,
+    stacked,
+    unstacked,
+)
+
+Array = NDArray[np.float64]
+SIGNAL_OVER_NOISE = 4.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Moments:
+    """Sums weighted by 1/σ² over n samples.
+
+    `L` (9,) and `z` (less the noise mean) are the means (15); `variance` is σ̄² (16); `information` (9, 9) and
+    `projection` (9,) are the sums of L̃ᵀL̃ and of L̃ᵀ(z̃ − μ̃), (18). The gradient's mean at the truth is
+    `noise_gradient` (9,) − `noise_information` (9, 9) @ (c, E).
+    """
+
+    n: int
+    L: Array
+    z: float
+    variance: float
+    information: Array
+    projection: Array
+    noise_gradient: Array
+    noise_information: Array
+
+
+def moments(reading: Array, magnitude: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Moments:
+    """Moments of readings (n, 3) and magnitudes (n,), weighted and centred by the noise at `c_E` (9,)."""
+    variance = noise_variance(reading, magnitude, c_E, noise, reference_noise)
+    z = observation(reading, magnitude) - noise_mean(c_E, noise)
+    return weighted(regressor(reading), z, variance, noise)
+
+
+def weighted(L: Array, z: Array, variance: Array, noise: Array) -> Moments:
+    """Moments of the regressors `L` (n, 9) and observations less their noise mean `z` (n,) at given variances (n,)."""
+    weight = 1 / variance
+    total = float(weight.sum())
+    L_mean, z_mean = weight @ L / total, float(weight @ z / total)
+    centred = L - L_mean
+    of_row = centred.T * weight
+    at_noise = noise_part(L_mean, 1 / total, noise)
+    return Moments(len(z), L_mean, z_mean, 1 / total, of_row @ centred, of_row @ (z - z_mean), *at_noise)
+
+
+def noise_part(L_mean: Array, variance: float, noise: Array) -> tuple[Array, Array]:
+    """`noise_gradient` and `noise_information`; both follow from the mean of L alone, which holds ΣwB and ΣwBBᵀ."""
+    first, second = L_mean[:3] / 2 / variance, unstacked(L_mean[3:] / -TWICE) / variance
+
+    def gradient(c: Array, M: Array) -> Array:
+        q = 2 * noise @ (M @ first - c / variance)
+        Bq = 2 * (second @ M - np.outer(first, c)) @ noise
+        return np.concatenate([2 * q, -TWICE * stacked(Bq + Bq.T)])
+
+    eye = np.eye(9)
+    slopes = [gradient(e[:3], unstacked(e[3:])) for e in eye]
+    return gradient(np.zeros(3), np.eye(3)), -np.column_stack(slopes)
+
+
+def determined(information: Array, noise_information: Array) -> None:
+    """Raise ArithmeticError where the information (9, 9) on some direction is the noise's rather than the signal's.
+
+    Readings that lie in one plane, or on one sphere for the centred data, still differ by their noise; what that seems
+    to tell is taken off, and a direction counts where the signal tells four times as much.
+    """
+    half = np.linalg.cholesky(noise_information)
+    ratio = np.linalg.eigvalsh(np.linalg.solve(half, np.linalg.solve(half, information).T)) - 1
+    if ratio.min() < SIGNAL_OVER_NOISE:
+        raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")

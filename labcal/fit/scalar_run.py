@@ -1,0 +1,141 @@
+"""From a run to arrays and from an estimate to a `Fit`, shared by the methods of Crassidis, Lai & Harman 2003."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit import scalar_check
+from labcal.fit.result import Fit
+from labcal.fit.scalar_check import COLUMN, MISSING, ROW, Estimate
+from labcal.geometry import unit
+from labcal.model import AffineMap
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+LARGEST_U = 0.05  # of the field: an estimate less certain than this anywhere in the field is refused
+ROUNDS = 4  # noise and estimate in turn
+FIRST_NOISE = 2e-3  # of the field, where none is declared
+
+
+class Estimator(Protocol):
+    """Bias and D from readings, magnitudes and noise; `centered.estimate` and `twostep.estimate` are two."""
+
+    def __call__(
+        self, reading: Array, magnitude: Array, noise: Array, reference_noise: float = 0.0, *, unbiased: bool = True
+    ) -> Estimate:
+        """Return the estimate; raises ArithmeticError where there is none."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scalars:
+    """The usable rows of a run: reading (n, 3) times the nominal nT per unit, |reference| (n,), noises, all in nT."""
+
+    reading: Array
+    magnitude: Array
+    noise: float
+    reference_noise: float
+
+    @property
+    def noise_covariance(self) -> Array:
+        """Covariance (3, 3) of a reading."""
+        return self.noise**2 * np.eye(3)
+
+
+def scalars(run: Run) -> Scalars:
+    """Rows with a reading and a reference. Raises ValueError where there are fewer than ten."""
+    magnitude = run.magnitude_nT
+    rows = np.isfinite(magnitude) & np.isfinite(run.reading).all(axis=1)
+    if rows.sum() < 10:
+        raise ValueError(f"{rows.sum()} rows have both a reading and a reference magnitude; nine parameters need ten")
+    reading, magnitude = run.reading_nT[rows], magnitude[rows]
+    noise = run.dut.noise_nT or FIRST_NOISE * float(np.sqrt(np.mean(magnitude**2)))
+    return Scalars(reading, magnitude, noise, run.reference.noise_nT or 0.0)
+
+
+def fit_scalar(run: Run, method: str, estimate: Estimator) -> Fit:
+    """Estimate and noise in turn: the first estimate is the published one, the rest know the noise of the residuals."""
+    try:
+        seen = scalars(run)
+        found = estimate(seen.reading, seen.magnitude, seen.noise_covariance, seen.reference_noise, unbiased=False)
+        for _ in range(ROUNDS):
+            seen, before = rescaled(seen, found), seen.noise
+            found = estimate(seen.reading, seen.magnitude, seen.noise_covariance, seen.reference_noise)
+            if abs(seen.noise / before - 1) < 0.002:
+                break
+    except np.linalg.LinAlgError:
+        return Fit(method, ok=False, why_not=f"the magnitudes do not determine all nine parameters: {MISSING}")
+    except (ArithmeticError, ValueError) as error:
+        return Fit(method, ok=False, why_not=str(error))
+    return as_fit(run, method, seen, found)
+
+
+def as_fit(run: Run, method: str, seen: Scalars, found: Estimate) -> Fit:
+    """The contract's K and k, or the refusal of what the run does not determine."""
+    uncertain = worst_uncertainty(found, float(seen.magnitude.max()))
+    if uncertain > LARGEST_U * seen.magnitude.max():
+        return Fit(method, ok=False, why_not=f"the field would be uncertain by {uncertain:.0f} nT: {MISSING}")
+    gain = run.dut.nominal_nT_per_unit
+    slope = to_contract(gain)
+    return Fit(
+        method,
+        ok=True,
+        affine=AffineMap(gain * (np.eye(3) + found.D), found.bias),
+        covariance=slope @ (found.covariance * correlation(residual(seen, found))) @ slope.T,
+        bias_nT=found.bias,
+        D=found.D,
+        noise_nT=seen.noise,
+    )
+
+
+def to_contract(gain: float) -> Array:
+    """∂(K row by row, k)/∂(b, D) (12, 9) with K = gain (I + D), k = b."""
+    out = np.zeros((12, 9))
+    for six, (row, column) in enumerate(zip(ROW, COLUMN, strict=True)):
+        out[[3 * row + column, 3 * column + row], 3 + six] = gain
+    out[9:, :3] = np.eye(3)
+    return out
+
+
+def residual(seen: Scalars, found: Estimate) -> Array:
+    """The residual of (3b) over its standard deviation (n,)."""
+    c_E = scalar_check.to_c_E(found.bias, found.D)
+    noise = seen.noise_covariance
+    variance = scalar_check.noise_variance(seen.reading, seen.magnitude, c_E, noise, seen.reference_noise)
+    field = seen.reading + seen.reading @ found.D - found.bias
+    v = np.einsum("ij,ij->i", field, field) - seen.magnitude**2 - scalar_check.noise_mean(c_E, noise)
+    return np.asarray(v / np.sqrt(variance))
+
+
+def rescaled(seen: Scalars, found: Estimate) -> Scalars:
+    """The same rows with the noise that the residuals show, nine degrees of freedom taken off."""
+    r = residual(seen, found)
+    scale = float(np.sqrt(r @ r / (len(r) - 9)))
+    return Scalars(seen.reading, seen.magnitude, seen.noise * scale, seen.reference_noise * scale)
+
+
+def correlation(r: Array) -> float:
+    """How many times fewer independent residuals (n,) there are than residuals: 1 + 2 Σ ρ_j, at least 1.
+
+    The sum ends at the first autocorrelation ρ_j within two standard deviations, 2 / √n, of none.
+    """
+    r, total = r - r.mean(), 1.0
+    for lag in range(1, len(r) // 4):
+        rho = float(r[:-lag] @ r[lag:] / (r @ r))
+        if rho < 2 / np.sqrt(len(r)):
+            break
+        total += 2 * rho
+    return total
+
+
+def worst_uncertainty(found: Estimate, field: float) -> float:
+    """The largest standard uncertainty of |(I + D) B − b| over 26 directions of a field of that size."""
+    grid = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3), axis=-1).reshape(-1, 3)
+    h = unit(grid[grid.any(axis=1)])
+    B = np.linalg.solve(np.eye(3) + found.D, (field * h + found.bias).T).T
+    symmetric = (h[:, ROW] * B[:, COLUMN] + h[:, COLUMN] * B[:, ROW]) * np.where(ROW == COLUMN, 0.5, 1.0)
+    slope = np.hstack([-h, symmetric])
+    return float(np.sqrt(np.einsum("ij,jk,ik->i", slope, found.covariance, slope).max()))
