@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any, Literal
 
 from labcal import certificate
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
+from labcal.files import write_bytes
 from labcal.home import home
 from labcal.model import Calibration
 from labcal.record import Run
-from labcal.store import Bundle, Store, load_bundle
+from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
 
 
 def load_run(run: str) -> Run:
@@ -27,6 +29,37 @@ def run_bundle(run: str) -> Bundle:
         return load_bundle(Path(run))
     with Store.open() as store:
         return store.bundle(run)
+
+
+def runs() -> list[RunSummary]:
+    """The runs of the local store, the oldest first."""
+    with Store.open() as store:
+        return store.runs()
+
+
+def describe_run(run: str) -> dict[str, Any]:
+    """What the run that `run` names is: head, segments and what each offers, channels, measurements."""
+    if _is_path(run):
+        return describe(load_run(run), "a bundle, not in the store")
+    with Store.open() as store:
+        return store.describe(run)
+
+
+def import_bundle(path: Path) -> str:
+    """Take a bundle into the local store, byte for byte; returns its run id."""
+    with Store.open() as store:
+        return store.add_bundle(path)
+
+
+def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path) -> None:
+    """Write the run that `run` names to `out`."""
+    bundle = run_bundle(run)
+    if format_ == "bundle":
+        save_bundle(bundle, out)
+    elif format_ == "csv":
+        write_bytes(out, bundle.samples_csv)
+    else:
+        write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
 
 
 def _is_path(run: str) -> bool:
