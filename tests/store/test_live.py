@@ -314,7 +314,9 @@ def test_a_forked_child_that_outlives_the_writer_does_not_keep_its_run_alive() -
     program = RECORDER.split("writer =")[0] + (
         "import os, time\n"
         "writer = Store.open().begin(header)\n"
-        "if os.fork() == 0: time.sleep(3); os._exit(0)\n"
+        "born, say = os.pipe()\n"
+        "if os.fork() == 0: os.write(say, b'!'); time.sleep(5); os._exit(0)\n"
+        "os.read(born, 1)\n"
         "os._exit(9)"
     )
     subprocess.run([sys.executable, "-W", "ignore", "-c", program, "r1"], check=False)
