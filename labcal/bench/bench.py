@@ -166,12 +166,20 @@ class Bench:
         self._pending.append(Block(stream, source, columns, np.array([t_s]), row))
 
 
-def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None) -> Bench:
-    """Open every instrument of `path`. Use as a context manager: on leaving, all is made safe and let go of.
+def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None, greet: bool = True) -> Bench:
+    """Open every instrument of `path` and, with `greet`, ask each who it is before anything else is said to it.
+
+    Use as a context manager: on leaving, all is made safe and let go of.
 
     `clock`: the real one unless all links are emulated, then a virtual one. `seed` repeats a simulated lab exactly.
-    Raises InputError for a bad file, InstrumentError where a link cannot be opened.
+    Raises InputError for a bad file, InstrumentError where an instrument cannot be reached or is another.
     """
     from labcal.bench.loading import load_bench
 
-    return load_bench(Path(path), clock, seed)
+    bench = load_bench(Path(path), clock, seed)
+    if greet:
+        with ExitStack() as on_failure:
+            on_failure.callback(bench.close)
+            bench.identities()
+            on_failure.pop_all()
+    return bench
