@@ -6,11 +6,14 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
 
-from labcal import certificate
+from labcal import certificate, fit
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
+from labcal.errors import InputError
 from labcal.files import write_bytes
+from labcal.fit import Fit
 from labcal.home import home
 from labcal.model import Calibration
+from labcal.model.apply import Applied
 from labcal.record import Run
 from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
 
@@ -107,3 +110,30 @@ def verify(calibration: Path, allowed_signers: Path | None = None, run: str | No
     signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
     sha256 = run_bundle(run).sha256 if run else None
     return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+
+
+def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
+    """Estimate a calibration by one method, or by "all"; `channels` limits what `telemetry` may use."""
+    measured = load_run(run)
+    if channels is not None:
+        try:
+            measured = measured.with_channels(channels)
+        except KeyError as error:
+            raise InputError(str(error.args[0])) from None
+    return measured, fit.fit_all(measured) if method == "all" else [fit.fit(measured, method)]
+
+
+def draft(run: str, found: Fit, out: Path) -> Calibration:
+    """Write the draft calibration that a fit of `run` makes."""
+    bundle = run_bundle(run)
+    made = fit.draft_calibration(bundle.run(), found, bundle.sha256)
+    write_bytes(out, certificate.calibration_bytes(made))
+    return made
+
+
+def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:
+    """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
+    found = load_calibration(calibration)
+    if dut is not None and dut != found.dut.serial:
+        raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
+    return certificate.apply_file(found, source, out)
