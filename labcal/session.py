@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, Literal
 
 from labcal import certificate, fit
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
+from labcal.certificate.report import calibration_page, run_page, write_report
 from labcal.errors import InputError
-from labcal.files import write_bytes
-from labcal.fit import Fit
 from labcal.home import home
 from labcal.model import Calibration
-from labcal.model.apply import Applied
 from labcal.record import Run
-from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
+from labcal.store import Bundle, Store, load_bundle
 
 
 def load_run(run: str) -> Run:
@@ -32,37 +29,6 @@ def run_bundle(run: str) -> Bundle:
         return load_bundle(Path(run))
     with Store.open() as store:
         return store.bundle(run)
-
-
-def runs() -> list[RunSummary]:
-    """The runs of the local store, the oldest first."""
-    with Store.open() as store:
-        return store.runs()
-
-
-def describe_run(run: str) -> dict[str, Any]:
-    """What the run that `run` names is: head, segments and what each offers, channels, measurements."""
-    if _is_path(run):
-        return describe(load_run(run), "a bundle, not in the store")
-    with Store.open() as store:
-        return store.describe(run)
-
-
-def import_bundle(path: Path) -> str:
-    """Take a bundle into the local store, byte for byte; returns its run id."""
-    with Store.open() as store:
-        return store.add_bundle(path)
-
-
-def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path) -> None:
-    """Write the run that `run` names to `out`."""
-    bundle = run_bundle(run)
-    if format_ == "bundle":
-        save_bundle(bundle, out)
-    elif format_ == "csv":
-        write_bytes(out, bundle.samples_csv)
-    else:
-        write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
 
 
 def _is_path(run: str) -> bool:
@@ -112,28 +78,25 @@ def verify(calibration: Path, allowed_signers: Path | None = None, run: str | No
     return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
 
 
-def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
-    """Estimate a calibration by one method, or by "all"; `channels` limits what `telemetry` may use."""
-    measured = load_run(run)
-    if channels is not None:
-        try:
-            measured = measured.with_channels(channels)
-        except KeyError as error:
-            raise InputError(str(error.args[0])) from None
-    return measured, fit.fit_all(measured) if method == "all" else [fit.fit(measured, method)]
+def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:
+    """Write the report of a calibration file or of a run, as `.html` or `.pdf`."""
+    if Path(source).is_file() and source.lower().endswith(".json"):
+        return _report_calibration(Path(source), out, allowed_signers)
+    bundle = run_bundle(source)
+    run = bundle.run()
+    return write_report(run_page(run, bundle.sha256, fit.fit(run, holdout=False)), out)
 
 
-def draft(run: str, found: Fit, out: Path) -> Calibration:
-    """Write the draft calibration that a fit of `run` makes."""
-    bundle = run_bundle(run)
-    made = fit.draft_calibration(bundle.run(), found, bundle.sha256)
-    write_bytes(out, certificate.calibration_bytes(made))
-    return made
+def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
+    calibration, checked = load_calibration(path), verify(path, allowed_signers)
+    now = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
+    write_report(calibration_page(calibration, path.read_bytes(), checked, now, _run_of(calibration)), out)
 
 
-def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:
-    """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
-    found = load_calibration(calibration)
-    if dut is not None and dut != found.dut.serial:
-        raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
-    return certificate.apply_file(found, source, out)
+def _run_of(calibration: Calibration) -> Run | None:
+    """The run a calibration came from, where this store has it unchanged."""
+    try:
+        bundle = run_bundle(calibration.run_id)
+    except InputError:
+        return None
+    return bundle.run() if bundle.sha256 == calibration.run_sha256 else None

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields
 from datetime import UTC, datetime
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar, cast, get_type_hints
+from typing import Any, NoReturn, TypeVar, cast
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -16,8 +16,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
 from labcal.bench.hands import SimulatedHands
-from labcal.bench.links import EmulatedLink, Emulator, Link, ModbusLink, open_link
-from labcal.bench.platform import BenchPlatform
+from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
 from labcal.bench.polarity import ReversedSupply
 from labcal.bench.roles import CoilSupply, Instrument, PolarityRelay
 from labcal.errors import InputError, LimitError
@@ -35,19 +34,16 @@ class Loader:
     clock: Clock
     seed: int
     links: dict[str, Link] = field(default_factory=dict)
-    masters: dict[str, ModbusLink] = field(default_factory=dict)
     twin: Any = None
 
     def instrument(self, name: str) -> Instrument:
-        """The driver of the instrument `name`, on the kind of link and with the settings that its `__init__` states."""
+        """The driver of the instrument `name`, on its link, with its checked settings."""
         entry = self.config.instruments[name]
         driver = self._load(DRIVERS, entry.driver, ("instruments", name, "driver"))
-        hints = get_type_hints(driver.__init__)
-        settings = self.settings(name, hints["settings"])
+        settings = self.settings(name, driver.Settings)
         if entry.role.split("-")[0] not in driver.roles:
             self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
-        link = self.modbus(name, entry, settings) if hints["link"] is ModbusLink else self.link(name, entry, settings)
-        return cast(Instrument, driver(name, link, self.clock, settings))
+        return cast(Instrument, driver(name, self.link(name, entry, settings), self.clock, settings))
 
     def settings(self, name: str, kind: type[T]) -> T:
         """The instrument's settings as its driver's own `Settings`. Raises InputError naming file, line and key."""
@@ -71,13 +67,6 @@ class Loader:
             else:
                 self.links[key] = open_link(entry.link, self.clock)
         return self.links[key]
-
-    def modbus(self, name: str, entry: InstrumentConfig, settings: Any) -> ModbusLink:
-        """The Modbus master on the line of one instrument; devices on one line share it."""
-        line = self.link(name, entry, settings)
-        if line.url not in self.masters:
-            self.masters[line.url] = ModbusLink(line, self.clock)
-        return self.masters[line.url]
 
     def refuse(self, what: str, keys: tuple[str, ...]) -> NoReturn:
         """Raise InputError for the key `keys` of this file."""
@@ -134,7 +123,7 @@ def _in_roles(loader: Loader, instruments: Mapping[str, Instrument]) -> Bench:
             loader.clock,
             instruments,
             coil_supplies(roles, loader.clock),
-            BenchPlatform(roles["platform"], config.platform, config.dut.limits),
+            roles["platform"],
             roles["reference"],
             roles["dut"],
             SimulatedHands(loader.twin, loader.clock) if config.simulated else None,

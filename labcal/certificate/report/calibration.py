@@ -1,0 +1,185 @@
+"""The report of a calibration file: what it says, who stands for it, and what it does not cover."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from hashlib import sha256
+
+import numpy as np
+
+from labcal.certificate.report.derived import sensor_figures
+from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
+from labcal.certificate.report.style import decimals_for, number
+from labcal.certificate.report.unstated import not_stated
+from labcal.certificate.signing import Verification
+from labcal.model import Calibration, EffectRecord, Parameter
+from labcal.record import Run
+
+COVERAGE = 2.0  # coverage factor k of U
+_UNKNOWN_RUN = (
+    "Frame as mounted; mounting uncertainty not included. The reference's own scale, zero, alignment and time, "
+    "where the run does not state them. (The run is not in this lab's store, so they cannot be listed here.)"
+)
+RESIDUAL_KEYS = (("holdout_rms_nT", "held-out residual, rms"), ("train_rms_nT", "residual of the fit, rms"))
+
+
+def calibration_page(
+    calibration: Calibration, content: bytes, verification: Verification, checked_utc: str, run: Run | None = None
+) -> Page:
+    """The page of `calibration`, whose file's bytes are `content`; `checked_utc` is when `verification` was made.
+
+    With its `run` at hand the page says which of the reference's uncertainties were never stated.
+    """
+    dut = calibration.dut
+    return Page(
+        kind="Calibration",
+        title=dut.serial,
+        subtitle=dut.model,
+        simulated=calibration.simulated,
+        marks=_marks(verification),
+        headline=_headline(calibration),
+        facts=_facts(calibration),
+        sections=sections(
+            section("Parameters", _parameters(calibration)),
+            section("Effects of the sensor, corrected by this calibration", effect_tables(calibration.effects)),
+            section(
+                "Findings about the rig and the data, not part of the correction", effect_tables(calibration.findings)
+            ),
+            section("Where it holds", [_validity(calibration)]),
+            section("What is not covered", [Prose(_not_covered(calibration, run))]),
+            section("Signatures", _signatures(calibration, content, verification, checked_utc)),
+        ),
+        footer=f"b = K m − k − Σ effects, in nT of the sensor's own axes. Made by {calibration.software or 'labcal'}.",
+    )
+
+
+def effect_tables(effects: Sequence[EffectRecord]) -> list[Table]:
+    """A table an effect: its parameters, and below them why it was decided so."""
+    return [_effect_table(effect) for effect in effects]
+
+
+def headline_of(before: float | None, after: float | None, caption: str) -> Headline | None:
+    """Both numbers with the decimals the smaller one needs; None where one is missing."""
+    if before is None or after is None:
+        return None
+    decimals = 1 if min(before, after) < 1000 else 0
+    return Headline(number(before, decimals), number(after, decimals), "nT", caption)
+
+
+def _effect_table(effect: EffectRecord) -> Table:
+    name = " · ".join([effect.effect, *effect.channels]) + (" (provisional)" if effect.provisional else "")
+    rows = tuple(_parameter_row(parameter) for parameter in effect.parameters)
+    return Table((name, "Value", f"U (k = {COVERAGE:.0f})", "Unit"), rows, frozenset({1, 2}), _why(effect))
+
+
+def _parameter_row(p: Parameter) -> tuple[str, str, str, str]:
+    decimals = decimals_for([COVERAGE * p.u])
+    return p.name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit
+
+
+def _why(effect: EffectRecord) -> str:
+    said = [effect.why] if effect.why else []
+    if effect.holdout_rms_before_nT is not None and effect.holdout_rms_after_nT is not None:
+        before, after = number(effect.holdout_rms_before_nT), number(effect.holdout_rms_after_nT)
+        said.append(f"Held-out rms {before} → {after} nT.")
+    said += [
+        f"As good: {' · '.join([r.effect, *r.channels])} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals
+    ]
+    reference = ", ".join(f"{name} = {value:g}" for name, value in effect.reference_value.items())
+    return " ".join([*said, f"Reference value: {reference}."] if reference else said)
+
+
+def _marks(verification: Verification) -> tuple[Mark, ...]:
+    if not verification.checks:
+        return (Mark("DRAFT · NOT SIGNED", "warning"),)
+    if not verification.valid:
+        return (Mark("SIGNATURE NOT VALID", "bad"),)
+    provisional = (Mark("PROVISIONAL", "warning"),) if verification.provisional else ()
+    return (Mark("SIGNED · VALID", "good"), *provisional)
+
+
+def _headline(c: Calibration) -> Headline | None:
+    before, after = c.metrics.get("before", {}), c.metrics.get("after", {})
+    for key, caption in RESIDUAL_KEYS:
+        if found := headline_of(before.get(key), after.get(key), caption):
+            return found
+    return None
+
+
+def _facts(c: Calibration) -> Facts:
+    rows = [
+        ("Reading in", c.dut.unit if c.dut.unit == "nT" else f"counts, {c.dut.nominal_nT_per_unit:g} nT each"),
+        ("Run", c.run_id),
+        ("Operator", c.operator or "–"),
+        ("Approved by", ", ".join(c.approvers) or "nobody yet"),
+    ]
+    rows += [(i.get("role", "instrument").capitalize(), _instrument(i)) for i in c.instruments]
+    return Facts(tuple(rows))
+
+
+def _instrument(stated: object) -> str:
+    assert isinstance(stated, dict)
+    return " ".join(str(value) for name, value in stated.items() if name != "role")
+
+
+def _parameters(c: Calibration) -> list[Block]:
+    per_unit = "nT" if c.dut.unit == "count" else "1"
+    u = None if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance), 0.0))
+    values = np.column_stack([c.affine.K, c.affine.k_nT])
+    U = np.full((3, 4), np.nan) if u is None else COVERAGE * np.column_stack([u[:9].reshape(3, 3), u[9:]])
+    dK, dk = decimals_for(U[:, :3].ravel(), 7), decimals_for(U[:, 3])
+    rows = []
+    for axis, value, spread in zip("xyz", values, U, strict=True):
+        rows.append((f"b {axis}", *(number(v, d) for v, d in zip(value, (dK, dK, dK, dk), strict=True))))
+        rows.append(("U", *(number(v, d) for v, d in zip(spread, (dK, dK, dK, dk), strict=True))))
+    header = ("", f"K · x ({per_unit})", f"K · y ({per_unit})", f"K · z ({per_unit})", "k (nT)")
+    note = (
+        f"U is the expanded uncertainty, k = {COVERAGE:.0f} (about 95 %)." if u is not None else "No covariance stated."
+    )
+    return [Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note), sensor_figures(c, COVERAGE)]
+
+
+def _validity(c: Calibration) -> Facts:
+    lo, hi = c.validity.field_nT
+    temperature = c.validity.temperature_C
+    return Facts(
+        (
+            ("Field", f"{number(lo, 0)} to {number(hi, 0)} nT"),
+            (
+                "Temperature",
+                f"{number(temperature[0])} to {number(temperature[1])} °C" if temperature else "not recorded",
+            ),
+            ("Power modes", ", ".join(c.validity.modes) or "not stated"),
+            ("Until", c.validity.until or "no date stated"),
+            ("Run's clock", f"{number(c.span_s[0])} to {number(c.span_s[1])} s (for effects bound to the run's time)"),
+        )
+    )
+
+
+def _not_covered(c: Calibration, run: Run | None) -> tuple[str, ...]:
+    said = list(not_stated(run)) if run else [_UNKNOWN_RUN]
+    if not c.frame_known:
+        said.append("The attitude of the sensor in its body: the run does not show it; K is symmetric by convention.")
+    if c.covariance is None:
+        said.append("Uncertainty: the method that made this calibration states none.")
+    if c.cage_sha256 is None:
+        said.append("The cage: no cage calibration is named.")
+    said.append("Fields, temperatures and power modes outside the ranges above; ageing and shocks after the run.")
+    return (
+        *said,
+        *(f"{e.effect} is provisional: another cause may be the true one." for e in c.effects if e.provisional),
+    )
+
+
+def _signatures(c: Calibration, content: bytes, v: Verification, checked_utc: str) -> list[Block | None]:
+    rows = tuple((k.file.name, k.principal or "unknown", k.fingerprint or "–", k.objection or "good") for k in v.checks)
+    table = Table(("File", "Signed by", "Key", "Result"), rows) if rows else None
+    facts = Facts(
+        (
+            ("SHA-256 of this file", sha256(content).hexdigest()),
+            ("SHA-256 of its run", c.run_sha256),
+            ("Supersedes", c.supersedes or "–"),
+            ("Checked", f"{checked_utc}, against this lab's trust list"),
+        )
+    )
+    return [Prose(tuple(v.sentences())), table, facts]

@@ -1,0 +1,139 @@
+"""The figures of a run: loci on the sphere, magnitude, residuals. Each draws on the figure it is handed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.certificate.report.style import AXES, LINE, MUTED, TEXT, ink
+from labcal.geometry import unit
+from labcal.record import Run
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import FigureBase
+
+Array = NDArray[np.float64]
+MOST_POINTS = 6000
+NEAR_DEG = 20.0  # a direction counts as covered when the field pointed this near to it
+
+
+def coverage(field: Array) -> float:
+    """Share of the sphere's directions within NEAR_DEG of a measured one; `field` (n, 3), NaN rows left out."""
+    seen = unit(field[np.isfinite(field).all(axis=1)])
+    directions = _even_directions(600)
+    nearest = np.max(directions @ seen[:: max(1, len(seen) // 3000)].T, axis=1) if len(seen) else np.zeros(1)
+    return float(np.mean(nearest >= np.cos(np.radians(NEAR_DEG))))
+
+
+def draw_sphere(figure: FigureBase, run: Run, field: Array) -> None:
+    """Directions of `field` (n, 3) in B on an equal-area map of the sphere, one colour and mark a segment."""
+    axes = figure.add_subplot(projection="hammer")
+    for index, segment in enumerate(run.segments):
+        b = unit(_thinned(field[run.rows(index)]))
+        colour, marker = ink(index)
+        longitude, latitude = np.arctan2(b[:, 1], b[:, 0]), np.arcsin(np.clip(b[:, 2], -1, 1))
+        axes.scatter(longitude, latitude, s=5, c=colour, marker=marker, lw=0, label=segment.id, rasterized=True)
+    for name, place in {
+        "+x": (0, 0),
+        "+y": (np.pi / 2, 0),
+        "−y": (-np.pi / 2, 0),
+        "+z": (0, np.pi / 2),
+        "−z": (0, -np.pi / 2),
+    }.items():
+        axes.annotate(
+            name,
+            place,
+            color=TEXT,
+            ha="center",
+            va="center",
+            weight="bold",
+            fontsize=8,
+            bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 1},
+        )
+    axes.set_xticklabels([])
+    axes.set_yticklabels([])
+    figure.legend(loc="outside right upper", markerscale=2, handletextpad=0.2, fontsize=7)
+
+
+def draw_magnitude(figure: FigureBase, run: Run, field: Array | None) -> None:
+    """|field| over time: the raw reading, the calibrated one, and the reference."""
+    axes = figure.subplots()
+    t, rows = run.t_s - run.t_s[0], _rows(len(run))
+    series = [("reading × nominal", np.linalg.norm(run.reading_nT, axis=1), LINE if field is not None else AXES[2])]
+    if field is not None:
+        series.append(("calibrated", np.linalg.norm(field, axis=1), AXES[2]))
+    if run.reference.kind != "none":
+        series.append(("reference", run.magnitude_nT, AXES[0]))
+    for name, values, colour in series:
+        axes.plot(t[rows], values[rows] / 1000, ".", ms=1.6, color=colour, label=name, rasterized=True)
+    axes.set(xlabel="time (s)", ylabel="|b| (µT)")
+    _segment_bounds(axes, run)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, markerscale=5, handletextpad=0.2)
+
+
+def draw_residual(figure: FigureBase, run: Run, residual: Array, labels: tuple[str, ...]) -> None:
+    """Residual (n, 3) or (n, 1) [nT] over time, and how it is distributed."""
+    over_time, spread = figure.subplots(1, 2, width_ratios=(3, 1), sharey=True)
+    t, rows = run.t_s - run.t_s[0], _rows(len(run))
+    for values, label, colour in zip(residual.T, labels, AXES if len(labels) == 3 else AXES[2:], strict=True):
+        over_time.plot(t[rows], values[rows], ".", ms=1.8, color=colour, label=label, rasterized=True)
+        spread.hist(values[np.isfinite(values)], bins=50, orientation="horizontal", histtype="step", color=colour, lw=1)
+    limit = 1.1 * float(np.nanquantile(np.abs(residual), 0.999)) or 1.0
+    over_time.set(xlabel="time (s)", ylabel="residual (nT)", ylim=(-limit, limit))
+    spread.set(xlabel="samples")
+    _segment_bounds(over_time, run)
+    if len(labels) > 1:
+        over_time.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, markerscale=5, handletextpad=0.2)
+
+
+def draw_by_segment(figure: FigureBase, run: Run, residual: Array, noise_nT: float | None) -> None:
+    """Rms of the residual's length in each segment, with the declared noise as a line."""
+    axes = figure.subplots()
+    length = np.linalg.norm(residual, axis=1)
+    rms = [_rms(length[run.rows(i)]) for i in range(len(run.segments))]
+    places = np.arange(len(rms))
+    axes.bar(places, rms, color=AXES[2], width=0.62)
+    axes.set_xticks(
+        places,
+        [s.id for s in run.segments],
+        rotation=30 if len(rms) > 6 else 0,
+        ha="right" if len(rms) > 6 else "center",
+    )
+    axes.set(ylabel="rms (nT)")
+    axes.grid(axis="x", visible=False)
+    if noise_nT:
+        floor = noise_nT * np.sqrt(residual.shape[1])
+        axes.axhline(floor, color=AXES[0], lw=1, ls="--", label="the sensor's declared noise")
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0))
+
+
+def _segment_bounds(axes: Axes, run: Run) -> None:
+    """A faint line wherever the segment changes."""
+    for row in np.flatnonzero(np.diff(run.segment_index)):
+        axes.axvline((run.t_s[row] + run.t_s[row + 1]) / 2 - run.t_s[0], color=MUTED, lw=0.4, alpha=0.4)
+    axes.margins(x=0.01)
+
+
+def _even_directions(count: int) -> Array:
+    """Unit vectors (count, 3) spread evenly: the Fibonacci lattice."""
+    i = np.arange(count) + 0.5
+    z, turn = 1 - 2 * i / count, np.pi * (1 + np.sqrt(5)) * i
+    r = np.sqrt(1 - z**2)
+    return np.column_stack([r * np.cos(turn), r * np.sin(turn), z])
+
+
+def _rows(count: int) -> NDArray[np.intp]:
+    return np.arange(0, count, max(1, -(-count // MOST_POINTS)))
+
+
+def _thinned(values: Array) -> Array:
+    finite = values[np.isfinite(values).all(axis=1)]
+    return finite[_rows(len(finite))]
+
+
+def _rms(values: Array) -> float:
+    seen = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(seen**2))) if len(seen) else 0.0

@@ -1,0 +1,70 @@
+"""Colours, line widths and numbers of every printed page: Okabe-Ito inks on white, one way to write a number."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+TEXT, MUTED, LINE, ACCENT = "#1c2126", "#57606a", "#d5d9dd", "#0072b2"
+GOOD, WARNING, BAD = "#00694b", "#8a5a00", "#b23a00"
+AXES = ("#d55e00", "#009e73", "#0072b2")  # x, y, z: vermilion, green, blue
+INKS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#57606a", "#000000")
+MARKERS = "o^sDvP<>"
+WIDTH_IN = 7.0
+
+_RC: Any = {
+    "font.family": "DejaVu Sans",
+    "font.size": 8.0,
+    "axes.edgecolor": MUTED,
+    "axes.labelcolor": TEXT,
+    "axes.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 8.5,
+    "axes.titlelocation": "left",
+    "axes.titlecolor": TEXT,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": LINE,
+    "grid.linewidth": 0.5,
+    "xtick.color": MUTED,
+    "ytick.color": MUTED,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "legend.frameon": False,
+    "lines.linewidth": 1.0,
+    "svg.hashsalt": "labcal",
+    "pdf.fonttype": 42,
+}
+
+
+@contextmanager
+def plot_style() -> Iterator[None]:
+    """Draw in the house's style; the same input gives the same bytes."""
+    from matplotlib import rc_context
+
+    with rc_context(_RC):
+        yield
+
+
+def ink(index: int) -> tuple[str, str]:
+    """Colour and marker of the series `index`: no two of 56 share both."""
+    return INKS[index % len(INKS)], MARKERS[(index + index // len(INKS)) % len(MARKERS)]
+
+
+def number(value: float | None, decimals: int = 1) -> str:
+    """`value` with fixed decimals, a true minus and thin groups of three; a dash for None."""
+    if value is None or not math.isfinite(value):
+        return "–"
+    text = f"{value:,.{decimals}f}"
+    if not text.strip("-0.,"):
+        text = text.lstrip("-")
+    return text.replace(",", "\u202f").replace("-", "\u2212")
+
+
+def decimals_for(uncertainties: Iterable[float], most: int = 9) -> int:
+    """Decimals that show the smallest of the uncertainties with two digits (GUM, 7.2.6)."""
+    real = [u for u in uncertainties if u > 0 and math.isfinite(u)]
+    return min(most, max(0, 1 - math.floor(math.log10(min(real))))) if real else 3

@@ -1,0 +1,22 @@
+"""`labcal report`: a page for people."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+
+from labcal.cli import app
+
+
+@app.command()
+def report(
+    source: str = typer.Argument(..., metavar="RUN|CAL", help="A run, or a calibration file (*.json)."),
+    out: Path = typer.Option(..., metavar="FILE", help="The report: FILE.html or FILE.pdf."),
+    allowed_signers: Path | None = typer.Option(None, help="Check CAL's signatures against this list, not the lab's."),
+) -> None:
+    """Write the report of a run or a calibration."""
+    from labcal import session
+
+    session.report(source, out, allowed_signers)
+    print(out)
