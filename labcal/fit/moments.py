@@ -30,14 +30,13 @@ SIGNAL_OVER_NOISE = 4.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Moments:
-    """Sums weighted by 1/σ² over n samples.
+    """Sums weighted by 1/σ².
 
     `L` (9,) and `z` (less the noise mean) are the means (15); `variance` is σ̄² (16); `information` (9, 9) and
     `projection` (9,) are the sums of L̃ᵀL̃ and of L̃ᵀ(z̃ − μ̃), (18). The gradient's mean at the truth is
     `noise_gradient` (9,) − `noise_information` (9, 9) @ (c, E).
     """
 
-    n: int
     L: Array
     z: float
     variance: float
@@ -62,7 +61,7 @@ def weighted(L: Array, z: Array, variance: Array, noise: Array) -> Moments:
     centred = L - L_mean
     of_row = centred.T * weight
     at_noise = noise_part(L_mean, 1 / total, noise)
-    return Moments(len(z), L_mean, z_mean, 1 / total, of_row @ centred, of_row @ (z - z_mean), *at_noise)
+    return Moments(L_mean, z_mean, 1 / total, of_row @ centred, of_row @ (z - z_mean), *at_noise)
 
 
 def noise_part(L_mean: Array, variance: float, noise: Array) -> tuple[Array, Array]:

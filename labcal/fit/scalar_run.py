@@ -25,52 +25,64 @@ class Estimator(Protocol):
     """Bias and D from readings, magnitudes and noise; `centered.estimate` and `twostep.estimate` are two."""
 
     def __call__(
-        self, reading: Array, magnitude: Array, noise: Array, reference_noise: float = 0.0, *, unbiased: bool = True
+        self,
+        reading: Array,
+        magnitude: Array,
+        noise: Array,
+        reference_noise: float = 0.0,
+        *,
+        unbiased: bool = True,
+        near: Estimate | None = None,
     ) -> Estimate:
         """Return the estimate; raises ArithmeticError where there is none."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scalars:
-    """The usable rows of a run: reading (n, 3) times the nominal nT per unit, |reference| (n,), noises, all in nT."""
+    """Readings (n, 3), magnitudes (n,), covariance (3, 3) of a reading, standard deviation of a magnitude; one unit."""
 
     reading: Array
     magnitude: Array
-    noise: float
-    reference_noise: float
+    noise: Array
+    reference_noise: float = 0.0
 
-    @property
-    def noise_covariance(self) -> Array:
-        """Covariance (3, 3) of a reading."""
-        return self.noise**2 * np.eye(3)
+    def louder(self, scale: float) -> Scalars:
+        """The same with all noise times `scale`."""
+        return Scalars(self.reading, self.magnitude, self.noise * scale**2, self.reference_noise * scale)
 
 
 def scalars(run: Run) -> Scalars:
-    """Rows with a reading and a reference. Raises ValueError where there are fewer than ten."""
+    """The rows with a reading and a reference, in nT. Raises ValueError where there are fewer than ten."""
     magnitude = run.magnitude_nT
     rows = np.isfinite(magnitude) & np.isfinite(run.reading).all(axis=1)
     if rows.sum() < 10:
         raise ValueError(f"{rows.sum()} rows have both a reading and a reference magnitude; nine parameters need ten")
     reading, magnitude = run.reading_nT[rows], magnitude[rows]
     noise = run.dut.noise_nT or FIRST_NOISE * float(np.sqrt(np.mean(magnitude**2)))
-    return Scalars(reading, magnitude, noise, run.reference.noise_nT or 0.0)
+    return Scalars(reading, magnitude, noise**2 * np.eye(3), run.reference.noise_nT or 0.0)
 
 
 def fit_scalar(run: Run, method: str, estimate: Estimator) -> Fit:
-    """Estimate and noise in turn: the first estimate is the published one, the rest know the noise of the residuals."""
+    """Calibrate `run` by a batch estimator, or say why not."""
     try:
-        seen = scalars(run)
-        found = estimate(seen.reading, seen.magnitude, seen.noise_covariance, seen.reference_noise, unbiased=False)
-        for _ in range(ROUNDS):
-            seen, before = rescaled(seen, found), seen.noise
-            found = estimate(seen.reading, seen.magnitude, seen.noise_covariance, seen.reference_noise)
-            if abs(seen.noise / before - 1) < 0.002:
-                break
+        seen, found = settle(scalars(run), estimate)
     except np.linalg.LinAlgError:
         return Fit(method, ok=False, why_not=f"the magnitudes do not determine all nine parameters: {MISSING}")
     except (ArithmeticError, ValueError) as error:
         return Fit(method, ok=False, why_not=str(error))
     return as_fit(run, method, seen, found)
+
+
+def settle(seen: Scalars, estimate: Estimator) -> tuple[Scalars, Estimate]:
+    """Estimate and noise in turn: the first estimate is the published one, the rest know the noise of the residuals."""
+    found = estimate(seen.reading, seen.magnitude, seen.noise, seen.reference_noise, unbiased=False)
+    for _ in range(ROUNDS):
+        scale = noise_scale(seen, found)
+        seen = seen.louder(scale)
+        found = estimate(seen.reading, seen.magnitude, seen.noise, seen.reference_noise, near=found)
+        if abs(scale - 1) < 0.002:
+            break
+    return seen, found
 
 
 def as_fit(run: Run, method: str, seen: Scalars, found: Estimate) -> Fit:
@@ -87,7 +99,7 @@ def as_fit(run: Run, method: str, seen: Scalars, found: Estimate) -> Fit:
         covariance=slope @ (found.covariance * correlation(residual(seen, found))) @ slope.T,
         bias_nT=found.bias,
         D=found.D,
-        noise_nT=seen.noise,
+        noise_nT=float(np.sqrt(np.trace(seen.noise) / 3)),
     )
 
 
@@ -103,18 +115,16 @@ def to_contract(gain: float) -> Array:
 def residual(seen: Scalars, found: Estimate) -> Array:
     """The residual of (3b) over its standard deviation (n,)."""
     c_E = scalar_check.to_c_E(found.bias, found.D)
-    noise = seen.noise_covariance
-    variance = scalar_check.noise_variance(seen.reading, seen.magnitude, c_E, noise, seen.reference_noise)
+    variance = scalar_check.noise_variance(seen.reading, seen.magnitude, c_E, seen.noise, seen.reference_noise)
     field = seen.reading + seen.reading @ found.D - found.bias
-    v = np.einsum("ij,ij->i", field, field) - seen.magnitude**2 - scalar_check.noise_mean(c_E, noise)
+    v = np.einsum("ij,ij->i", field, field) - seen.magnitude**2 - scalar_check.noise_mean(c_E, seen.noise)
     return np.asarray(v / np.sqrt(variance))
 
 
-def rescaled(seen: Scalars, found: Estimate) -> Scalars:
-    """The same rows with the noise that the residuals show, nine degrees of freedom taken off."""
+def noise_scale(seen: Scalars, found: Estimate) -> float:
+    """Observed over expected standard deviation of the residuals, nine degrees of freedom taken off."""
     r = residual(seen, found)
-    scale = float(np.sqrt(r @ r / (len(r) - 9)))
-    return Scalars(seen.reading, seen.magnitude, seen.noise * scale, seen.reference_noise * scale)
+    return float(np.sqrt(r @ r / (len(r) - 9)))
 
 
 def correlation(r: Array) -> float:

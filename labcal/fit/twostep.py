@@ -27,7 +27,13 @@ def twostep(run: Run) -> Fit:
 
 
 def estimate(
-    reading: Array, magnitude: Array, noise: Array, reference_noise: float = 0.0, *, unbiased: bool = True
+    reading: Array,
+    magnitude: Array,
+    noise: Array,
+    reference_noise: float = 0.0,
+    *,
+    unbiased: bool = True,
+    near: Estimate | None = None,
 ) -> Estimate:
     """Bias and D from readings (n, 3) and field magnitudes (n,), in one unit; the arguments as in `centered.estimate`.
 
@@ -35,8 +41,8 @@ def estimate(
     """
     unit = float(np.sqrt(np.mean(magnitude**2)))
     reading, magnitude = reading / unit, magnitude / unit
-    c_E: Array | None = None
-    for _ in range(PASSES):
+    c_E = None if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
+    for _ in range(PASSES if near is None else 1):
         at = np.zeros(9) if c_E is None else c_E
         found = moments(reading, magnitude, at, noise / unit**2, reference_noise / unit)
         c_E, covariance = descend(found, start(found) if c_E is None else c_E, unbiased=unbiased)
