@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any, Literal
 
 from labcal import certificate, fit
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.report import calibration_page, run_page, write_report
 from labcal.errors import InputError
+from labcal.files import write_bytes
+from labcal.fit import Fit
 from labcal.home import home
 from labcal.model import Calibration
+from labcal.model.apply import Applied
 from labcal.record import Run
-from labcal.store import Bundle, Store, load_bundle
+from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
 
 
 def load_run(run: str) -> Run:
@@ -29,6 +33,37 @@ def run_bundle(run: str) -> Bundle:
         return load_bundle(Path(run))
     with Store.open() as store:
         return store.bundle(run)
+
+
+def runs() -> list[RunSummary]:
+    """The runs of the local store, the oldest first."""
+    with Store.open() as store:
+        return store.runs()
+
+
+def describe_run(run: str) -> dict[str, Any]:
+    """What the run that `run` names is: head, segments and what each offers, channels, measurements."""
+    if _is_path(run):
+        return describe(load_run(run), "a bundle, not in the store")
+    with Store.open() as store:
+        return store.describe(run)
+
+
+def import_bundle(path: Path) -> str:
+    """Take a bundle into the local store, byte for byte; returns its run id."""
+    with Store.open() as store:
+        return store.add_bundle(path)
+
+
+def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path) -> None:
+    """Write the run that `run` names to `out`."""
+    bundle = run_bundle(run)
+    if format_ == "bundle":
+        save_bundle(bundle, out)
+    elif format_ == "csv":
+        write_bytes(out, bundle.samples_csv)
+    else:
+        write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
 
 
 def _is_path(run: str) -> bool:
@@ -76,6 +111,33 @@ def verify(calibration: Path, allowed_signers: Path | None = None, run: str | No
     signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
     sha256 = run_bundle(run).sha256 if run else None
     return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+
+
+def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
+    """Estimate a calibration by one method, or by "all"; `channels` limits what `telemetry` may use."""
+    measured = load_run(run)
+    if channels is not None:
+        try:
+            measured = measured.with_channels(channels)
+        except KeyError as error:
+            raise InputError(str(error.args[0])) from None
+    return measured, fit.fit_all(measured) if method == "all" else [fit.fit(measured, method)]
+
+
+def draft(run: str, found: Fit, out: Path) -> Calibration:
+    """Write the draft calibration that a fit of `run` makes."""
+    bundle = run_bundle(run)
+    made = fit.draft_calibration(bundle.run(), found, bundle.sha256)
+    write_bytes(out, certificate.calibration_bytes(made))
+    return made
+
+
+def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:
+    """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
+    found = load_calibration(calibration)
+    if dut is not None and dut != found.dut.serial:
+        raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
+    return certificate.apply_file(found, source, out)
 
 
 def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:

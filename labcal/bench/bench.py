@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -130,7 +131,15 @@ class Bench:
 
     def _listen(self) -> None:
         now = self.clock.now()
-        self._pending += [b for stream in (self.dut, self.reference) for b in stream.read_until(now) if len(b)]
+        self._pending += self.dut.read_until(now)
+        self._pending += [self._into_cage(block) for block in self.reference.read_until(now)]
+
+    def _into_cage(self, block: Block) -> Block:
+        """The reference's reading, zero taken off, from its own axes into C."""
+        stated = self.config.reference
+        if block.values.shape[1] != 3:
+            return block
+        return replace(block, values=(block.values - stated.offset_nT) @ np.array(stated.cage_from_sensor).T)
 
     def _poll(self) -> None:
         if self.clock.now() >= self._next_angle_s:
@@ -142,7 +151,7 @@ class Bench:
 
     def _poll_platform(self) -> None:
         t = self.clock.now()
-        angle, moving = self.platform.angle_deg(), self.platform.moving()
+        angle, moving = self.platform.state()
         self._keep("angle", self.platform.name, ("angle_deg",), t, [angle])
         self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, [float(moving)])
 
@@ -157,12 +166,20 @@ class Bench:
         self._pending.append(Block(stream, source, columns, np.array([t_s]), row))
 
 
-def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None) -> Bench:
-    """Open every instrument of `path`. Use as a context manager: on leaving, all is made safe and let go of.
+def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None, greet: bool = True) -> Bench:
+    """Open every instrument of `path` and, with `greet`, ask each who it is before anything else is said to it.
+
+    Use as a context manager: on leaving, all is made safe and let go of.
 
     `clock`: the real one unless all links are emulated, then a virtual one. `seed` repeats a simulated lab exactly.
-    Raises InputError for a bad file, InstrumentError where a link cannot be opened.
+    Raises InputError for a bad file, InstrumentError where an instrument cannot be reached or is another.
     """
     from labcal.bench.loading import load_bench
 
-    return load_bench(Path(path), clock, seed)
+    bench = load_bench(Path(path), clock, seed)
+    if greet:
+        with ExitStack() as on_failure:
+            on_failure.callback(bench.close)
+            bench.identities()
+            on_failure.pop_all()
+    return bench

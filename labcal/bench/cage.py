@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 RAMP_STEP_S = 0.1
 ZERO_TIMEOUT_S = 1.0
 LONGEST_RAMP_DOWN_S = 1.5
+FOLLOWS = 0.01  # of the set-point, between what was set and what flows
 
 
 class Cage:
@@ -44,6 +45,7 @@ class Cage:
         self._supplies = [supplies[axis] for axis in AXES]
         self._clock = clock
         self._wait = wait or clock.wait_until
+        self._closed = False
         self._refuse_slow_supplies()
 
     def set_field(self, b_nT: ArrayLike) -> None:
@@ -58,8 +60,10 @@ class Cage:
         """
         target = np.asarray(i_A, dtype=float)
         self._refuse_beyond_limits(target)
+        self._close_outputs()
         self._ramp(target)
         self._wait(self._clock.now() + self._settle_s)
+        self._confirm(target)
 
     def field_nT(self) -> Array:
         """The field (3,) in C that the measured currents make, ambient included."""
@@ -78,10 +82,26 @@ class Cage:
 
         A failure of one axis does not skip the others; the first failure is raised at the end.
         """
+        self._closed = False
         with ExitStack() as steps:
             for axis, supply in zip(reversed(AXES), reversed(self._supplies), strict=True):
                 steps.callback(self._release, axis, supply)
             steps.callback(self._ramp, np.zeros(3))
+
+    def _close_outputs(self) -> None:
+        for supply in self._supplies if not self._closed else ():
+            supply.set_current(0.0)
+            supply.output(True)
+        self._closed = True
+
+    def _confirm(self, target: Array) -> None:
+        for axis, supply, wanted, flows in zip(AXES, self._supplies, target, self.currents_A(), strict=True):
+            if not abs(flows - wanted) <= max(supply.zero_current_A, FOLLOWS * abs(wanted)):
+                raise InstrumentError(
+                    f"coil {axis}: {wanted:.4g} A was set and {flows:.4g} A flows.",
+                    fault="wrong mode",
+                    remedy="Is the winding whole, does the voltage suffice, has the supply tripped? Set the coils off.",
+                )
 
     def _ramp(self, target: Array) -> None:
         start, begun = self.set_points_A(), self._clock.now()

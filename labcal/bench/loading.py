@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields
 from datetime import UTC, datetime
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar, cast
+from typing import Any, NoReturn, TypeVar, cast, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -16,7 +16,8 @@ from labcal.bench.bench import Bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
 from labcal.bench.hands import SimulatedHands
-from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
+from labcal.bench.links import EmulatedLink, Emulator, Link, ModbusLink, open_link
+from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
 from labcal.bench.roles import CoilSupply, Instrument, PolarityRelay
 from labcal.errors import InputError, LimitError
@@ -34,16 +35,19 @@ class Loader:
     clock: Clock
     seed: int
     links: dict[str, Link] = field(default_factory=dict)
+    masters: dict[str, ModbusLink] = field(default_factory=dict)
     twin: Any = None
 
     def instrument(self, name: str) -> Instrument:
-        """The driver of the instrument `name`, on its link, with its checked settings."""
+        """The driver of the instrument `name`, on the kind of link and with the settings that its `__init__` states."""
         entry = self.config.instruments[name]
         driver = self._load(DRIVERS, entry.driver, ("instruments", name, "driver"))
-        settings = self.settings(name, driver.Settings)
+        hints = get_type_hints(driver.__init__)
+        settings = self.settings(name, hints["settings"])
         if entry.role.split("-")[0] not in driver.roles:
             self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
-        return cast(Instrument, driver(name, self.link(name, entry, settings), self.clock, settings))
+        link = self.modbus(name, entry, settings) if hints["link"] is ModbusLink else self.link(name, entry, settings)
+        return cast(Instrument, driver(name, link, self.clock, settings))
 
     def settings(self, name: str, kind: type[T]) -> T:
         """The instrument's settings as its driver's own `Settings`. Raises InputError naming file, line and key."""
@@ -67,6 +71,13 @@ class Loader:
             else:
                 self.links[key] = open_link(entry.link, self.clock)
         return self.links[key]
+
+    def modbus(self, name: str, entry: InstrumentConfig, settings: Any) -> ModbusLink:
+        """The Modbus master on the line of one instrument; devices on one line share it."""
+        line = self.link(name, entry, settings)
+        if line.url not in self.masters:
+            self.masters[line.url] = ModbusLink(line, self.clock)
+        return self.masters[line.url]
 
     def refuse(self, what: str, keys: tuple[str, ...]) -> NoReturn:
         """Raise InputError for the key `keys` of this file."""
@@ -123,7 +134,7 @@ def _in_roles(loader: Loader, instruments: Mapping[str, Instrument]) -> Bench:
             loader.clock,
             instruments,
             coil_supplies(roles, loader.clock),
-            roles["platform"],
+            BenchPlatform(roles["platform"], config.platform, config.dut.limits),
             roles["reference"],
             roles["dut"],
             SimulatedHands(loader.twin, loader.clock) if config.simulated else None,

@@ -14,7 +14,7 @@ TIMEOUT_S = 1.0
 
 
 class ReversedSupply:
-    """A CoilSupply with a sign. To change it: zero, confirmed; open; switch; read back; settle; close."""
+    """A CoilSupply with a sign. To change it: zero, confirmed; open; switch; read back; settle; close again."""
 
     bipolar = True
 
@@ -23,6 +23,7 @@ class ReversedSupply:
         self.zero_current_A, self.can_open = supply.zero_current_A, supply.can_open
         self.ramp_A_per_s = supply.ramp_A_per_s
         self._sign: int | None = None  # unknown until read from the contacts
+        self._closed = False
 
     def set_current(self, current_A: float) -> None:
         """Set the signed current and read it back, reversing the contacts first where the sign changes."""
@@ -42,6 +43,7 @@ class ReversedSupply:
     def output(self, on: bool) -> None:
         """Close or open the supply's output."""
         self._supply.output(on)
+        self._closed = on
 
     def identify(self) -> Identity:
         """The supply's identity."""
@@ -73,7 +75,7 @@ class ReversedSupply:
                 fault="polarity not confirmed",
                 remedy="The output is open and stays open; look at the relay and its supply.",
             )
-        self._supply.output(True)
+        self._supply.output(self._closed)
 
     def _wait_for_zero(self) -> None:
         deadline, quiet = self._clock.now() + TIMEOUT_S, 0

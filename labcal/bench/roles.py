@@ -104,6 +104,10 @@ class RotationPlatform(Instrument, Protocol):
         """The angle now, read back."""
         ...
 
+    def state(self) -> tuple[float, bool]:
+        """The angle now and whether it moves, in as few questions as the instrument allows; raises nothing else."""
+        ...
+
 
 @runtime_checkable
 class Magnetometer(Instrument, Protocol):

@@ -2,6 +2,7 @@
 
 from labcal.certificate import keys
 from labcal.certificate.allowed_signers import Signer, read_allowed_signers
+from labcal.certificate.apply_file import apply_file
 from labcal.certificate.calibration_file import calibration_bytes, parse_calibration, read_calibration
 from labcal.certificate.keys import Entry
 from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, verify
@@ -11,6 +12,7 @@ __all__ = [
     "Entry",
     "Signer",
     "Verification",
+    "apply_file",
     "approve",
     "calibration_bytes",
     "keys",

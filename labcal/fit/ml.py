@@ -69,7 +69,7 @@ def ml(run: Run, *, robust: bool = True) -> Fit:
         covariance=found.covariance,
         frame_known=found.form.name != "symmetric",
         phase_rad=found.solution.phase,
-        noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit,
+        noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any, Literal
 
@@ -141,6 +141,10 @@ class Run:
             if channel.name == name:
                 return channel
         raise KeyError(f"no channel {name!r} in run {self.run_id}; it has {[c.name for c in self.channels]}")
+
+    def with_channels(self, names: Collection[str]) -> Run:
+        """The same run with only the channels of these names. Raises KeyError as `channel` does."""
+        return replace(self, channels=tuple(self.channel(name) for name in names))
 
     def rows(self, segment: int) -> NDArray[np.intp]:
         """Row numbers of one segment, by its place in `segments`."""

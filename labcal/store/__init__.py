@@ -2,6 +2,7 @@
 
 from labcal.store.bundle import Bundle, bundle_of, bundle_sha256, load_bundle, read_bundle, save_bundle, write_bundle
 from labcal.store.live import RunSummary, Store
+from labcal.store.summary import describe
 from labcal.store.table import Table, read_table
 from labcal.store.writer import RunWriter
 
@@ -13,6 +14,7 @@ __all__ = [
     "Table",
     "bundle_of",
     "bundle_sha256",
+    "describe",
     "load_bundle",
     "read_bundle",
     "read_table",

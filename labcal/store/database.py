@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -58,12 +59,7 @@ def connect(path: Path) -> sqlite3.Connection:
         path.parent.mkdir(parents=True, exist_ok=True)
         connection = sqlite3.connect(path, timeout=PATIENCE_S, isolation_level=None, check_same_thread=False)
         try:
-            if connection.execute("PRAGMA application_id").fetchone()[0] != APPLICATION:
-                _create(connection, path)
-            _check_version(connection, path)
-            connection.execute("PRAGMA journal_mode = WAL")
-            connection.execute("PRAGMA synchronous = FULL")
-            connection.execute("PRAGMA foreign_keys = ON")
+            _set_up(connection, path)
         except BaseException:
             connection.close()
             raise
@@ -106,6 +102,26 @@ def _named(error: sqlite3.Error, path: Path) -> InputError | InstrumentError:
     if name.startswith(("SQLITE_CANTOPEN", "SQLITE_READONLY", "SQLITE_PERM", "SQLITE_AUTH")):
         return InputError(f"the store cannot be opened for writing: {error}", file=path)
     return InstrumentError(f"{path}: the store refused: {error}.", fault="store failed")
+
+
+def _set_up(connection: sqlite3.Connection, path: Path) -> None:
+    """Make what is not there yet. Where others open the same store just now, SQLite may not wait by itself."""
+    deadline = time.monotonic() + PATIENCE_S
+    while True:
+        try:
+            if connection.execute("PRAGMA application_id").fetchone()[0] != APPLICATION:
+                _create(connection, path)
+            _check_version(connection, path)
+            for pragma in ("journal_mode = WAL", "synchronous = FULL", "foreign_keys = ON"):
+                connection.execute(f"PRAGMA {pragma}")
+            return
+        except sqlite3.OperationalError as error:
+            busy = error.sqlite_errorname.startswith(("SQLITE_BUSY", "SQLITE_LOCKED"))
+            if not busy or time.monotonic() > deadline:
+                raise
+            if connection.in_transaction:
+                connection.execute("ROLLBACK")
+            time.sleep(0.02)
 
 
 def _create(connection: sqlite3.Connection, path: Path) -> None:

@@ -6,7 +6,7 @@ import json
 import re
 from dataclasses import asdict
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from pydantic import TypeAdapter
@@ -14,14 +14,7 @@ from pydantic import TypeAdapter
 from labcal.record import RunHeader
 from labcal.record.stream import (
     Block,
-    Event,
     Item,
-    Measurement,
-    ModeChanged,
-    Prompt,
-    SegmentClosed,
-    SegmentOpened,
-    Step,
 )
 
 SAMPLES = np.dtype("<f8")
@@ -31,9 +24,7 @@ def _kind(of: type) -> str:
     return re.sub(r"(?<!^)(?=[A-Z])", "-", of.__name__).lower()
 
 
-KINDS: dict[str, type] = {
-    _kind(of): of for of in (SegmentOpened, SegmentClosed, ModeChanged, Step, Measurement, Event, Prompt)
-}
+KINDS: dict[str, type] = {_kind(of): of for of in get_args(Item)}
 
 
 class Row(NamedTuple):

@@ -19,6 +19,7 @@ from labcal.store.bundle import Bundle, bundle_of, load_bundle
 from labcal.store.database import connect, named_faults, transaction
 from labcal.store.items import Row, from_row, header_from_json, to_json
 from labcal.store.liveness import Alive, is_alive
+from labcal.store.summary import describe
 from labcal.store.writer import INSERT_STATUS, RunWriter, utc_now
 
 FILE = "store.sqlite"
@@ -147,6 +148,14 @@ class Store:
     def bundle(self, run_id: str) -> Bundle:
         """The run's exported bundle; of an imported run the bytes that came in."""
         return self._imported(run_id) or bundle_of(self.run(run_id))
+
+    def describe(self, run_id: str) -> dict[str, Any]:
+        """What the run is, in one look (see `labcal.store.summary`)."""
+        status = self.status(run_id)
+        if (imported := self._imported(run_id)) is not None:
+            return describe(imported.run(), status)
+        header, items = self.header(run_id), list(self.items(run_id))
+        return describe(assemble(header, items), status, header, items)
 
     def _add(self, run_id: str, header: str, status: str) -> int:
         self._require_free(run_id)

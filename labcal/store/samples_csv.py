@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable, Mapping, Sequence
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -114,4 +115,4 @@ def _columns(run: Run) -> Iterable[tuple[str, Sequence[str]]]:
 
 
 def _texts(values: Array) -> list[str]:
-    return ["" if value != value else repr(value).removesuffix(".0") for value in values.tolist()]
+    return [repr(value).removesuffix(".0") if isfinite(value) else "" for value in values.tolist()]

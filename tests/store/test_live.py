@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -269,9 +270,10 @@ for number in itertools.count():
 
 
 @pytest.mark.skipif(os.name != "posix", reason="sends SIGKILL")
-def test_kill_9_loses_no_committed_row_and_shows_as_interrupted() -> None:
+@pytest.mark.parametrize("kills", [6, pytest.param(60, marks=pytest.mark.slow)])
+def test_kill_9_loses_no_committed_row_and_shows_as_interrupted(kills: int) -> None:
     rng = np.random.default_rng()
-    for number in range(6):
+    for number in range(kills):
         run_id = f"k{number}"
         with subprocess.Popen([sys.executable, "-c", RECORDER, run_id], stdout=subprocess.PIPE, text=True) as recorder:
             assert recorder.stdout is not None
@@ -314,7 +316,9 @@ def test_a_forked_child_that_outlives_the_writer_does_not_keep_its_run_alive() -
     program = RECORDER.split("writer =")[0] + (
         "import os, time\n"
         "writer = Store.open().begin(header)\n"
-        "if os.fork() == 0: time.sleep(3); os._exit(0)\n"
+        "born, say = os.pipe()\n"
+        "if os.fork() == 0: os.write(say, b'!'); time.sleep(5); os._exit(0)\n"
+        "os.read(born, 1)\n"
         "os._exit(9)"
     )
     subprocess.run([sys.executable, "-W", "ignore", "-c", program, "r1"], check=False)
@@ -362,3 +366,17 @@ def test_the_timeline_is_plain_to_other_programs() -> None:
     assert kinds[:3] == ["mode-changed", "step", "prompt"]
     assert json.loads(content)["columns"] == ["dut_x", "dut_y", "dut_z"]
     np.testing.assert_array_equal(np.frombuffer(samples, "<f8").reshape(-1, 3)[:, 0], np.frombuffer(stamps, "<f8"))
+
+
+def test_the_golden_store_of_version_1_still_reads(tmp_path: Path) -> None:
+    golden = Path(__file__).parents[1] / "golden"
+    shutil.copy(golden / "store-1.sqlite", tmp_path)
+    with Store.open(tmp_path / "store-1.sqlite") as store:
+        assert [(run.run_id, run.status) for run in store.runs()] == [
+            ("r1", "finished"),
+            ("20260302-081500-SN1", "imported"),
+        ]
+        assert all(map(same, store.items("r1"), ITEMS))
+        assert store.header("r1") == HEADER
+        assert store.bundle("20260302-081500-SN1").sha256 == load_bundle(golden / "bundle-1").sha256
+        assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"

@@ -1,0 +1,78 @@
+"""An HMR2300: polled or continuous, ASCII or binary, with its write-enable."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from drivers.emulators.line import Answers, Lab, Pieces
+from drivers.emulators.streaming import Beat
+
+COMMAND = re.compile(r"\*(\d\d)(.+)")
+SWITCHES = {"A": "ASCII_ON", "B": "BINARY_ON", "ZF": "ZERO_OFF", "ZN": "ZERO_ON", "VF": "AVG_OFF", "VN": "AVG_ON",
+            "TN": "S/R_ON", "TF": "S/R_OFF"}  # fmt: skip
+ESC = b"\x1b"
+
+
+class Hmr2300Emulator(Answers):
+    """Streams the twin's reference; every change of setting needs the write-enable just before it."""
+
+    def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
+        super().__init__(self._reply, end=b"\r", delay_s=0.004)
+        self._lab, self._id = lab, settings.id
+        self._format, self._rate, self._may_write = "A", 20, False
+        self._beat: Beat | None = None
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """ESC ends the stream at once."""
+        if ESC in data:
+            self._beat = None
+            data = data.replace(ESC, b"")
+        super().take(t_s, data)
+
+    def emit(self, until_s: float) -> Pieces:
+        """Replies, then the samples that are due."""
+        pieces = super().emit(until_s)
+        if self._beat is None or not len(times := self._beat.due(until_s)):
+            return pieces
+        return pieces + list(zip(times.tolist(), self._frames(times), strict=True))
+
+    def _reply(self, t_s: float, text: str) -> bytes:
+        found = COMMAND.fullmatch(text.upper())
+        if found is None or len(text) > 10:
+            return b"Re-enter\r"
+        if int(found[1]) not in (self._id, 99):
+            return b""
+        may_write, self._may_write = self._may_write, found[2] == "WE"
+        words = found[2]
+        if words in SWITCHES or words.startswith("R="):
+            return self._change(words) if may_write else b"WE_OFF\r"
+        if words == "C":
+            self._beat = Beat(self._rate, t_s)
+            return b""
+        if words == "P":
+            return self._frames(np.array([t_s]))[0]
+        return {"WE": b"OK\r", "#": b"SER# 0000000000012345\r", "F": b"S/W vers: 00104\r"}.get(words, b"Re-enter\r")
+
+    def _change(self, words: str) -> bytes:
+        if words.startswith("R="):
+            self._rate = int(words[2:])
+            return b"OK\r"
+        if words in "AB":
+            self._format = words
+        return SWITCHES[words].encode() + b"\r"
+
+    def _frames(self, times: Any) -> list[bytes]:
+        counts = self._lab.reference_nT(times)
+        if self._format == "B":
+            return [row.tobytes() + b"\r" for row in counts.astype(">i2")]
+        return ["  ".join(map(_column, row)).encode() + b"  \r" for row in counts.astype(int).tolist()]
+
+
+def _column(count: int) -> str:
+    """`- 1,234`: sign, thousands in two places, comma, three digits."""
+    thousands, rest = divmod(abs(count), 1000)
+    return f"{'-' if count < 0 else ' '}{thousands:2d},{rest:03d}"

@@ -1,0 +1,48 @@
+"""The instrument's side of a line: requests collected to their end, replies on the line after a delay."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from labcal.bench.frames import Lines
+
+Pieces = list[tuple[float, bytes]]
+
+
+class Lab(Protocol):
+    """What emulators use of the simulated lab (labcal.twin.Lab)."""
+
+    coils: Any
+    platform: Any
+
+    def reference_nT(self, t_s: Any) -> Any:
+        """Readings (n, 3) of the reference in its own unit."""
+        ...
+
+    def dut_reading(self, t_s: Any) -> Any:
+        """Readings (n, 3) of the DUT, and its housekeeping (n,) by name."""
+        ...
+
+
+class Answers:
+    """Gives each request line to `answer(t, text)` and puts its reply on the line `delay_s` later."""
+
+    def __init__(self, answer: Callable[[float, str], bytes], *, end: bytes = b"\n", delay_s: float = 0.01) -> None:
+        self._answer, self._delay_s = answer, delay_s
+        self._lines, self._waiting = Lines(end), Pieces()
+        self._free_s = 0.0
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """Bytes from the host; requests are worked off one after another."""
+        for _, line in self._lines.feed([(t_s, data)]):
+            self._free_s = max(self._free_s, t_s) + self._delay_s
+            if reply := self._answer(self._free_s, line.decode("ascii", "replace").strip()):
+                self._waiting.append((self._free_s, reply))
+
+    def emit(self, until_s: float) -> Pieces:
+        """Replies that are due."""
+        due = [piece for piece in self._waiting if piece[0] <= until_s]
+        if due:
+            self._waiting = self._waiting[len(due) :]
+        return due

@@ -1,0 +1,89 @@
+"""The slave's side of Modbus RTU, byte for byte: frames with CRC, silence to what is not its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from drivers.emulators.line import Pieces
+
+READ_COILS, READ_HOLDING, READ_INPUT, WRITE_COIL, WRITE_REGISTER, WRITE_REGISTERS = 1, 3, 4, 5, 6, 16
+ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE = 1, 2, 3
+
+
+class Refused(Exception):
+    """The device answers with this exception code."""
+
+    def __init__(self, code: int) -> None:
+        super().__init__(code)
+        self.code = code
+
+
+def crc(frame: bytes) -> bytes:
+    """CRC-16/MODBUS, low byte first."""
+    value = 0xFFFF
+    for byte in frame:
+        value ^= byte
+        for _ in range(8):
+            value = (value >> 1) ^ 0xA001 if value & 1 else value >> 1
+    return value.to_bytes(2, "little")
+
+
+class RtuSlave:
+    """Collects frames, checks them, asks `read`/`write` and answers after `delay_s`.
+
+    `read(t, function, address, count)` gives bits or words, `write(t, function, address, values)` takes them; both
+    raise Refused.
+    """
+
+    def __init__(
+        self,
+        device: int,
+        read: Callable[[float, int, int, int], list[int]],
+        write: Callable[[float, int, int, list[int]], None],
+        *,
+        delay_s: float = 0.02,
+    ) -> None:
+        self._device, self._read, self._write, self._delay_s = device, read, write, delay_s
+        self._frame, self._waiting = b"", Pieces()
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """Bytes from the master; a frame that is whole, sound and meant for this device is answered."""
+        self._frame += data
+        length = 8 if self._frame[1:2] != b"\x10" else 9 + (self._frame[6] if len(self._frame) > 6 else 256)
+        if len(self._frame) < length:
+            return
+        frame, self._frame = self._frame[:length], b""
+        if crc(frame[:-2]) != frame[-2:] or frame[0] not in (0, self._device):
+            return
+        reply = self._answer(t_s, frame[:-2])
+        if frame[0]:
+            self._waiting.append((t_s + self._delay_s, reply + crc(reply)))
+
+    def emit(self, until_s: float) -> Pieces:
+        """Replies that are due."""
+        due = [piece for piece in self._waiting if piece[0] <= until_s]
+        self._waiting = self._waiting[len(due) :]
+        return due
+
+    def _answer(self, t_s: float, frame: bytes) -> bytes:
+        function, address, value = frame[1], int.from_bytes(frame[2:4]), int.from_bytes(frame[4:6])
+        try:
+            if function in (READ_COILS, READ_HOLDING, READ_INPUT):
+                return frame[:2] + self._packed(function, self._read(t_s, function, address, value))
+            values = [value]
+            if function == WRITE_REGISTERS:
+                values = [int.from_bytes(frame[7 + 2 * k : 9 + 2 * k]) for k in range(value)]
+            if function not in (WRITE_COIL, WRITE_REGISTER, WRITE_REGISTERS):
+                raise Refused(ILLEGAL_FUNCTION)
+            self._write(t_s, function, address, values)
+            return frame[:6]
+        except Refused as refused:
+            return bytes([frame[0], function | 0x80, refused.code])
+
+    def _packed(self, function: int, values: list[int]) -> bytes:
+        if function == READ_COILS:
+            bits = sum(bit << k for k, bit in enumerate(values))
+            data = bits.to_bytes((len(values) + 7) // 8, "little")
+        else:
+            data = b"".join(word.to_bytes(2) for word in values)
+        return bytes([len(data)]) + data

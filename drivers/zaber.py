@@ -1,0 +1,140 @@
+"""Zaber rotary stages (X-RSW, X-RSB, X-RST …), ASCII protocol."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from labcal.bench.clock import Clock
+from labcal.bench.links import Link
+from labcal.bench.roles import Identity
+from labcal.errors import InstrumentError
+
+REPLY = re.compile(rb"@(\d\d) (\d) (?:(\d\d) )?(OK|RJ) (IDLE|BUSY) (\S\S) (.*?)(?::([0-9A-F]{2}))?\r\n")
+SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
+NOT_HOMED = ("WR", "WH")
+TOUCHED = ("NC", "NI")
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`tolerance_deg`: how far from its target a finished move may end."""
+
+    address: int = 1
+    axis: int = 1
+    tolerance_deg: float = 0.02
+    max_rate_deg_per_s: float = 24.0
+    timeout_s: float = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """What the device said, and the state that it says with everything."""
+
+    data: str
+    busy: bool
+    warning: str
+
+
+class ZaberStage:
+    """Absolute moves only. Idle is not arrived: warnings and position are looked at after every move."""
+
+    roles = ("platform",)
+    motorised = True
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.name, self.settings, self._link = name, settings, link
+        self.max_rate_deg_per_s = settings.max_rate_deg_per_s
+        self._steps_per_turn: int | None = None
+        self._target_deg: float | None = None
+        self._id = 0
+
+    def identify(self) -> Identity:
+        """Ask for device id, serial number and firmware, and how many microsteps make a turn."""
+        device, serial, version = (self._ask(f"get {what}").data for what in ("deviceid", "system.serial", "version"))
+        self._steps_per_turn = int(self._ask("get limit.cycle.dist").data)
+        return Identity("Zaber", f"device {device}", serial, version)
+
+    def home(self) -> None:
+        """Find the reference position, where the device says that it does not know it; it goes on while time passes."""
+        if self._ask("").warning in NOT_HOMED:
+            self._target_deg = 0.0
+            self._ask("home")
+
+    def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
+        """Begin an absolute move in the stage's own sense; sent once, never repeated."""
+        self._ask(f"set maxspeed {round(rate_deg_per_s * self._steps_per_deg * SPEED_DATA)}")
+        self._target_deg = angle_deg
+        self._ask(f"move abs {round(angle_deg * self._steps_per_deg)}")
+
+    def moving(self) -> bool:
+        """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
+        reply = self._ask("get pos")
+        self._refuse_faults(reply)
+        off = int(reply.data) / self._steps_per_deg - (self._target_deg or 0.0)
+        if not reply.busy and self._target_deg is not None and abs(off) > self.settings.tolerance_deg:
+            raise InstrumentError(
+                f"{self.name}: it stopped {off:+.3f}° from its target of {self._target_deg:.3f}°.",
+                fault="not arrived",
+                remedy="Look for what holds it, home it and begin this step again.",
+            )
+        return reply.busy
+
+    def angle_deg(self) -> float:
+        """The position [deg] in the stage's own sense."""
+        return self.state()[0]
+
+    def state(self) -> tuple[float, bool]:
+        """Position [deg] and whether it is busy, in one reply."""
+        reply = self._ask("get pos")
+        return int(reply.data) / self._steps_per_deg, reply.busy
+
+    def make_safe(self) -> None:
+        """Stop with a brake ramp."""
+        self._target_deg = None
+        self._ask("stop")
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._link.close()
+
+    @property
+    def _steps_per_deg(self) -> float:
+        if self._steps_per_turn is None:
+            self._steps_per_turn = int(self._ask("get limit.cycle.dist").data)
+        return self._steps_per_turn / 360
+
+    def _ask(self, words: str) -> Reply:
+        self._id = (self._id + 1) % 96
+        text = f"/{self.settings.address} {self.settings.axis} {self._id:02d} {words}".rstrip()
+        request = text.encode() + b"\r\n"
+        while (
+            reply := self._matched(self._link.ask(request, end=b"\r\n", timeout_s=self.settings.timeout_s), words)
+        ) is None:
+            request = b""  # an older reply, or an alert: the one to this request is still to come
+        return reply
+
+    def _matched(self, frame: bytes, words: str) -> Reply | None:
+        found = REPLY.fullmatch(frame)
+        if found is None or (found[8] and checksum(frame[1:-5]) != found[8].decode()):
+            raise InstrumentError(f"{self.name}: {frame!r} is no valid reply.", fault="wrong reply")
+        if found[3] is None or int(found[3]) != self._id:
+            return None
+        if found[4] == b"RJ":
+            raise InstrumentError(f"{self.name}: {words!r} was rejected: {found[7].decode()}.", fault="refused")
+        return Reply(found[7].decode(), found[5] == b"BUSY", found[6].decode())
+
+    def _refuse_faults(self, reply: Reply) -> None:
+        if reply.warning.startswith("F") or reply.warning in TOUCHED + NOT_HOMED:
+            touched = reply.warning in TOUCHED
+            raise InstrumentError(
+                f"{self.name}: warning {reply.warning}"
+                + (": somebody turned the knob." if touched else ": the stage reports a fault."),
+                fault="touched" if touched else "stage fault",
+                remedy="Home it and begin this step again.",
+            )
+
+
+def checksum(body: bytes) -> str:
+    """The protocol's LRC: the negated sum of all bytes after the first character, as two hex digits."""
+    return f"{-sum(body) & 0xFF:02X}"

@@ -1,0 +1,90 @@
+"""A number of an instrument as a declaration: how it is asked for and set, in which unit, within which limits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from labcal.errors import InstrumentError, LimitError
+
+
+class Speaks(Protocol):
+    """What a declared quantity needs of its instrument."""
+
+    name: str
+    settings: Any
+
+    def query(self, text: str) -> str:
+        """Ask and return the reply, without line ends."""
+        ...
+
+    def command(self, text: str) -> None:
+        """Tell, and raise InstrumentError where the instrument did not accept it."""
+        ...
+
+
+class quantity:
+    """A number in `unit`. In `get` and `set`, {s.…} are the instrument's settings and {value} is the number.
+
+    Setting beyond `limits` (a function of the settings) raises LimitError and sends nothing; after every set the
+    instrument is asked what it holds, and another value than that within `tolerance` raises InstrumentError.
+    """
+
+    def __init__(
+        self,
+        get: str,
+        set: str = "",
+        *,
+        unit: str,
+        doc: str,
+        limits: Callable[[Any], tuple[float, float]] | None = None,
+        tolerance: float = 0.0,
+        read: Callable[[str], float] = float,
+    ) -> None:
+        self.get, self.set, self.unit, self.limits = get, set, unit, limits
+        self.tolerance, self.read, self.__doc__, self.label = tolerance, read, doc, ""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.label = name.replace("_", " ")
+
+    def __get__(self, device: Speaks, owner: type | None = None) -> float:
+        reply = device.query(self.get.format(s=device.settings))
+        try:
+            return self.read(reply)
+        except (ValueError, IndexError) as error:
+            raise InstrumentError(
+                f"{device.name}: {self.label} came back as {reply!r}.",
+                fault="wrong reply",
+                remedy="Is this the instrument that bench.toml names?",
+            ) from error
+
+    def __set__(self, device: Speaks, value: float) -> None:
+        self._refuse_beyond_limits(device, value)
+        device.command(self.set.format(s=device.settings, value=value))
+        held = self.__get__(device)
+        if not abs(held - value) <= self.tolerance:
+            raise InstrumentError(
+                f"{device.name}: {self.label} was set to {value:g} {self.unit} and reads back {held:g} {self.unit}.",
+                fault="read-back",
+                remedy="Coils go to zero; look at the instrument's panel.",
+            )
+
+    def _refuse_beyond_limits(self, device: Speaks, value: float) -> None:
+        low, high = self.limits(device.settings) if self.limits else (float("-inf"), float("inf"))
+        if not low <= value <= high:
+            end = high if value > high else low
+            raise LimitError(
+                f"{device.name}: {self.label} {value:g} {self.unit} is beyond its limit of {end:g} {self.unit}; "
+                "nothing was sent."
+            )
+
+
+def after(prefix: str, ends: str = "") -> Callable[[str], float]:
+    """A reader of replies such as `I1 0.5000` or `0.499A`: drops the echoed word and the unit."""
+
+    def read(reply: str) -> float:
+        if not reply.startswith(prefix):
+            raise ValueError(reply)
+        return float(reply.removeprefix(prefix).strip().removesuffix(ends))
+
+    return read

@@ -1,0 +1,57 @@
+"""emulated:// the other end of the wire is in this process."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from labcal.bench.clock import Clock
+from labcal.bench.links.line import read_reply
+
+
+class Emulator(Protocol):
+    """The instrument's own side of the wire."""
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """Bytes from the host arrive at `t_s`."""
+        ...
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        """What it has put on the line up to `until_s` and not emitted before, stamped, in order."""
+        ...
+
+
+class EmulatedLink:
+    """A line whose other end is an emulator in this process: only the wire is exchanged, never the driver."""
+
+    emulated = True
+
+    def __init__(self, url: str, emulator: Emulator, clock: Clock) -> None:
+        self.url, self._emulator, self._clock = url, emulator, clock
+        self._arrived: list[tuple[float, bytes]] = []
+
+    def send(self, data: bytes) -> None:
+        """Put bytes on the line."""
+        self._emulator.take(self._clock.now(), data)
+
+    def receive(self, until_s: float) -> list[tuple[float, bytes]]:
+        """All that the emulator sent up to `until_s`; waits on the clock."""
+        self._clock.wait_until(until_s)
+        pieces = self._arrived + self._emulator.emit(self._clock.now())
+        self._arrived = []
+        return pieces
+
+    def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
+        """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
+        self.send(request)
+        return read_reply(self, self._clock, end=end, timeout_s=timeout_s)
+
+    def give_back(self, t_s: float, data: bytes) -> None:
+        """Put bytes that were read too far back at the head of the line."""
+        self._arrived.insert(0, (t_s, data))
+
+    def flush(self) -> None:
+        """Drop what has arrived and was not read."""
+        self.receive(self._clock.now())
+
+    def close(self) -> None:
+        """Nothing to let go of."""

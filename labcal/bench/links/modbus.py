@@ -1,0 +1,120 @@
+"""Modbus: pymodbus' client and frames over one of our byte lines, so that a late reply can never answer the next."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
+
+from pymodbus.client.base import ModbusBaseSyncClient
+from pymodbus.exceptions import ModbusException
+from pymodbus.framer import FramerType
+from pymodbus.transport import CommParams, CommType
+
+from labcal.bench.clock import Clock
+from labcal.bench.links.line import Link
+from labcal.errors import InstrumentError
+
+T = TypeVar("T")
+
+
+class ModbusLink:
+    """One Modbus master on one line; several devices on it share this object.
+
+    After any timeout the line is read until it has been quiet for `quiet_s` (longer than the slowest reply), so that
+    a late reply is dropped and not taken for the answer to the next request; RTU frames carry no transaction id.
+    Nothing is ever sent twice by this class.
+    """
+
+    def __init__(
+        self, line: Link, clock: Clock, *, framer: str = "rtu", timeout_s: float = 0.6, quiet_s: float = 0.5
+    ) -> None:
+        self.url, self.emulated, self._line, self._clock, self._quiet_s = line.url, line.emulated, line, clock, quiet_s
+        self._client = _LineClient(line, clock, FramerType(framer), timeout_s)
+
+    def read_coils(self, device: int, address: int, count: int) -> list[bool]:
+        """FC 01. Raises InstrumentError: silent, or refused by the device."""
+        reply = self._ask(lambda: self._client.read_coils(address, count=count, device_id=device))
+        return list(reply.bits[:count])
+
+    def read_holding(self, device: int, address: int, count: int) -> list[int]:
+        """FC 03: `count` 16-bit registers from the zero-based `address`."""
+        return self._words(
+            self._ask(lambda: self._client.read_holding_registers(address, count=count, device_id=device)), count
+        )
+
+    def read_input(self, device: int, address: int, count: int) -> list[int]:
+        """FC 04."""
+        return self._words(
+            self._ask(lambda: self._client.read_input_registers(address, count=count, device_id=device)), count
+        )
+
+    def write_coil(self, device: int, address: int, on: bool) -> None:
+        """FC 05: on or off, never a toggle."""
+        self._ask(lambda: self._client.write_coil(address, on, device_id=device))
+
+    def write_register(self, device: int, address: int, value: int) -> None:
+        """FC 06."""
+        self._ask(lambda: self._client.write_register(address, value, device_id=device))
+
+    def write_registers(self, device: int, address: int, values: Sequence[int]) -> None:
+        """FC 16."""
+        self._ask(lambda: self._client.write_registers(address, list(values), device_id=device))
+
+    def close(self) -> None:
+        """Let go of the line."""
+        self._line.close()
+
+    def _ask(self, request: Callable[[], Any]) -> Any:
+        try:
+            reply = request()
+        except ModbusException as error:
+            self._wait_for_quiet()
+            raise InstrumentError(
+                f"{self.url}: no valid Modbus reply.",
+                fault="silent",
+                remedy="Is it switched on, are address and baud rate right, are A and B not swapped?",
+            ) from error
+        if reply.isError():
+            raise InstrumentError(
+                f"{self.url}: the device refused with Modbus exception {reply.exception_code}.", fault="refused"
+            )
+        return reply
+
+    def _words(self, reply: Any, count: int) -> list[int]:
+        if len(reply.registers) != count:
+            self._wait_for_quiet()
+            raise InstrumentError(
+                f"{self.url}: {len(reply.registers)} registers came where {count} were asked for.", fault="wrong reply"
+            )
+        return list(reply.registers)
+
+    def _wait_for_quiet(self) -> None:
+        while self._line.receive(self._clock.now() + self._quiet_s):
+            pass
+
+
+class _LineClient(ModbusBaseSyncClient):
+    """pymodbus' synchronous client on a Link."""
+
+    def __init__(self, line: Link, clock: Clock, framer: FramerType, timeout_s: float) -> None:
+        params = CommParams(comm_type=CommType.SERIAL, host=line.url, comm_name="labcal", timeout_connect=timeout_s)
+        super().__init__(framer, 0, params, None, None, None)
+        self._line, self._clock, self._timeout_s, self._deadline_s = line, clock, timeout_s, 0.0
+
+    def connect(self) -> bool:
+        return True
+
+    def is_socket_open(self) -> bool:
+        return True
+
+    def send(self, request: bytes, addr: tuple[Any, ...] | None = None) -> int:
+        self._line.flush()
+        self._line.send(request)
+        self._deadline_s = self._clock.now() + self._timeout_s
+        return len(request)
+
+    def recv(self, size: int | None) -> bytes:
+        while self._clock.now() < self._deadline_s:
+            if pieces := self._line.receive(min(self._deadline_s, self._clock.now() + 0.001)):
+                return b"".join(data for _, data in pieces)
+        return b""

@@ -1,0 +1,62 @@
+"""The platform as the contract counts angles, within the limits of its cables and of the DUT."""
+
+from __future__ import annotations
+
+from labcal.bench.config import DutLimits, PlatformConfig
+from labcal.bench.roles import Identity, RotationPlatform
+from labcal.errors import LimitError
+
+
+class BenchPlatform:
+    """A RotationPlatform whose angles are right-handed about the platform axis: the stage's own sense times its sign.
+
+    Moves beyond the wrap limit, or faster than stage or DUT may turn, raise LimitError and nothing is sent.
+    """
+
+    def __init__(self, stage: RotationPlatform, config: PlatformConfig, dut_limits: DutLimits) -> None:
+        self.name, self.motorised = stage.name, stage.motorised
+        self._stage, self._sign, self._wrap_deg = stage, config.angle_sign, config.wrap_deg
+        allowed = dut_limits.rate_deg_per_s
+        self.max_rate_deg_per_s = min(stage.max_rate_deg_per_s, allowed or stage.max_rate_deg_per_s)
+
+    def identify(self) -> Identity:
+        """The stage's identity."""
+        return self._stage.identify()
+
+    def home(self) -> None:
+        """Find the reference position if it is not known."""
+        self._stage.home()
+
+    def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
+        """Begin an absolute move."""
+        if not abs(angle_deg) <= self._wrap_deg:
+            raise LimitError(
+                f"{self.name}: {angle_deg:g}° is beyond the ±{self._wrap_deg:g}° of the cables; nothing was sent."
+            )
+        if not 0 < rate_deg_per_s <= self.max_rate_deg_per_s:
+            raise LimitError(
+                f"{self.name}: {rate_deg_per_s:g} deg/s is beyond its limit of {self.max_rate_deg_per_s:g} deg/s; "
+                "nothing was sent."
+            )
+        self._stage.move_to(self._sign * angle_deg, rate_deg_per_s)
+
+    def moving(self) -> bool:
+        """Whether it moves; False means arrived and confirmed."""
+        return self._stage.moving()
+
+    def angle_deg(self) -> float:
+        """The angle now."""
+        return self._sign * self._stage.angle_deg()
+
+    def state(self) -> tuple[float, bool]:
+        """The angle now and whether it moves."""
+        angle, moving = self._stage.state()
+        return self._sign * angle, moving
+
+    def make_safe(self) -> None:
+        """Stop."""
+        self._stage.make_safe()
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._stage.close()

@@ -1,0 +1,55 @@
+"""A calibration applied to a recording on disk: every column and row stays, five columns are added."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from labcal.errors import InputError
+from labcal.files import write_text
+from labcal.model import Calibration
+from labcal.model.apply import Applied, Readings, apply, needed_columns, temperature_channel
+from labcal.store.table import Table, read_table, require_increasing
+
+READING = ("dut_x", "dut_y", "dut_z")
+ADDED = ("b_x", "b_y", "b_z", "u_nT", "flag")
+
+
+def apply_file(calibration: Calibration, source: Path, out: Path) -> Applied:
+    """Write `source` with b_x, b_y, b_z, u_nT and flag added to `out`, whole or not at all (contract: `apply`).
+
+    Raises InputError with file, line and column for a missing column, a cell that is no number, or a time that does
+    not grow where an effect remembers.
+    """
+    table = _table(calibration, source)
+    applied = apply(calibration, _readings(table))
+    write_text(out, "\n".join([f"{table.header_line},{','.join(ADDED)}", *_rows(table, applied)]) + "\n")
+    return applied
+
+
+def _table(calibration: Calibration, source: Path) -> Table:
+    needed = needed_columns(calibration)
+    texts = ("segment", "mode")
+    wanted = {"t_s", *READING, *(n for n in needed if n not in texts)}
+    wanted |= {name for name in (temperature_channel(calibration, {"temp_dut": np.array([])}),) if name}
+    table = read_table(source.read_bytes(), file=source, numbers=wanted, texts=texts, required=(*READING, *needed))
+    for name in ADDED:
+        if name in table.header:
+            raise InputError("the column is there already: is this a corrected recording?", file=source, column=name)
+    if "segment" in needed:
+        require_increasing(table)
+    return table
+
+
+def _readings(table: Table) -> Readings:
+    numbers, texts = dict(table.numbers), table.texts
+    reading = np.stack([numbers.pop(name) for name in READING], axis=1)
+    segment, mode = (np.array(texts[n], dtype=np.str_) if n in texts else None for n in ("segment", "mode"))
+    return Readings(reading, numbers.pop("t_s", None), segment, mode, numbers)
+
+
+def _rows(table: Table, applied: Applied) -> list[str]:
+    numbers = np.column_stack([applied.field_nT, applied.u_nT]).tolist()
+    cells = (",".join(f"{v:.3f}" if v == v else "" for v in row) for row in numbers)
+    return [f"{line},{new},{flag}" for line, new, flag in zip(table.lines, cells, applied.flags, strict=True)]

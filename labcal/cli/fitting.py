@@ -1,0 +1,94 @@
+"""`labcal fit` and `labcal apply`: a calibration from a run, and readings through a calibration."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from labcal.cli import DONE, NEGATIVE, app
+
+if TYPE_CHECKING:
+    from labcal.fit import Fit
+    from labcal.model.apply import Applied
+
+
+@app.command("fit", rich_help_panel="Calibration")
+def fit(
+    run: str = typer.Argument(..., help="A run id of the local store, or the path of a bundle."),
+    method: str = typer.Option("ml", help="A method's name, or all."),
+    channels: str | None = typer.Option(None, help="Housekeeping that telemetry may use: names apart by commas."),
+    json_file: Path | None = typer.Option(
+        None, "--json", metavar="FILE", help="Write the result as JSON; - is stdout."
+    ),
+    out: Path | None = typer.Option(None, metavar="CAL.json", help="Write a draft calibration (with all: of ml)."),
+) -> int:
+    """Estimate a calibration from a run. Exit code 1: the run does not determine one."""
+    from labcal import session
+    from labcal.fit.document import document
+
+    names = tuple(name.strip() for name in channels.split(",") if name.strip()) if channels is not None else None
+    measured, fits = session.fit_run(run, method, names)
+    if json_file is not None:
+        _write_json(json_file, document(measured, fits))
+    if json_file != Path("-"):
+        _show_fits(fits)
+    chosen = next((f for f in fits if f.method == "ml"), fits[0])
+    if out is not None and chosen.ok:
+        session.draft(run, chosen, out)
+        print(f"draft calibration: {out}", file=sys.stderr)
+    return DONE if chosen.ok else NEGATIVE
+
+
+@app.command("apply", rich_help_panel="Calibration")
+def apply(
+    calibration: Path = typer.Argument(..., metavar="CAL", help="A calibration file."),
+    source: Path = typer.Argument(..., metavar="IN.csv", help="Readings: dut_x, dut_y, dut_z and what CAL needs."),
+    out: Path = typer.Option(..., metavar="OUT.csv", help="Every column of IN.csv and b_x, b_y, b_z, u_nT, flag."),
+    dut: str | None = typer.Option(None, metavar="SERIAL", help="The DUT's serial, refused where CAL is another's."),
+) -> None:
+    """Calibrate readings."""
+    from labcal import session
+
+    _show_applied(session.apply_calibration(calibration, source, out, dut), out)
+
+
+def _write_json(file: Path, content: object) -> None:
+    from labcal.files import write_text
+
+    text = json.dumps(content, indent=1, allow_nan=False, ensure_ascii=False) + "\n"
+    if file == Path("-"):
+        sys.stdout.write(text)
+    else:
+        write_text(file, text)
+
+
+def _show_fits(fits: list[Fit]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table("Method", "Residual |b| nT", "Held out nT", "u(k) nT", "Frame", "Time ms", box=None)
+    for found in fits:
+        table.add_row(found.method, *_cells(found)) if found.ok else table.add_row(found.method, "none", style="yellow")
+    console = Console()
+    console.print(table)
+    for found in fits:
+        if not found.ok:
+            console.print(f"{found.method}: {found.why_not}", style="yellow", highlight=False)
+
+
+def _cells(found: Fit) -> tuple[str, ...]:
+    u = "" if found.covariance is None else " ".join(f"{found.covariance[i, i] ** 0.5:.1f}" for i in (9, 10, 11))
+    residuals = ("" if v is None else f"{v:.1f}" for v in (found.rms_scalar_nT, found.holdout_rms_scalar_nT))
+    return (*residuals, u, "known" if found.frame_known else "free", f"{found.seconds * 1000:.0f}")
+
+
+def _show_applied(applied: Applied, out: Path) -> None:
+    from collections import Counter
+
+    counts = Counter(word for flag in applied.flags for word in flag.split())
+    flagged = ", ".join(f"{word} {n}" for word, n in counts.most_common()) or "none"
+    print(f"{len(applied.flags)} rows corrected into {out}; flagged: {flagged}")

@@ -1,0 +1,144 @@
+"""`labcal runs`, `show`, `import` and `export`: the store."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import StrEnum
+from pathlib import Path
+from typing import Any
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from labcal.cli import app
+from labcal.cli.results import JSON, write_json
+
+RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the path of a bundle.")
+
+
+class Format(StrEnum):
+    """What a run can be exported as."""
+
+    bundle = "bundle"
+    csv = "csv"
+    hdf5 = "hdf5"
+    mat = "mat"
+
+
+@app.command()
+def runs(json: str | None = JSON) -> None:
+    """List the runs of the store, the oldest first, with how each ended."""
+    from dataclasses import asdict
+
+    from labcal import session
+
+    found = session.runs()
+    if json is not None:
+        return write_json([asdict(run) for run in found], json)
+    table = Table("run", "started", "status", "DUT", "procedure", "operator")
+    for run in found:
+        procedure = f"{run.procedure} (simulated)" if run.simulated else run.procedure
+        table.add_row(*_plain(run.run_id, run.started_utc, run.status, run.dut_serial, procedure, run.operator))
+    return _console().print(table if found else "no runs yet: `labcal demo` makes one, `labcal import` takes one in")
+
+
+@app.command()
+def show(run: str = RUN, json: str | None = JSON) -> None:
+    """Show what a run is: DUT, reference, segments and what each offers, channels, measurements."""
+    from labcal import session
+
+    told = session.describe_run(run)
+    if json is not None:
+        return write_json(told, json)
+    console = _console()
+    for table in (_head(told), _segments(told), _channels(told), _measurements(told)):
+        if table.row_count:
+            console.print(table)
+    return None
+
+
+@app.command("import")
+def import_(bundle: Path = typer.Argument(..., metavar="BUNDLE", help="A folder, or a zip of it.")) -> None:
+    """Take a bundle into the store, byte for byte; prints its run id."""
+    from labcal import session
+
+    print(session.import_bundle(bundle))
+
+
+@app.command()
+def export(
+    run: str = RUN,
+    format_: Format = typer.Option(..., "--format", help="bundle, csv (its samples), hdf5 or mat."),
+    out: Path = typer.Option(..., "--out", metavar="PATH", help="Where to; a bundle is a zip where it ends in .zip."),
+) -> None:
+    """Write a run for other programs; the same run gives the same bytes."""
+    from labcal import session
+
+    session.export_run(run, format_.value, out)
+    print(out)
+
+
+def _head(told: Mapping[str, Any]) -> Table:
+    table = Table(show_header=False, box=None)
+    dut, reference = told["dut"], told["reference"]
+    noise = "not stated" if dut["noise_nT"] is None else f"{dut['noise_nT']:g} nT"
+    lines = {
+        "run": f"{told['run_id']}{' (SIMULATED)' if told['simulated'] else ''}",
+        "status": told["status"],
+        "started": told["started_utc"],
+        "operator": told["operator"],
+        "DUT": f"{dut['serial']} {dut['model']}, {dut['nominal_nT_per_unit']:g} nT per {dut['unit']}, noise {noise}",
+        "reference": ", ".join(f"{key} {value}" for key, value in reference.items() if value != ""),
+        "samples": f"{told['n_samples']}, {_between(told['span_s'], 'g')} s",
+    }
+    if "procedure" in told:
+        procedure = told["procedure"]
+        chosen = ", ".join(f"{key}={value}" for key, value in procedure["parameters"].items())
+        lines["procedure"] = f"{procedure['name']} {chosen}".strip()
+        lines["software"] = procedure["software"]
+        lines["instruments"] = "\n".join(" ".join(map(str, one.values())) for one in told["instruments"])
+    for name, text in lines.items():
+        if text:
+            table.add_row(*_plain(name, text))
+    return table
+
+
+def _segments(told: Mapping[str, Any]) -> Table:
+    table = Table("segment", "kind", "offers", "modes", "samples", "missing", "s", "Hz", "|reference| nT", "note")
+    for one in told["segments"]:
+        rate = "" if one["rate_Hz"] is None else f"{one['rate_Hz']:.3g}"
+        counts = (str(one["n_samples"]), str(one["missing"] or ""), f"{one['duration_s']:.1f}", rate)
+        names = (one["id"], one["kind"], one["offers"], " ".join(one["modes"]))
+        table.add_row(*_plain(*names, *counts, _between(one["magnitude_nT"], ".0f"), one["note"]))
+    return table
+
+
+def _channels(told: Mapping[str, Any]) -> Table:
+    table = Table("channel", "unit", "quantity", "role", "range")
+    for one in told["channels"]:
+        table.add_row(*_plain(one["name"], one["unit"], one["quantity"], one["role"], _between(one["range"], ".5g")))
+    return table
+
+
+def _measurements(told: Mapping[str, Any]) -> Table:
+    table = Table("measurement", "value", "U (k = 2)", "unit", "limit", "verdict")
+    for one in told.get("measurements", ()):
+        numbers = ("" if x is None else f"{x:.4g}" for x in (one["value"], one["u"] and 2 * one["u"]))
+        limit = "" if one["limit"] is None else f"{one['limit']:g}"
+        table.add_row(*_plain(one["name"], *numbers, one["unit"], limit, one["verdict"]))
+    return table
+
+
+def _between(ends: tuple[float, float] | None, format_: str) -> str:
+    return "" if ends is None else f"{ends[0]:{format_}} … {ends[1]:{format_}}"
+
+
+def _plain(*cells: str) -> list[str]:
+    return [escape(cell) for cell in cells]
+
+
+def _console() -> Console:
+    console = Console()
+    return console if console.is_terminal else Console(width=160)

@@ -1,0 +1,91 @@
+"""A draft calibration from a run and a fit: what ships once it is approved and signed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+import labcal
+from labcal.errors import InputError
+from labcal.fit.result import Fit
+from labcal.model import Calibration, EffectRecord, Validity
+from labcal.record import Run
+
+TEMPERATURE = ("offset-temperature", "gain-temperature")
+
+
+def draft_calibration(
+    run: Run,
+    found: Fit,
+    run_sha256: str,
+    *,
+    findings: Sequence[EffectRecord] = (),
+    metrics: Mapping[str, Mapping[str, float]] | None = None,
+    cage_sha256: str | None = None,
+) -> Calibration:
+    """The calibration that `found` makes of `run`, its effects those of the sensor, valid where the run has been.
+
+    `metrics` adds to what the fit says of itself; `after` carries `noise_nT`, the noise of one axis of one reading,
+    which `apply` takes for its uncertainty. Raises InputError where the fit gives none.
+    """
+    if not found.ok or found.affine is None:
+        raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
+    own = _metrics(run, found)
+    return Calibration(
+        run_id=run.run_id,
+        simulated=run.simulated,
+        dut=run.dut,
+        affine=found.affine,
+        covariance=found.covariance,
+        frame_known=found.frame_known,
+        validity=_validity(run, found.effects),
+        span_s=(float(run.t_s[0]), float(run.t_s[-1])),
+        run_sha256=run_sha256,
+        effects=tuple(e for e in found.effects if e.belongs_to == "sensor"),
+        findings=(*(e for e in found.effects if e.belongs_to != "sensor"), *findings),
+        metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
+        instruments=_instruments(run),
+        cage_sha256=cage_sha256,
+        software=f"labcal {labcal.__version__}",
+        operator=run.operator,
+    )
+
+
+def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:
+    """Magnitude residuals of the raw readings and of the fit, and the noise that the fit met."""
+    before: dict[str, float] = {}
+    if run.reference.kind != "none":
+        raw = np.linalg.norm(run.reading_nT, axis=1) - run.magnitude_nT
+        before["rms_scalar_nT"] = float(np.sqrt(np.nanmean(raw**2)))
+    after = {
+        "rms_scalar_nT": found.rms_scalar_nT,
+        "holdout_rms_scalar_nT": found.holdout_rms_scalar_nT,
+        "noise_nT": found.noise_nT if found.noise_nT is not None else run.dut.noise_nT,
+    }
+    return {"before": before, "after": {name: value for name, value in after.items() if value is not None}}
+
+
+def _validity(run: Run, effects: Sequence[EffectRecord]) -> Validity:
+    magnitude = run.magnitude_nT
+    seen = magnitude[np.isfinite(magnitude) & np.isfinite(run.reading).all(axis=1)]
+    modes = tuple(str(m) for m in np.unique(run.mode) if m)
+    return Validity((float(seen.min()), float(seen.max())), _temperatures(run, effects), modes)
+
+
+def _temperatures(run: Run, effects: Sequence[EffectRecord]) -> tuple[float, float] | None:
+    """Range of the temperature that an effect follows, else of `temp_dut`, else of the only one there is."""
+    there = [c.name for c in run.channels if c.quantity == "temperature" and c.role == "dut"]
+    used = [name for e in effects if e.effect in TEMPERATURE for name in e.channels]
+    wanted = [name for name in (*used, "temp_dut", *(there if len(there) == 1 else ())) if name in there]
+    values = run.channel(wanted[0]).values if wanted else np.array([])
+    values = values[np.isfinite(values)]
+    return (float(values.min()), float(values.max())) if len(values) else None
+
+
+def _instruments(run: Run) -> tuple[Mapping[str, str], ...]:
+    reference = run.reference
+    if reference.kind == "none":
+        return ()
+    stated = {"role": "reference", "kind": reference.kind, "serial": reference.serial}
+    return (stated | ({"calibration": reference.calibration} if reference.calibration else {}),)

@@ -1,0 +1,218 @@
+"""Readings in, field out: a calibration applied row by row, with its uncertainty and what to be wary of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.errors import InputError
+from labcal.model.affine import jacobian
+from labcal.model.calibration import Calibration, EffectRecord
+from labcal.model.effects import Fitted, Scene, load
+from labcal.model.wary import outliers, saturated
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time")
+TEMPERATURE = frozenset({"offset-temperature", "gain-temperature"})
+REMEMBERING = frozenset({"lag", "hysteresis"})  # and whatever has a time constant
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Readings:
+    """What a recording offers (n rows); NaN and "" are missing, None a column that is not there."""
+
+    reading: Array  # (n, 3) in the DUT's unit
+    t_s: Array | None = None  # (n,)
+    segment: NDArray[np.str_] | None = None  # (n,)
+    mode: NDArray[np.str_] | None = None  # (n,)
+    channels: Mapping[str, Array] = field(default_factory=dict)  # each (n,)
+
+    def __len__(self) -> int:
+        return len(self.reading)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Applied:
+    """The field of each row, NaN where the reading is missing."""
+
+    field_nT: Array  # (n, 3) in B
+    u_nT: Array  # (n,) standard uncertainty of one component, noise included
+    flags: tuple[str, ...]  # (n,) empty, or words of `FLAGS` apart by spaces
+
+
+def needed_columns(calibration: Calibration) -> tuple[str, ...]:
+    """Columns beside the reading without which the calibration's effects cannot be computed."""
+    names = dict.fromkeys(name for record in calibration.effects for name in record.channels)
+    for effect in map(load, calibration.effects):
+        if effect.family.bound_to_run or remembers(effect):
+            names["t_s"] = None
+        if remembers(effect):
+            names["segment"] = None
+        if effect.family.id == "offset-mode":
+            names["mode"] = None
+    return tuple(names)
+
+
+def remembers(effect: Fitted) -> bool:
+    """Whether a row's effect depends on the rows before it."""
+    timed = any(shape.name == "tau_s" for shape in effect.form.shape) and not effect.family.bound_to_run
+    return timed or effect.family.id in REMEMBERING
+
+
+def apply(calibration: Calibration, readings: Readings) -> Applied:
+    """B = K m − k − Σ e_i of the sensor's effects, for every row (contract: calibration, `apply`).
+
+    u_nT is the root mean square over the components of: covariance of K and k, noise of the reading through K, each
+    effect's parameters, and what is left out. Raises InputError where a needed column is missing.
+    """
+    have = {*readings.channels, *(n for n in ("t_s", "segment", "mode") if getattr(readings, n) is not None)}
+    for name in needed_columns(calibration):
+        if name not in have:
+            raise InputError("the calibration's effects need this column; it is missing", column=name)
+    field_nT = calibration.affine.apply(readings.reading)
+    variance = _base_variance(calibration, readings.reading)
+    flags = {word: np.zeros(len(readings), dtype=bool) for word in FLAGS}
+    corrected = field_nT.copy()
+    for record in calibration.effects:
+        value, uncertain = _effect(calibration, record, readings, field_nT, flags)
+        corrected -= value
+        variance += uncertain
+    _beyond_validity(calibration, readings, corrected, flags)
+    u = np.sqrt(variance.mean(axis=1)) * _growth(calibration, readings, corrected, flags)
+    words = [" ".join(word for word in FLAGS if flags[word][row]) for row in range(len(readings))]
+    return Applied(corrected, u, tuple(words))
+
+
+def reading_noise(calibration: Calibration) -> float:
+    """Noise of one axis of one reading [nT], as the fit found it; 0 where the file says nothing."""
+    return float(calibration.metrics.get("after", {}).get("noise_nT", 0.0))
+
+
+def temperature_channel(calibration: Calibration, names: Mapping[str, Array]) -> str | None:
+    """The column that the calibration's temperature range speaks of."""
+    used = [r.channels[0] for r in calibration.effects if r.effect in TEMPERATURE and r.channels]
+    return next((name for name in (*used, "temp_dut") if name in names), None)
+
+
+def _base_variance(calibration: Calibration, reading: Array) -> Array:
+    """Variance of each component (n, 3) [nT²] from the covariance of (K, k) and from the reading's noise."""
+    per_unit = calibration.affine.K / calibration.dut.nominal_nT_per_unit
+    noise = reading_noise(calibration) ** 2 * np.sum(per_unit**2, axis=1)
+    variance = np.broadcast_to(noise, reading.shape).copy()
+    if calibration.covariance is not None:
+        J = jacobian(reading)
+        variance += np.einsum("nap,pq,naq->na", J, calibration.covariance, J, optimize=True)
+    return variance
+
+
+def _effect(
+    calibration: Calibration, record: EffectRecord, readings: Readings, field_nT: Array, flags: dict[str, Mask]
+) -> tuple[Array, Array]:
+    """One effect and its variance (n, 3) each; where it cannot be known it is nought, and its size is uncertainty."""
+    effect = load(record)
+    usable: Mask = np.asarray(np.isfinite(field_nT).all(axis=1))
+    for name in record.channels:
+        missing = ~np.isfinite(readings.channels[name])
+        usable = usable & ~missing
+        if record.effect in TEMPERATURE:
+            flags["temperature"] |= missing
+    if effect.family.bound_to_run and readings.t_s is not None:
+        first, last = calibration.span_s
+        inside = (readings.t_s >= first) & (readings.t_s <= last)
+        usable = usable & inside
+        flags["time"] |= ~inside
+    if effect.family.id == "offset-mode" and readings.mode is not None:
+        usable = usable & (readings.mode != "")
+    value, variance = np.zeros_like(field_nT), np.zeros_like(field_nT)
+    if usable.any():
+        columns = effect.form.columns(_scene(calibration, readings, field_nT, usable))
+        value[usable] = columns @ effect.beta
+        u = {p.name: p.u for p in record.parameters}
+        variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.form.parameters])
+    variance[~usable] = _size(calibration, effect, value[usable])
+    if effect.family.id == "lag" and readings.t_s is not None:
+        lag = next(p.value for p in record.parameters if p.name == "lag_s")
+        beyond = _out_of_reach(readings, lag)
+        flags["rate"] |= beyond
+        variance[beyond] += value[beyond] ** 2
+    return value, variance
+
+
+def _scene(calibration: Calibration, readings: Readings, field_nT: Array, rows: Mask) -> Scene:
+    n = len(readings)
+    t_s = readings.t_s if readings.t_s is not None else np.zeros(n)
+    segment = np.zeros(n, dtype=np.intp)
+    if readings.segment is not None:
+        segment = np.cumsum(np.r_[False, readings.segment[1:] != readings.segment[:-1]]).astype(np.intp)
+    channels = {name: values[rows] for name, values in readings.channels.items()}
+    mode = None if readings.mode is None else readings.mode[rows]
+    axes = calibration.affine.K / calibration.dut.nominal_nT_per_unit
+    return Scene(t_s[rows], segment[rows], field_nT[rows], channels, mode, axes)
+
+
+def _size(calibration: Calibration, effect: Fitted, seen: Array) -> Array:
+    """Mean square (3,) of an effect that a row goes without: over the run's span, else over the rows that have it."""
+    if effect.family.bound_to_run:
+        times = np.linspace(*calibration.span_s, 200)
+        there = Scene(times, np.zeros(200, dtype=np.intp), np.zeros((200, 3)))
+        return np.asarray(np.mean(effect.predict(there) ** 2, axis=0))
+    return np.asarray(np.mean(seen**2, axis=0)) if len(seen) else np.zeros(3)
+
+
+def _out_of_reach(readings: Readings, lag_s: float) -> Mask:
+    """Rows whose reading a lag later lies beyond their segment's ends."""
+    assert readings.t_s is not None
+    t, out = readings.t_s, np.zeros(len(readings), dtype=bool)
+    segment = readings.segment if readings.segment is not None else np.zeros(len(t), dtype=np.intp)
+    edges = [0, *(np.flatnonzero(segment[1:] != segment[:-1]) + 1).tolist(), len(t)]
+    for start, stop in pairwise(edges):
+        if start < stop:
+            later = t[start:stop] + lag_s
+            out[start:stop] = (later < t[start]) | (later > t[stop - 1])
+    return out
+
+
+def _beyond_validity(calibration: Calibration, readings: Readings, field_nT: Array, flags: dict[str, Mask]) -> None:
+    """Raise the flags for rows that the run did not cover."""
+    noise, validity = reading_noise(calibration), calibration.validity
+    length = np.linalg.norm(field_nT, axis=1)
+    low, high = validity.field_nT
+    flags["field"] |= (length < low - 3 * noise) | (length > high + 3 * noise)
+    name = temperature_channel(calibration, readings.channels)
+    if name is not None and validity.temperature_C is not None:
+        cold, hot = validity.temperature_C
+        flags["temperature"] |= (readings.channels[name] < cold) | (readings.channels[name] > hot)
+    if readings.mode is not None and validity.modes:
+        flags["mode"] |= (readings.mode != "") & ~np.isin(readings.mode, validity.modes)
+    flags["saturated"] |= saturated(calibration, readings.reading)
+    flags["outlier"] |= outliers(field_nT, readings.segment, noise) & ~flags["saturated"]
+
+
+def _growth(calibration: Calibration, readings: Readings, field_nT: Array, flags: dict[str, Mask]) -> Array:
+    """How much larger the uncertainty of a flagged row is (n,): by the part of the range that it lies outside.
+
+    Rows flagged for anything but the range are at least doubled; of saturated rows and outliers a tenth of the field
+    is added, since the reading says little.
+    """
+    growth = np.ones(len(readings))
+    length = np.linalg.norm(field_nT, axis=1)
+    growth += np.where(flags["field"], _excess(length, calibration.validity.field_nT), 0.0)
+    name = temperature_channel(calibration, readings.channels)
+    if name is not None and calibration.validity.temperature_C is not None:
+        outside = _excess(readings.channels[name], calibration.validity.temperature_C)
+        growth += np.where(flags["temperature"], np.nan_to_num(outside, nan=1.0), 0.0)
+    growth += flags["mode"].astype(float) + flags["rate"].astype(float)
+    useless = flags["saturated"] | flags["outlier"]
+    floor = max(reading_noise(calibration), 1.0)
+    return np.asarray(growth + np.where(useless, np.nan_to_num(0.1 * length / floor), 0.0))
+
+
+def _excess(value: Array, limits: tuple[float, float]) -> Array:
+    low, high = limits
+    width = max(high - low, 0.1 * max(abs(low), abs(high)), 1e-9)
+    return np.asarray(np.maximum(np.maximum(low - value, value - high), 0.0) / width)

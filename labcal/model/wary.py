@@ -1,0 +1,64 @@
+"""Rows of a recording to be wary of, seen in the readings alone: stuck at the end of the range, or out of line."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.calibration import Calibration
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+PLATEAU = 3  # rows in a row at one extreme value, while the other axes move
+MOVES = 1e-3  # of the largest reading: what counts as moving
+OUT_OF_LINE = 10.0  # standard deviations from the line through the neighbours
+
+
+def saturated(calibration: Calibration, reading: Array) -> Mask:
+    """Rows (n,) beyond the limits of the calibration's finding `saturation`, or on a plateau at an axis' extreme."""
+    out = np.zeros(len(reading), dtype=bool)
+    for record in calibration.findings:
+        if record.effect == "saturation":
+            for parameter in record.parameters:
+                axis = "xyz".find(parameter.name[-1:])
+                if parameter.name.startswith("upper_") and axis >= 0:
+                    out |= reading[:, axis] >= parameter.value
+                if parameter.name.startswith("lower_") and axis >= 0:
+                    out |= reading[:, axis] <= parameter.value
+    for axis in range(3):
+        out |= _plateau(reading, axis)
+    return out
+
+
+def _plateau(reading: Array, axis: int) -> Mask:
+    """Runs of at least PLATEAU rows at the column's largest or smallest value while another axis moves."""
+    column, out = reading[:, axis], np.zeros(len(reading), dtype=bool)
+    others = np.delete(reading, axis, axis=1)
+    if not np.isfinite(column).any():
+        return out
+    moves = MOVES * np.nanmax(np.abs(reading))
+    for extreme in (np.nanmax(column), np.nanmin(column)):
+        at = np.r_[False, column == extreme, False]
+        for start, stop in zip(np.flatnonzero(~at[:-1] & at[1:]), np.flatnonzero(at[:-1] & ~at[1:]), strict=True):
+            if stop - start >= PLATEAU and np.nanmax(np.ptp(others[start:stop], axis=0)) > moves:
+                out[start:stop] = True
+    return out
+
+
+def outliers(field_nT: Array, segment: NDArray[np.str_] | None, noise_nT: float) -> Mask:
+    """Rows (n,) far from the line through their two neighbours, and further than those from theirs.
+
+    The spread is the recording's own (median), never below the noise. A step of the field makes two rows alike and
+    is no outlier; the ends of a segment have one neighbour and are never flagged.
+    """
+    n = len(field_nT)
+    bend = np.zeros(n)
+    if n < 5:
+        return np.zeros(n, dtype=bool)
+    bend[1:-1] = np.nan_to_num(np.linalg.norm(field_nT[1:-1] - (field_nT[:-2] + field_nT[2:]) / 2, axis=1))
+    if segment is not None:
+        change = segment[1:] != segment[:-1]
+        bend[1:][change] = bend[:-1][change] = 0.0
+    limit = OUT_OF_LINE * max(float(np.median(bend[bend > 0])) if (bend > 0).any() else 0.0, noise_nT, 1e-9)
+    beside = np.maximum(np.r_[0.0, bend[:-1]], np.r_[bend[1:], 0.0])
+    return np.asarray((bend > limit) & (bend > 1.5 * beside))

@@ -1,0 +1,73 @@
+"""What a run is, in one look: its head, its segments and what each offers, its channels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from labcal.record import Run, RunHeader, Segment, offers
+from labcal.record.stream import Item, Measurement
+
+
+def describe(run: Run, status: str, header: RunHeader | None = None, items: Iterable[Item] = ()) -> dict[str, Any]:
+    """The run as JSON: finite numbers only. `header` and `items` are there for what was recorded here."""
+    told: dict[str, Any] = {
+        "run_id": run.run_id,
+        "status": status,
+        "started_utc": run.started_utc,
+        "simulated": run.simulated,
+        "operator": run.operator,
+        "dut": asdict(run.dut),
+        "reference": {key: value for key, value in asdict(run.reference).items() if value is not None},
+        "n_samples": len(run),
+        "span_s": [float(run.t_s[0]), float(run.t_s[-1])] if len(run) else None,
+        "segments": [_segment(run, index, segment) for index, segment in enumerate(run.segments)],
+        "channels": [
+            {"name": c.name, "unit": c.unit, "quantity": c.quantity, "role": c.role, "range": _range(c.values)}
+            for c in run.channels
+        ],
+    }
+    if header is not None:
+        told["procedure"] = {
+            "name": header.procedure,
+            "parameters": header.parameters,
+            "source_sha256": header.source_sha256,
+            "software": header.software,
+        }
+        told["instruments"] = header.instruments
+        told["measurements"] = [_measurement(item) for item in items if isinstance(item, Measurement)]
+    return told
+
+
+def _segment(run: Run, index: int, segment: Segment) -> dict[str, Any]:
+    rows = run.rows(index)
+    t = run.t_s[rows]
+    return {
+        "id": segment.id,
+        "kind": segment.kind,
+        "offers": offers(run, segment),
+        "modes": sorted({str(mode) for mode in run.mode[rows]} - {""}),
+        "n_samples": len(rows),
+        "duration_s": float(t[-1] - t[0]) if len(t) else 0.0,
+        "rate_Hz": _rate_Hz(t),
+        "missing": int((~np.isfinite(run.reading[rows]).all(axis=1)).sum()),
+        "magnitude_nT": None if run.reference.kind == "none" else _range(run.magnitude_nT[rows]),
+        "note": segment.note,
+    }
+
+
+def _rate_Hz(t: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:
+    return float(1 / np.median(np.diff(t))) if len(t) > 1 else None
+
+
+def _range(values: np.ndarray[Any, np.dtype[np.float64]]) -> list[float] | None:
+    there = values[np.isfinite(values)]
+    return [float(there.min()), float(there.max())] if len(there) else None
+
+
+def _measurement(item: Measurement) -> dict[str, Any]:
+    told = {**asdict(item), "verdict": item.verdict}
+    return {key: None if isinstance(value, float) and not np.isfinite(value) else value for key, value in told.items()}

@@ -1,0 +1,91 @@
+"""Three pairs of square coils: their field from magpylib, their currents through inductance and reversing contacts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.geometry import rotation_vector
+from labcal.twin.history import Relaxing, Steps
+
+Array = NDArray[np.float64]
+HELMHOLTZ = 0.5445  # distance of square coils over their side, for the most uniform field
+AXES = ("x", "y", "z")
+HOT_SWITCH_A = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class CoilField:
+    """What 1 A in each coil makes at the centre, and how it changes with place."""
+
+    matrix_nT_per_A: Array  # (3, 3): columns are coil axes
+    gradient_nT_per_A_m: Array  # (3, 3, 3): d matrix / d place, last index the direction
+
+    def at(self, currents_A: Array, place_m: Array) -> Array:
+        """Field (n, 3) [nT, C] of `currents_A` (n, 3) at `place_m` (3,) or (n, 3), to first order in the place."""
+        centre = currents_A @ self.matrix_nT_per_A.T
+        if not np.any(place_m):
+            return np.asarray(centre)
+        return np.asarray(centre + np.einsum("ijk,nj,...k->ni", self.gradient_nT_per_A_m, currents_A, place_m))
+
+
+def square_coils(side_m: float, turns: int, tilt_deg: Array, spacing: float = HELMHOLTZ) -> CoilField:
+    """Three square pairs, each axis tilted by the rotation vector `tilt_deg[axis]` (3, 3) from its ideal direction."""
+    step = 0.02
+    shifts = np.vstack([np.zeros(3), step * np.eye(3), -step * np.eye(3)])
+    pairs = [_pair(side_m, turns, spacing, axis, np.radians(tilt_deg[axis]), shifts) for axis in range(3)]
+    fields = np.stack(pairs, axis=-1)  # (7, 3, 3): place, component, coil
+    gradient = np.moveaxis((fields[1:4] - fields[4:7]) / (2 * step), 0, -1)
+    return CoilField(fields[0], gradient)
+
+
+def _pair(side_m: float, turns: int, spacing: float, axis: int, tilt_rad: Array, places: Array) -> Array:
+    magpylib: Any = import_module("magpylib")  # slow to import, and without types
+
+    half = side_m / 2
+    square = half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
+    turn = rotation_vector(tilt_rad)
+    total = np.zeros_like(places)
+    for end in (-1, 1):
+        loop = np.insert(square, 2, end * spacing * side_m / 2, axis=1)
+        loop = np.roll(loop, axis + 1, axis=1) @ turn.T  # z → the axis wanted, right-handed
+        total += 1e9 * np.asarray(magpylib.current.Polyline(current=float(turns), vertices=loop).getB(places))
+    return total
+
+
+@dataclass
+class Coil:
+    """One axis: the supply's output through inductance, and the contacts that may reverse it."""
+
+    resistance_ohm: float
+    tau_s: float
+    residual_A: float = 0.0  # what the supply lets through at set-point zero with the output on
+    current: Relaxing = field(init=False)
+    sign: Steps[int] = field(default_factory=lambda: Steps(1))
+    hot_switches: list[float] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.current = Relaxing(self.tau_s)
+
+    def drive(self, t_s: float, current_A: float, voltage_V: float, on: bool) -> bool:
+        """The supply now regulates to this; True where its voltage is too low for its current (constant voltage)."""
+        reachable = voltage_V / self.resistance_ohm
+        wanted = current_A + self.residual_A if on else 0.0
+        limited = on and abs(wanted) > reachable
+        self.current.set(t_s, float(np.clip(wanted, -reachable, reachable)))
+        return bool(limited)
+
+    def reverse(self, t_s: float, sign: int) -> None:
+        """Move the contacts; under current that is a hot switch and is remembered."""
+        if sign != self.sign.last:
+            if abs(self.current.now(t_s)) > HOT_SWITCH_A:
+                self.hot_switches.append(t_s)
+            self.sign.set(t_s, sign)
+
+    def at(self, t_s: Array) -> Array:
+        """Signed current (n,) [A] in the winding."""
+        return np.asarray(self.sign.values)[self.sign.index(t_s)] * self.current.at(t_s)

@@ -1,0 +1,80 @@
+"""`labcal runs`, `show`, `import`, `export`: what they print, and the exit code of what is wrong."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from labcal.cli import _run as labcal
+from labcal.record import Dut, Reference, RunHeader
+from labcal.record.stream import Measurement
+from labcal.store import Store
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "bundle-1"
+RUN_ID = "20260302-081500-SN1"
+
+
+def test_a_bundle_goes_in_is_shown_and_comes_out_the_same(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert labcal(["runs"]) == 0
+    assert "no runs yet" in capsys.readouterr().out
+    assert labcal(["import", str(GOLDEN)]) == 0
+    assert capsys.readouterr().out == f"{RUN_ID}\n"
+    assert labcal(["runs"]) == 0
+    assert "imported" in capsys.readouterr().out
+    assert labcal(["show", RUN_ID]) == 0
+    shown = capsys.readouterr().out
+    assert all(word in shown for word in ("SIMULATED", "Ana Müller", "x-20uT", "vector", "temp_dut", "remote"))
+    assert labcal(["export", RUN_ID, "--format", "bundle", "--out", str(tmp_path / "out")]) == 0
+    for name in ("run.json", "samples.csv"):
+        assert (tmp_path / "out" / name).read_bytes() == (GOLDEN / name).read_bytes()
+    for format_ in ("csv", "hdf5", "mat"):
+        assert labcal(["export", RUN_ID, "--format", format_, "--out", str(tmp_path / format_)]) == 0
+    assert (tmp_path / "csv").read_bytes() == (GOLDEN / "samples.csv").read_bytes()
+
+
+def test_json_is_alone_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
+    labcal(["import", str(GOLDEN)])
+    capsys.readouterr()
+    assert labcal(["show", str(GOLDEN), "--json", "-"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert [segment["offers"] for segment in told["segments"]] == ["vector", "vector"]
+    assert labcal(["runs", "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out)[0]["run_id"] == RUN_ID
+
+
+def test_a_recorded_run_shows_its_measurements(capsys: pytest.CaptureFixture[str]) -> None:
+    header = RunHeader("r9", "2026-03-02T08:15:00Z", True, "", Dut("S"), Reference("none"), procedure="ambient")
+    with Store.open() as store, store.begin(header) as writer:
+        writer.write(Measurement(1.0, "closure", 3.0, 0.5, "nT", 10.0))
+        writer.write(Measurement(1.0, "[drift]", float("nan"), 0.5, "nT"))
+    assert labcal(["show", "r9"]) == 0
+    shown = capsys.readouterr().out
+    assert all(word in shown for word in ("closure", "PASS", "[drift]", "ambient", "finished"))
+    assert labcal(["show", "r9", "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out)["measurements"][1]["value"] is None
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["show", "nothing"],
+        ["show", "no/such/bundle"],
+        ["import", "nothing.zip"],
+        ["import", "."],
+        ["export", "nothing", "--format", "csv", "--out", "x.csv"],
+        ["export", str(GOLDEN), "--format", "xls", "--out", "x.csv"],
+        ["export", str(GOLDEN), "--format", "csv", "--out", "no/such/folder/x.csv"],
+    ],
+)
+def test_a_wrong_request_is_one_sentence_and_exit_2(
+    arguments: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert labcal(arguments) == 2
+    told = capsys.readouterr()
+    assert not told.out
+    assert "Traceback" not in told.err
+    assert told.err.strip()
+    assert not list(tmp_path.iterdir())
