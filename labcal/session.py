@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
 
 from labcal import certificate, fit
+from labcal.bench import off
+from labcal.bench.greet import Greeting, greet
+from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.report import calibration_page, run_page, write_report
 from labcal.errors import InputError
@@ -162,3 +166,20 @@ def _run_of(calibration: Calibration) -> Run | None:
     except InputError:
         return None
     return bundle.run() if bundle.sha256 == calibration.run_sha256 else None
+
+
+def greetings(bench: Path) -> list[Greeting]:
+    """Ask every instrument of a bench.toml who it is; silent ones are in the list, with why."""
+    return greet(bench)
+
+
+def serve_bench(bench: Path, out: Path, ready: Callable[[], None]) -> None:
+    """Put the emulated instruments of `bench` on TCP ports and ptys until interrupted; `out` is the bench to use."""
+    from labcal.bench.serve import serve
+
+    serve(bench, out, ready)
+
+
+def coils_off(bench: Path) -> list[AtZero]:
+    """Every coil to zero and open, one report an axis."""
+    return off.coils_off(bench)

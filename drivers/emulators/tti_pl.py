@@ -26,6 +26,8 @@ class Output:
 class TtiEmulator(Answers):
     """Answers as the supply does; settings act on the coil of the twin."""
 
+    wire = "tcp"
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, delay_s=0.008)
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}

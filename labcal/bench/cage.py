@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from contextlib import ExitStack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,11 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
 from labcal.bench.roles import CoilSupply
+from labcal.bench.zero import RAMP_STEP_S, to_zero
 from labcal.errors import InstrumentError, LimitError
 
 Array = NDArray[np.float64]
-RAMP_STEP_S = 0.1
-ZERO_TIMEOUT_S = 1.0
 LONGEST_RAMP_DOWN_S = 1.5
 FOLLOWS = 0.01  # of the set-point, between what was set and what flows
 
@@ -42,7 +40,7 @@ class Cage:
         self.ambient_nT: Array = np.zeros(3)
         self._settle_s = config.settle_s
         self._dut_field_nT = dut_limits.field_nT if dut_limits else None
-        self._supplies = [supplies[axis] for axis in AXES]
+        self.supplies: Mapping[str, CoilSupply] = {axis: supplies[axis] for axis in AXES}
         self._clock = clock
         self._wait = wait or clock.wait_until
         self._closed = False
@@ -71,11 +69,11 @@ class Cage:
 
     def currents_A(self) -> Array:
         """Measured signed currents (3,)."""
-        return np.array([supply.measure_current() for supply in self._supplies])
+        return np.array([supply.measure_current() for supply in self.supplies.values()])
 
     def set_points_A(self) -> Array:
         """Signed set-points (3,), read back."""
-        return np.array([supply.set_point() for supply in self._supplies])
+        return np.array([supply.set_point() for supply in self.supplies.values()])
 
     def zero(self) -> None:
         """Ramp every coil to zero, see it below its `zero_current_A`, open its output where it can open.
@@ -83,19 +81,22 @@ class Cage:
         A failure of one axis does not skip the others; the first failure is raised at the end.
         """
         self._closed = False
-        with ExitStack() as steps:
-            for axis, supply in zip(reversed(AXES), reversed(self._supplies), strict=True):
-                steps.callback(self._release, axis, supply)
-            steps.callback(self._ramp, np.zeros(3))
+        ended = to_zero(self.supplies, self._rates(), self._clock, self._wait)
+        if faults := [end.fault for end in ended.values() if end.fault is not None]:
+            raise faults[0]
+
+    def _rates(self) -> dict[str, float]:
+        limits = zip(AXES, self.limits.ramp_A_per_s, strict=True)
+        return {axis: min(limit, self.supplies[axis].ramp_A_per_s) for axis, limit in limits}
 
     def _close_outputs(self) -> None:
-        for supply in self._supplies if not self._closed else ():
+        for supply in self.supplies.values() if not self._closed else ():
             supply.set_current(0.0)
             supply.output(True)
         self._closed = True
 
     def _confirm(self, target: Array) -> None:
-        for axis, supply, wanted, flows in zip(AXES, self._supplies, target, self.currents_A(), strict=True):
+        for axis, supply, wanted, flows in zip(AXES, self.supplies.values(), target, self.currents_A(), strict=True):
             if not abs(flows - wanted) <= max(supply.zero_current_A, FOLLOWS * abs(wanted)):
                 raise InstrumentError(
                     f"coil {axis}: {wanted:.4g} A was set and {flows:.4g} A flows.",
@@ -105,27 +106,12 @@ class Cage:
 
     def _ramp(self, target: Array) -> None:
         start, begun = self.set_points_A(), self._clock.now()
-        rates = np.minimum(self.limits.ramp_A_per_s, [s.ramp_A_per_s for s in self._supplies])
-        duration = float(np.max(np.abs(target - start) / rates))
+        duration = float(np.max(np.abs(target - start) / list(self._rates().values())))
         steps = max(1, math.ceil(duration / RAMP_STEP_S))
         for step in range(1, steps + 1):
-            for supply, value in zip(self._supplies, start + (target - start) * step / steps, strict=True):
+            for supply, value in zip(self.supplies.values(), start + (target - start) * step / steps, strict=True):
                 supply.set_current(float(value))
             self._wait(begun + duration * step / steps)
-
-    def _release(self, axis: str, supply: CoilSupply) -> None:
-        supply.set_current(0.0)
-        deadline = self._clock.now() + ZERO_TIMEOUT_S
-        while abs(left := supply.measure_current()) >= supply.zero_current_A:
-            if self._clock.now() >= deadline:
-                raise InstrumentError(
-                    f"coil {axis}: {left:.4g} A still flows {ZERO_TIMEOUT_S:g} s after zero was set "
-                    f"(zero is below {supply.zero_current_A:g} A).",
-                    fault="not zero",
-                    remedy="Its output stays closed: switch the supply off by hand, then look at its panel.",
-                )
-            self._wait(self._clock.now() + 0.02)
-        supply.output(False)
 
     def _refuse_beyond_limits(self, target: Array) -> None:
         for axis, value, limit in zip(AXES, target, self.limits.current_A, strict=True):
@@ -139,10 +125,8 @@ class Cage:
                 )
 
     def _refuse_slow_supplies(self) -> None:
-        for axis, supply, limit, rate in zip(
-            AXES, self._supplies, self.limits.current_A, self.limits.ramp_A_per_s, strict=True
-        ):
-            needed = limit / min(rate, supply.ramp_A_per_s)
+        for (axis, rate), limit in zip(self._rates().items(), self.limits.current_A, strict=True):
+            needed = limit / rate
             if needed > LONGEST_RAMP_DOWN_S:
                 raise LimitError(
                     f"coil {axis}: {limit:g} A would take {needed:.2f} s to ramp down, more than "

@@ -16,7 +16,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
 from labcal.bench.hands import SimulatedHands
-from labcal.bench.links import EmulatedLink, Emulator, Link, ModbusLink, open_link
+from labcal.bench.links import EmulatedLink, Emulator, Link, ModbusLink, modbus_link, open_link
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
 from labcal.bench.roles import CoilSupply, Instrument, PolarityRelay
@@ -41,13 +41,17 @@ class Loader:
     def instrument(self, name: str) -> Instrument:
         """The driver of the instrument `name`, on the kind of link and with the settings that its `__init__` states."""
         entry = self.config.instruments[name]
-        driver = self._load(DRIVERS, entry.driver, ("instruments", name, "driver"))
-        hints = get_type_hints(driver.__init__)
-        settings = self.settings(name, hints["settings"])
+        driver, hints, settings = self.driver(name)
         if entry.role.split("-")[0] not in driver.roles:
             self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
         link = self.modbus(name, entry, settings) if hints["link"] is ModbusLink else self.link(name, entry, settings)
         return cast(Instrument, driver(name, link, self.clock, settings))
+
+    def driver(self, name: str) -> tuple[Any, dict[str, Any], Any]:
+        """The driver's class, the types that its `__init__` states, and its checked settings."""
+        driver = self._load(DRIVERS, self.config.instruments[name].driver, ("instruments", name, "driver"))
+        hints = get_type_hints(driver.__init__)
+        return driver, hints, self.settings(name, hints["settings"])
 
     def settings(self, name: str, kind: type[T]) -> T:
         """The instrument's settings as its driver's own `Settings`. Raises InputError naming file, line and key."""
@@ -64,19 +68,30 @@ class Loader:
 
     def link(self, name: str, entry: InstrumentConfig, settings: Any) -> Link:
         """The link of one instrument; instruments that state the same link share it."""
-        key = entry.link if entry.link != "emulated://" else f"emulated://{name}"
+        key = self.line_of(name)
         if key not in self.links:
             if key.startswith("emulated://"):
-                self.links[key] = EmulatedLink(key, self._emulator(name, entry, settings), self.clock)
+                self.links[key] = EmulatedLink(key, self.emulator(name, settings), self.clock)
             else:
-                self.links[key] = open_link(entry.link, self.clock)
+                self.links[key] = self._open(name, entry)
         return self.links[key]
+
+    def line_of(self, name: str) -> str:
+        """What instruments on one line have in common: its URL; a bare emulated:// is a line of its own."""
+        url = self.config.instruments[name].link
+        return url if url != "emulated://" else f"emulated://{name}"
+
+    def _open(self, name: str, entry: InstrumentConfig) -> Link:
+        try:
+            return open_link(entry.link, self.clock)
+        except InputError as error:
+            self.refuse(error.what, ("instruments", name, "link"))
 
     def modbus(self, name: str, entry: InstrumentConfig, settings: Any) -> ModbusLink:
         """The Modbus master on the line of one instrument; devices on one line share it."""
         line = self.link(name, entry, settings)
         if line.url not in self.masters:
-            self.masters[line.url] = ModbusLink(line, self.clock)
+            self.masters[line.url] = modbus_link(line, self.clock)
         return self.masters[line.url]
 
     def refuse(self, what: str, keys: tuple[str, ...]) -> NoReturn:
@@ -84,13 +99,14 @@ class Loader:
         line = line_of(self.path.read_text(encoding="utf-8"), keys)
         raise InputError(f"{'.'.join(keys)}: {what}", file=self.path, line=line)
 
-    def _emulator(self, name: str, entry: InstrumentConfig, settings: Any) -> Emulator:
+    def emulator(self, name: str, settings: Any) -> Emulator:
+        """The emulator on the line of `name`, told the roles of all instruments that share this line."""
         if self.twin is None:
             self.twin = self._twin()
-        emulator = self._load(EMULATORS, entry.driver, ("instruments", name, "driver"))
-        roles = {i.role: i.settings for i in self.config.instruments.values() if i.link == entry.link}
-        shared = roles if entry.link != "emulated://" else {entry.role: entry.settings}
-        return cast(Emulator, emulator(self.twin, shared, settings))
+        instruments = self.config.instruments
+        emulator = self._load(EMULATORS, instruments[name].driver, ("instruments", name, "driver"))
+        roles = {e.role: e.settings for n, e in instruments.items() if self.line_of(n) == self.line_of(name)}
+        return cast(Emulator, emulator(self.twin, roles, settings))
 
     def _twin(self) -> Any:
         table = dict(self.config.twin)

@@ -45,6 +45,9 @@ class EmulatedLink:
         self.send(request)
         return read_reply(self, self._clock, end=end, timeout_s=timeout_s)
 
+    def reopen(self) -> None:
+        """It cannot be lost."""
+
     def give_back(self, t_s: float, data: bytes) -> None:
         """Put bytes that were read too far back at the head of the line."""
         self._arrived.insert(0, (t_s, data))

@@ -28,6 +28,10 @@ class Link(Protocol):
         """Send, then return the reply up to and with `end` (bytes), or `end` bytes. Raises InstrumentError (silent)."""
         ...
 
+    def reopen(self) -> None:
+        """Open a line that was lost. Whoever does it asks the instrument again who it is."""
+        ...
+
     def flush(self) -> None:
         """Drop what has arrived and was not read."""
         ...

@@ -1,0 +1,232 @@
+"""serial://, tcp://, udp://: real lines. A line that is lost stays lost until it is opened again on purpose."""
+
+from __future__ import annotations
+
+import socket
+from contextlib import suppress
+from typing import Protocol
+from urllib.parse import parse_qsl, urlsplit
+
+import serial
+
+from labcal.bench.clock import Clock
+from labcal.bench.links.line import ASK_STEP_S, read_reply
+from labcal.errors import InputError, InstrumentError
+
+OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms")
+CONNECT_S = 3.0
+
+
+class Port(Protocol):
+    """An open port: what is there now, and no waiting."""
+
+    byte_s: float  # how long one byte takes on the wire; 0 where that is not known
+
+    def read(self) -> bytes:
+        """What has arrived. Raises OSError when the line is gone."""
+        ...
+
+    def write(self, data: bytes) -> None:
+        """Send all of it. Raises OSError when the line is gone."""
+        ...
+
+    def close(self) -> None:
+        """Let go."""
+        ...
+
+
+class WiredLink:
+    """A Link on a real port. `gap_ms` in the URL: the least pause before a request after anything on the line."""
+
+    emulated = False
+
+    def __init__(self, url: str, clock: Clock) -> None:
+        self.url, self._clock = url, clock
+        self._options, self._address = _split(url)
+        self._gap_s = float(self._options.get("gap_ms", "0")) / 1000
+        self._arrived: list[tuple[float, bytes]] = []
+        self._last_s = -1e9
+        self._port: Port | None = None
+        self.reopen()
+
+    def reopen(self) -> None:
+        """Open the port, again where it was lost. Who asks must then ask the instrument who it is."""
+        self.close()
+        try:
+            self._port = _open(self.url, self._address, self._options)
+        except (OSError, ValueError) as error:
+            raise self._lost(error) from error
+
+    def send(self, data: bytes) -> None:
+        """Put bytes on the line."""
+        self._clock.wait_until(self._last_s + self._gap_s)
+        try:
+            self._open_port().write(data)
+        except OSError as error:
+            self.close()
+            raise self._lost(error) from error
+        self._last_s = self._clock.now()
+
+    def receive(self, until_s: float) -> list[tuple[float, bytes]]:
+        """All that arrives up to `until_s`, in pieces stamped at their first byte."""
+        pieces, self._arrived = self._arrived, []
+        while True:
+            while data := self._read():
+                now = self._clock.now()
+                pieces.append((max(now - len(data) * self._open_port().byte_s, self._last_s), data))
+                self._last_s = now
+            if self._clock.now() >= until_s:
+                return pieces
+            self._clock.wait_until(min(until_s, self._clock.now() + ASK_STEP_S))
+
+    def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
+        """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
+        if request:
+            self.send(request)
+        return read_reply(self, self._clock, end=end, timeout_s=timeout_s)
+
+    def give_back(self, t_s: float, data: bytes) -> None:
+        """Put bytes that were read too far back at the head of the line."""
+        self._arrived.insert(0, (t_s, data))
+
+    def flush(self) -> None:
+        """Drop what has arrived and was not read."""
+        self.receive(self._clock.now())
+
+    def close(self) -> None:
+        """Let go of the line."""
+        if self._port is not None:
+            with suppress(OSError):
+                self._port.close()
+        self._port = None
+
+    def _read(self) -> bytes:
+        try:
+            return self._open_port().read()
+        except OSError as error:
+            self.close()
+            raise self._lost(error) from error
+
+    def _open_port(self) -> Port:
+        if self._port is None:
+            raise self._lost(None)
+        return self._port
+
+    def _lost(self, error: Exception | None) -> InstrumentError:
+        why = f" ({error})" if error else ""
+        return InstrumentError(
+            f"{self.url}: the link is lost{why}.",
+            fault="link lost",
+            remedy="Plug it in, see that nobody else has opened it, then begin this step again.",
+        )
+
+
+class SerialPort:
+    """Any port that pyserial opens by URL."""
+
+    def __init__(self, address: str, options: dict[str, str]) -> None:
+        baud = int(options.get("baud", "9600"))
+        self._port = serial.serial_for_url(
+            address,
+            baudrate=baud,
+            bytesize=int(options.get("bytesize", "8")),
+            parity=options.get("parity", "N"),
+            stopbits=float(options.get("stopbits", "1")),
+            xonxoff=options.get("xonxoff") == "1",
+            rtscts=options.get("rtscts") == "1",
+            timeout=0,
+            write_timeout=2,
+        )
+        self.byte_s = 0.0 if "://" in address else 10 / baud
+
+    def read(self) -> bytes:
+        """What has arrived."""
+        return bytes(self._port.read(4096))
+
+    def write(self, data: bytes) -> None:
+        """Send all of it."""
+        self._port.write(data)
+        self._port.flush()
+
+    def close(self) -> None:
+        """Let go."""
+        self._port.close()
+
+
+class TcpPort:
+    """A TCP connection."""
+
+    byte_s = 0.0
+
+    def __init__(self, host: str, port: int) -> None:
+        self._socket = socket.create_connection((host, port), CONNECT_S)
+        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+
+    def read(self) -> bytes:
+        """What has arrived. Raises ConnectionError where the other side has closed."""
+        self._socket.setblocking(False)
+        try:
+            data = self._socket.recv(65536)
+        except BlockingIOError:
+            return b""
+        if not data:
+            raise ConnectionError("the other side closed the connection")
+        return data
+
+    def write(self, data: bytes) -> None:
+        """Send all of it."""
+        self._socket.settimeout(CONNECT_S)
+        self._socket.sendall(data)
+
+    def close(self) -> None:
+        """Let go."""
+        self._socket.close()
+
+
+class UdpPort:
+    """Datagrams that come to a local port; replies go to whoever sent the last one."""
+
+    byte_s = 0.0
+
+    def __init__(self, host: str, port: int) -> None:
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.bind((host, port))
+        self._socket.setblocking(False)
+        self._other: tuple[str, int] | None = None
+
+    def read(self) -> bytes:
+        """The next datagram, whole."""
+        try:
+            data, self._other = self._socket.recvfrom(65536)
+        except BlockingIOError:
+            return b""
+        return data
+
+    def write(self, data: bytes) -> None:
+        """One datagram."""
+        if self._other is not None:
+            self._socket.sendto(data, self._other)
+
+    def close(self) -> None:
+        """Let go."""
+        self._socket.close()
+
+
+def _open(url: str, address: str, options: dict[str, str]) -> Port:
+    scheme = url.split("://", 1)[0]
+    if scheme in ("serial", "modbus-rtu"):
+        return SerialPort(address, options)
+    place = urlsplit(f"//{address}")
+    port = place.port or (502 if scheme == "modbus-tcp" else None)
+    if port is None:
+        raise InputError(f"link {url!r} states no port")
+    return UdpPort(place.hostname or "", port) if scheme == "udp" else TcpPort(place.hostname or "localhost", port)
+
+
+def _split(url: str) -> tuple[dict[str, str], str]:
+    """Our options of a URL, and the address that is left: other options belong to pyserial."""
+    rest = url.split("://", 1)[1]
+    address, _, query = rest.partition("?")
+    pairs = parse_qsl(query)
+    foreign = "&".join(f"{key}={value}" for key, value in pairs if key not in OPTIONS)
+    return {key: value for key, value in pairs if key in OPTIONS}, address + (f"?{foreign}" if foreign else "")

@@ -1,0 +1,44 @@
+"""Coils off, with nothing but the supplies and their contacts: whatever else is wrong with the bench."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from pathlib import Path
+from typing import cast
+
+from labcal.bench.clock import Clock, RealClock
+from labcal.bench.config import AXES, read_config
+from labcal.bench.loading import Loader
+from labcal.bench.roles import CoilSupply
+from labcal.bench.zero import AtZero, to_zero
+from labcal.errors import InstrumentError
+
+
+def coils_off(path: Path, clock: Clock | None = None) -> list[AtZero]:
+    """Bring every coil of `path` to zero and open it; one report an axis, faults included. Raises InputError."""
+    config = read_config(path)
+    loader = Loader(path, config, clock or RealClock(), 0)
+    limits = dict(zip(AXES, config.cage.limits.ramp_A_per_s, strict=True))
+    with ExitStack() as afterwards:
+        supplies, unreachable = _reachable(loader, afterwards)
+        rates = {axis: min(limits[axis], supply.ramp_A_per_s) for axis, supply in supplies.items()}
+        ended = {**unreachable, **to_zero(supplies, rates, loader.clock)}
+    return [ended[axis] for axis in AXES]
+
+
+def _reachable(loader: Loader, afterwards: ExitStack) -> tuple[dict[str, CoilSupply], dict[str, AtZero]]:
+    """Supplies whose link opens and that answer, without the contacts: zero has no sign."""
+    supplies: dict[str, CoilSupply] = {}
+    unreachable: dict[str, AtZero] = {}
+    for name, entry in loader.config.instruments.items():
+        if not entry.role.startswith("coil-"):
+            continue
+        axis = entry.role[-1]
+        try:
+            supply = loader.instrument(name)
+            afterwards.callback(supply.close)
+            supply.identify()
+            supplies[axis] = cast(CoilSupply, supply)
+        except InstrumentError as error:
+            unreachable[axis] = AtZero(axis, None, False, error)
+    return supplies, unreachable

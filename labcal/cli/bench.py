@@ -1,0 +1,53 @@
+"""`labcal bench`: greet every instrument, serve emulated ones, take the coils to zero."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from labcal.cli import DONE, INSTRUMENT_FAILED, app
+
+bench = typer.Typer(help="Instruments: check, serve emulated ones, coils off.", no_args_is_help=True)
+app.add_typer(bench, name="bench")
+FILE = typer.Argument(help="bench.toml", show_default=False)
+
+
+@bench.command()
+def check(file: Path = FILE) -> None:
+    """Ask every instrument of FILE who it is."""
+    from labcal.session import greetings
+
+    table = Table("instrument", "role", "link", "answers as")
+    silent = 0
+    for greeting in greetings(file):
+        silent += greeting.fault is not None
+        said = f"[red]✕ {greeting.fault}[/red]" if greeting.fault else f"✓ {greeting.identity}"
+        table.add_row(greeting.name, greeting.role, greeting.link, said)
+    Console().print(table)
+    raise typer.Exit(INSTRUMENT_FAILED if silent else DONE)
+
+
+@bench.command()
+def serve(
+    file: Path = FILE,
+    out: Path = typer.Option(..., "--out", metavar="SERVED.toml", help="The bench file with the served links."),
+) -> None:
+    """Serve FILE's emulated instruments on TCP ports and ptys until Ctrl-C."""
+    from labcal.session import serve_bench
+
+    serve_bench(file, out, lambda: print("ready", flush=True))
+
+
+@bench.command()
+def off(file: Path = FILE) -> None:
+    """All coils to zero, outputs open where the supply can open, with read-back."""
+    from labcal.session import coils_off
+
+    ended = coils_off(file)
+    for end in ended:
+        current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
+        print(f"coil {end.axis}: {current}  {end.words}")
+    raise typer.Exit(INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE)
