@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
 from functools import cache
 from typing import Any, NamedTuple, get_args
@@ -44,10 +45,28 @@ def to_row(item: Item) -> Row:
         shape = (len(item.t_s), len(item.columns))
         if item.values.shape != shape:
             raise ValueError(f"{item.source}: a block of shape {item.values.shape} where {shape} is stated")
-        content = to_json({"stream": item.stream, "source": item.source, "columns": item.columns})
+        content = _block_content(item.stream, item.source, item.columns)
         stamps, samples = (np.ascontiguousarray(part, SAMPLES).tobytes() for part in (item.t_s, item.values))
         return Row("block", float(item.t_s[0]) if len(item) else 0.0, content, stamps, samples, item.raw)
     return Row(_kind(type(item)), float(item.t_s), to_json(asdict(item)))
+
+
+def merged(rows: Iterable[Row]) -> Iterator[Row]:
+    """The same timeline in fewer rows: blocks of one stream between two other items become one block."""
+    blocks: dict[str, list[Row]] = {}
+    for row in rows:
+        if row.kind == "block":
+            blocks.setdefault(row.content, []).append(row)
+            continue
+        yield from map(_joined, blocks.values())
+        blocks.clear()
+        yield row
+    yield from map(_joined, blocks.values())
+
+
+def _joined(rows: Sequence[Row]) -> Row:
+    stamps, samples, raw = (b"".join(part or b"" for part in parts) for parts in list(zip(*rows, strict=True))[3:])
+    return Row("block", rows[0].t_s, rows[0].content, stamps, samples, raw)
 
 
 def from_row(row: Row) -> Item:
@@ -75,6 +94,11 @@ def to_json(value: Any) -> str:
 
 def _plain(value: Any) -> Any:
     return value.tolist() if isinstance(value, np.generic | np.ndarray) else str(value)
+
+
+@cache
+def _block_content(stream: str, source: str, columns: tuple[str, ...]) -> str:
+    return to_json({"stream": stream, "source": source, "columns": columns})
 
 
 @cache

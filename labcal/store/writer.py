@@ -13,7 +13,7 @@ from typing import Self
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Item
 from labcal.store.database import connect, transaction
-from labcal.store.items import Row, to_row
+from labcal.store.items import Row, merged, to_row
 from labcal.store.liveness import Alive
 
 COMMIT_EVERY_S = 0.25  # of wall time
@@ -95,7 +95,7 @@ class RunWriter:
 
     def _insert(self, rows: Sequence[Row]) -> None:
         with transaction(self._connection, self._path):
-            self._connection.executemany(INSERT_ITEM, ((self._run, *row) for row in rows))
+            self._connection.executemany(INSERT_ITEM, ((self._run, *row) for row in merged(rows)))
 
     def _commit_in_time(self) -> None:
         while not self._closing.wait(COMMIT_EVERY_S):

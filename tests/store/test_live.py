@@ -83,6 +83,22 @@ def test_every_item_comes_back_as_it_went_in() -> None:
         assert len(store.run("r1")) == 10
 
 
+def test_blocks_of_a_stream_are_joined_but_never_past_another_item() -> None:
+    temperature = Block("channel", "dut", ("temp",), np.array([0.3]), np.array([[20.5]]), b"T")
+    with Store.open() as store:
+        with store.begin(HEADER) as writer:
+            for item in (dut_block(0.0), temperature, dut_block(1.0), SegmentOpened(2.0, SEGMENT), dut_block(2.0)):
+                writer.write(item)
+        first, second, opened, last = store.items("r1")
+        assert isinstance(first, Block)
+        np.testing.assert_array_equal(first.t_s, np.concatenate([dut_block(0.0).t_s, dut_block(1.0).t_s]))
+        np.testing.assert_array_equal(first.values[10:], dut_block(1.0).values)
+        assert first.raw == b"frame;" * 20
+        assert same(second, temperature)
+        assert opened == SegmentOpened(2.0, SEGMENT)
+        assert same(last, dut_block(2.0))
+
+
 def test_a_block_whose_parts_disagree_is_refused() -> None:
     with Store.open() as store, store.begin(HEADER) as writer, pytest.raises(ValueError, match=r"\(2, 3\)"):
         writer.write(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), np.zeros(2), np.zeros((2, 2))))
@@ -286,9 +302,11 @@ def test_kill_9_loses_no_committed_row_and_shows_as_interrupted(kills: int) -> N
         with Store.open() as store:
             assert store.status(run_id) == "interrupted"
             blocks = list(store.items(run_id))
-            assert len(blocks) >= max([committed, *said])
             t = np.concatenate([block.t_s for block in blocks if isinstance(block, Block)])
-            np.testing.assert_allclose(t, np.arange(10 * len(blocks)) / 10, atol=1e-9)
+            values = np.concatenate([block.values for block in blocks if isinstance(block, Block)])
+            assert len(t) >= 10 * max([committed, *said])
+            np.testing.assert_allclose(t, np.arange(len(t)) / 10, atol=1e-9)
+            np.testing.assert_array_equal(values, np.outer(t, [1, 2, 3]))
             assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
 
 
