@@ -8,6 +8,7 @@ import os
 import stat
 import time
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -209,6 +210,19 @@ def test_the_line_named_is_the_line_of_the_fault(bundle) -> None:
 def test_what_is_not_a_header_is_refused(header: str) -> None:
     with pytest.raises(InputError):
         Bundle(header.encode(), b"").run()
+
+
+def test_a_quoted_cell_over_a_line_end_is_found_on_its_own_line(bundle, sample_rows: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read_bundle(bundle(rows=sample_rows.replace("0.2,x", '0.2,"x\n"')))
+    assert caught.value.line == 3
+
+
+def test_what_no_file_can_say_is_written_as_missing(bundle) -> None:
+    run = read_bundle(bundle())
+    reading = run.reading.copy()
+    reading[0, 0] = np.inf
+    assert np.isnan(bundle_of(replace(run, reading=reading)).run().reading[0, 0])
 
 
 def test_unknown_keys_that_resemble_nothing_are_let_be(bundle) -> None:
