@@ -1,0 +1,168 @@
+"""The objectives of Riwanto et al. 2017, for a whole swarm at once.
+
+A particle is (K row by row, k), b = K m − k. |b|² is a quadratic form in m, so the magnitudes of all particles and
+samples are one matrix product over the ten monomials of m; the moments of a locus transform as K M Kᵀ, so its plane
+costs the same however many samples it has. `particles` is (p, 12), values are (p,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from labcal.geometry import unit
+
+Array = NDArray[np.float64]
+SignRule = Literal["two-samples", "sequence"]
+
+_CACHE_VALUES = 12_000  # particles times samples of one block: a block of doubles that stays in the processor's cache
+_FIRST, _SECOND = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])  # the six entries of a symmetric matrix
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Magnitudes:
+    """F1 (8b): how far |K m − k| is from the known magnitude, summed over the samples."""
+
+    centre: Array  # (3,) of the readings: the quadratic form is expanded there, far from cancellation
+    monomials: Array  # (10, n)
+    magnitude: Array  # (n,) [nT]
+
+    @classmethod
+    def of(cls, reading: ArrayLike, magnitude: ArrayLike) -> Magnitudes:
+        """From readings (n, 3) and the magnitude (n,) of the field [nT]."""
+        reading = np.asarray(reading, dtype=float)
+        centre = reading.mean(axis=0)
+        x, y, z = (reading - centre).T
+        rows = np.stack([x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z, x, y, z, np.ones_like(x)])
+        return cls(centre, rows, np.asarray(magnitude, dtype=float))
+
+    def squares(self, K: Array, k: Array) -> Array:
+        """F1 (p,) [nT²] for K (3, 3, p) and k (3, p)."""
+        form = self._form(K, k)
+        total, step = np.zeros(len(form)), max(1, _CACHE_VALUES // len(form))
+        for first in range(0, len(self.magnitude), step):
+            block = slice(first, first + step)
+            length = form @ self.monomials[:, block]
+            np.sqrt(np.maximum(length, 0.0, out=length), out=length)
+            length -= self.magnitude[block]
+            total += np.einsum("ps,ps->p", length, length)
+        return total
+
+    def _form(self, K: Array, k: Array) -> Array:
+        """Coefficients (p, 10) of |K m − k|² over the monomials."""
+        k = k - np.einsum("ijp,j->ip", K, self.centre)
+        columns = K.swapaxes(0, 1)
+        quadratic = np.sum(columns[_FIRST] * columns[_SECOND], axis=1)
+        linear = -2 * np.sum(columns * k, axis=1)
+        return np.ascontiguousarray(np.concatenate([quadratic, linear, np.sum(k * k, axis=0)[None]]).T)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Planes:
+    """F2 (9): how far the normal of each calibrated locus is from the known rotation axis."""
+
+    moments: Array  # (l, 9) [unit²] second moments of the readings about their mean, by locus
+    axes: Array  # (l, 3) rotation axes in B
+    turn: Array  # (l, 3) [unit²] Σ (m_s − m̄) × (m_{s+1} − m̄)
+    pair: Array  # (2, l, 3) the two samples of Algorithm 3, step 6
+    sign: SignRule
+
+    @classmethod
+    def of(cls, loci: Sequence[Array], axes: ArrayLike, sign: SignRule = "sequence") -> Planes:
+        """From the readings (n_l, 3) of each locus in the order they were taken, and their axes (l, 3) in B.
+
+        `sign` "two-samples" is Algorithm 3 (the first sample and the one a quarter further on); "sequence" takes the
+        sense of turning from all successive samples about their centroid.
+        """
+        centred = [locus - locus.mean(axis=0) for locus in loci]
+        return cls(
+            np.stack([(x.T @ x / len(x)).ravel() for x in centred]),
+            unit(axes),
+            np.stack([np.cross(x[:-1], x[1:]).sum(axis=0) for x in centred]),
+            np.stack([[locus[0] for locus in loci], [locus[len(locus) // 4] for locus in loci]]),
+            sign,
+        )
+
+    def cosines(self, K: Array, k: Array, cofactor: Array) -> Array:
+        """n̂ · (−ω̂) (l, p) by Algorithm 3, for K (3, 3, p), k (3, p) and K's cofactors (3, 3, p).
+
+        With N the projector onto the direction of least spread, |n̂ · ω̂|² = ω̂ᵀ N ω̂; the sign is that of ω̂ᵀ N S,
+        where S is the sense of turning and K a × K c = cof(K) (a × c).
+        """
+        products = K[_FIRST][:, :, None] * K[_SECOND][:, None, :]
+        moments = self.moments @ products.reshape(6, 9, -1)  # (6, l, p): K M Kᵀ
+        along = _onto_least_spread(moments, self.axes.T[:, :, None])
+        size = np.sqrt(np.maximum(np.sum(self.axes.T[:, :, None] * along, axis=0), 0.0))
+        return np.copysign(size, -np.sum(along * self._sense(K, k, cofactor), axis=0))
+
+    def _sense(self, K: Array, k: Array, cofactor: Array) -> Array:
+        if self.sign == "sequence":
+            return self.turn @ cofactor
+        first, second = (self.pair @ K[:, None]).swapaxes(0, 1) - k[:, None]
+        return np.cross(first, second, axis=0)
+
+    def squares(self, K: Array, k: Array, cofactor: Array) -> Array:
+        """F2 (p,)."""
+        return np.asarray(np.sum((1 - self.cosines(K, k, cofactor)) ** 2, axis=0))
+
+
+def _onto_least_spread(moments: Array, v: Array) -> Array:
+    """N v (3, l, p): `v` (3, l, 1) projected onto the eigenvector of the smallest eigenvalue.
+
+    `moments` (6, l, p) holds xx, yy, zz, xy, xz, yz of symmetric matrices C. The eigenvalue λ is the trigonometric
+    root of the characteristic cubic (Smith, Commun. ACM 4, 168, 1961), and N = adj(C − λ) / tr adj(C − λ).
+    """
+    diagonal, off = moments[:3], moments[3:]
+    mean = diagonal.sum(axis=0) / 3
+    deviation = diagonal - mean
+    spread = np.sqrt((np.sum(deviation**2, axis=0) + 2 * np.sum(off**2, axis=0)) / 6) + np.finfo(float).tiny
+    a, b = deviation / spread, off / spread
+    half_det = (a[0] * a[1] * a[2] + 2 * b[0] * b[1] * b[2] - np.sum(a * b[::-1] ** 2, axis=0)) / 2
+    angle = np.arccos(np.minimum(np.maximum(half_det, -1.0), 1.0)) / 3
+    a -= 2 * np.cos(angle + 2 * np.pi / 3)
+    own = a[[1, 0, 0]] * a[[2, 2, 1]] - b[::-1] ** 2
+    mixed = b[[1, 0, 0]] * b[[2, 2, 1]] - b * a[::-1]
+    xy, xz, yz = mixed
+    rows = own[0] * v[0] + xy * v[1] + xz * v[2], xy * v[0] + own[1] * v[1] + yz * v[2], xz * v[0] + yz * v[1]
+    return np.stack([rows[0], rows[1], rows[2] + own[2] * v[2]]) / (own.sum(axis=0) + np.finfo(float).tiny)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RotationAxisObjective:
+    """F (10): c_f1 √F1 / n_s + c_f2 √F2 / n_l, and −c_det log|det K| where the swarm shall not fall to K → 0.
+
+    `planes` None leaves the scalar checking objective alone. The weights by hand are the paper's.
+    """
+
+    magnitudes: Magnitudes
+    planes: Planes | None = None
+    weight_magnitude: float = 1.0
+    weight_axis_nT: float = 4e4
+    weight_det_nT: float = 0.0
+
+    def __call__(self, particles: Array) -> Array:
+        """F (p,) [nT] at `particles` (p, 12)."""
+        columns = np.ascontiguousarray(particles.T)
+        K, k = columns[:9].reshape(3, 3, -1), columns[9:]
+        samples = len(self.magnitudes.magnitude)
+        value = self.weight_magnitude / samples * np.sqrt(self.magnitudes.squares(K, k))
+        cofactor = _cofactor(K)
+        if self.planes is not None:
+            loci = len(self.planes.axes)
+            value += self.weight_axis_nT / loci * np.sqrt(self.planes.squares(K, k, cofactor))
+        if self.weight_det_nT:
+            determinant = np.abs(np.sum(K[0] * cofactor[0], axis=0)) + np.finfo(float).tiny
+            value -= self.weight_det_nT * np.log(determinant)
+        return np.asarray(value)
+
+
+def _cofactor(K: Array) -> Array:
+    """cof(K) (3, 3, p), with K a × K c = cof(K) (a × c)."""
+    following, after = K[[1, 2, 0]], K[[2, 0, 1]]
+    return np.asarray(
+        following[:, [1, 2, 0]] * after[:, [2, 0, 1]] - following[:, [2, 0, 1]] * after[:, [1, 2, 0]]
+    )
