@@ -72,17 +72,25 @@ class Planes:
     sign: SignRule
 
     @classmethod
-    def of(cls, loci: Sequence[Array], axes: ArrayLike, sign: SignRule = "sequence") -> Planes:
+    def of(
+        cls,
+        loci: Sequence[Array],
+        axes: ArrayLike,
+        sign: SignRule = "sequence",
+        forward: Sequence[Array] | None = None,
+    ) -> Planes:
         """From the readings (n_l, 3) of each locus in the order they were taken, and their axes (l, 3) in B.
 
         `sign` "two-samples" is Algorithm 3 (the first sample and the one a quarter further on); "sequence" takes the
-        sense of turning from all successive samples about their centroid.
+        sense of turning from all successive samples about their centroid, each counted by its entry (n_l − 1,) of
+        `forward`: 1 where the turn is right-handed about the axis, -1 where it goes back.
         """
         centred = [locus - locus.mean(axis=0) for locus in loci]
+        forward = forward or [np.ones(len(locus) - 1) for locus in loci]
         return cls(
             np.stack([(x.T @ x / len(x)).ravel() for x in centred]),
             unit(axes),
-            np.stack([np.cross(x[:-1], x[1:]).sum(axis=0) for x in centred]),
+            np.stack([way @ np.cross(x[:-1], x[1:]) for x, way in zip(centred, forward, strict=True)]),
             np.stack([[locus[0] for locus in loci], [locus[len(locus) // 4] for locus in loci]]),
             sign,
         )
@@ -97,11 +105,11 @@ class Planes:
         moments = self.moments @ products.reshape(6, 9, -1)  # (6, l, p): K M Kᵀ
         along = _onto_least_spread(moments, self.axes.T[:, :, None])
         size = np.sqrt(np.maximum(np.sum(self.axes.T[:, :, None] * along, axis=0), 0.0))
-        return np.copysign(size, -np.sum(along * self._sense(K, k, cofactor), axis=0))
+        return np.asarray(np.copysign(size, -np.sum(along * self._sense(K, k, cofactor), axis=0)))
 
     def _sense(self, K: Array, k: Array, cofactor: Array) -> Array:
         if self.sign == "sequence":
-            return self.turn @ cofactor
+            return np.asarray(self.turn @ cofactor)
         first, second = (self.pair @ K[:, None]).swapaxes(0, 1) - k[:, None]
         return np.cross(first, second, axis=0)
 
@@ -114,7 +122,8 @@ def _onto_least_spread(moments: Array, v: Array) -> Array:
     """N v (3, l, p): `v` (3, l, 1) projected onto the eigenvector of the smallest eigenvalue.
 
     `moments` (6, l, p) holds xx, yy, zz, xy, xz, yz of symmetric matrices C. The eigenvalue λ is the trigonometric
-    root of the characteristic cubic (Smith, Commun. ACM 4, 168, 1961), and N = adj(C − λ) / tr adj(C − λ).
+    root of the characteristic cubic (Smith, Commun. ACM 4, 168, 1961), and N = adj(C − λ) / tr adj(C − λ); applied
+    twice, what rounding left of the next eigenvector in it is squared away.
     """
     diagonal, off = moments[:3], moments[3:]
     mean = diagonal.sum(axis=0) / 3
@@ -125,10 +134,17 @@ def _onto_least_spread(moments: Array, v: Array) -> Array:
     angle = np.arccos(np.minimum(np.maximum(half_det, -1.0), 1.0)) / 3
     a -= 2 * np.cos(angle + 2 * np.pi / 3)
     own = a[[1, 0, 0]] * a[[2, 2, 1]] - b[::-1] ** 2
-    mixed = b[[1, 0, 0]] * b[[2, 2, 1]] - b * a[::-1]
-    xy, xz, yz = mixed
-    rows = own[0] * v[0] + xy * v[1] + xz * v[2], xy * v[0] + own[1] * v[1] + yz * v[2], xz * v[0] + yz * v[1]
-    return np.stack([rows[0], rows[1], rows[2] + own[2] * v[2]]) / (own.sum(axis=0) + np.finfo(float).tiny)
+    adjugate = np.concatenate([own, b[[1, 0, 0]] * b[[2, 2, 1]] - b * a[::-1]]) / (
+        own.sum(axis=0) + np.finfo(float).tiny
+    )
+    return _times(adjugate, _times(adjugate, v))
+
+
+def _times(symmetric: Array, v: Array) -> Array:
+    """Products (3, l, p) of the matrices xx, yy, zz, xy, xz, yz (6, l, p) with vectors (3, l, p)."""
+    xx, yy, zz, xy, xz, yz = symmetric
+    x, y, z = v
+    return np.stack([xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,19 +166,17 @@ class RotationAxisObjective:
         K, k = columns[:9].reshape(3, 3, -1), columns[9:]
         samples = len(self.magnitudes.magnitude)
         value = self.weight_magnitude / samples * np.sqrt(self.magnitudes.squares(K, k))
-        cofactor = _cofactor(K)
+        of_K = cofactor(K)
         if self.planes is not None:
             loci = len(self.planes.axes)
-            value += self.weight_axis_nT / loci * np.sqrt(self.planes.squares(K, k, cofactor))
+            value += self.weight_axis_nT / loci * np.sqrt(self.planes.squares(K, k, of_K))
         if self.weight_det_nT:
-            determinant = np.abs(np.sum(K[0] * cofactor[0], axis=0)) + np.finfo(float).tiny
+            determinant = np.abs(np.sum(K[0] * of_K[0], axis=0)) + np.finfo(float).tiny
             value -= self.weight_det_nT * np.log(determinant)
         return np.asarray(value)
 
 
-def _cofactor(K: Array) -> Array:
+def cofactor(K: Array) -> Array:
     """cof(K) (3, 3, p), with K a × K c = cof(K) (a × c)."""
     following, after = K[[1, 2, 0]], K[[2, 0, 1]]
-    return np.asarray(
-        following[:, [1, 2, 0]] * after[:, [2, 0, 1]] - following[:, [2, 0, 1]] * after[:, [1, 2, 0]]
-    )
+    return np.asarray(following[:, [1, 2, 0]] * after[:, [2, 0, 1]] - following[:, [2, 0, 1]] * after[:, [1, 2, 0]])

@@ -131,7 +131,7 @@ def _free(basis: Array, heights: int) -> Array:
 def _unknown_heights(loci: Loci) -> Array:
     """Which height (n, h) a row takes part in: one column a locus whose `along` is not known."""
     free = [index for index in range(len(loci.axes)) if not np.isfinite(loci.along[loci.rows(index)]).all()]
-    return (loci.locus[:, None] == np.array(free, dtype=np.intp)).astype(float)
+    return np.asarray(loci.locus[:, None] == np.array(free, dtype=np.intp), dtype=float)
 
 
 def _heights(loci: Loci, theta: Array, unknown: Array) -> Array:
@@ -198,7 +198,9 @@ def _covariance(loci: Loci, full: Array, unknown: Array, free: Array, noise: _No
     slopes = np.stack(_seen_slopes(rows), axis=1)  # (n, 2, p)
     spread = noise.spread(full[:9].reshape(3, 3), rows.known)
     B = np.einsum("nip,nij,njq->pq", slopes, spread, slopes, optimize=True) / noise.sigma**2
-    inverse = free @ np.linalg.inv(free.T @ (A + A.T) / 2 @ free) @ free.T
+    curvature = free.T @ (A + A.T) / 2 @ free
+    np.linalg.cholesky(curvature)  # a saddle is no summit
+    inverse = free @ np.linalg.inv(curvature) @ free.T
     return np.asarray(inverse @ B @ inverse)
 
 
