@@ -34,5 +34,9 @@ class LimitError(InstrumentError):
     """A set-point beyond a limit was refused; nothing was sent. The message carries both numbers."""
 
 
+class LimitNotMet(Exception):
+    """Work that ended with a negative result: the message names the measurement, its value and its limit (exit 1)."""
+
+
 class Stopped(Exception):
     """The operator stopped the work; the coils are at zero."""

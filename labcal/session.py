@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
 
 from labcal import certificate, fit
 from labcal.bench import off
+from labcal.bench.bench import open_bench
+from labcal.bench.clock import Clock
 from labcal.bench.greet import Greeting, greet
 from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
@@ -20,7 +22,52 @@ from labcal.home import home
 from labcal.model import Calibration
 from labcal.model.apply import Applied
 from labcal.record import Run
+from labcal.record.stream import Item
+from labcal.runner import Answer, Control, Outcome, find, resume_run, run_procedure, yes_to_all
 from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
+
+
+def run(
+    procedure: str,
+    bench: Path,
+    given: Mapping[str, str] | None = None,
+    *,
+    answer: Answer | None = None,
+    dut: str | None = None,
+    operator: str = "",
+    clock: Clock | None = None,
+    seed: int | None = None,
+    run_id: str | None = None,
+    store: Path | None = None,
+    control: Control | None = None,
+    tell: Callable[[Item], None] = lambda item: None,
+) -> Outcome:
+    """Run a procedure (its name, or a file) on a bench into the store, with `given` settings {key: text}.
+
+    Without `answer`, prompts are answered as far as `--yes` may. The clock is virtual where all links are emulated.
+    """
+    found = find(procedure)
+    with open_bench(bench, clock=clock, seed=seed) as lab, Store.open(store) as kept:
+        return run_procedure(
+            lab, found, given or {}, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
+            dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), run_id=run_id, control=control, tell=tell,
+        )  # fmt: skip
+
+
+def resume(
+    run: str,
+    bench: Path,
+    *,
+    answer: Answer | None = None,
+    clock: Clock | None = None,
+    seed: int | None = None,
+    control: Control | None = None,
+    tell: Callable[[Item], None] = lambda item: None,
+) -> Outcome:
+    """Go on with an interrupted run of the local store after its last finished step."""
+    with open_bench(bench, clock=clock, seed=seed) as lab, Store.open() as kept:
+        found, ask = find(kept.header(run).procedure), answer or yes_to_all(lab.simulated)
+        return resume_run(lab, found, run, store=kept, answer=ask, control=control, tell=tell)
 
 
 def load_run(run: str) -> Run:

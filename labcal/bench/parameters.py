@@ -64,6 +64,13 @@ class ParameterSpec:
         """`value` itself. Raises InputError where it is out of range."""
         return value if value is None and self.optional else self._checked(value)
 
+    def restore(self, value: Any) -> Value:
+        """The value as it was, from the JSON of a record's header."""
+        if value is None:
+            return None
+        one = Path if self.kind == "file" else lambda v: v
+        return tuple(one(v) for v in value) if self.many else one(value)
+
     def _one(self, text: str) -> Any:
         try:
             match self.kind:

@@ -7,7 +7,7 @@ from typing import cast
 
 import typer
 
-from labcal.errors import InputError, InstrumentError, Stopped
+from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
 
@@ -39,6 +39,8 @@ def _run(arguments: list[str]) -> int:
         return WRONG_INPUT
     except (KeyboardInterrupt, typer.Abort, Stopped):
         return _say("stopped", STOPPED)
+    except LimitNotMet as error:
+        return _say(str(error), NEGATIVE)
     except InstrumentError as error:
         return _say(str(error), INSTRUMENT_FAILED)
     except InputError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import typer
 
 import labcal
-from labcal.cli import app, bench, fitting, keys, report, runs, signing  # noqa: F401  each registers its commands
+from labcal.cli import app, bench, fitting, keys, report, run, runs, signing  # noqa: F401  each registers its commands
 
 
 def _version(wanted: bool) -> None:

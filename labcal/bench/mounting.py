@@ -1,0 +1,42 @@
+"""How the DUT is mounted on the platform, and fields stated relative to the platform's axis."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.bench import Bench
+from labcal.geometry import rotate, shortest_rotation, unit
+from labcal.record.run import Vector
+
+Array = NDArray[np.float64]
+AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+MARK = {"x": "body Y towards the cage's Y", "y": "body X towards the cage's X", "z": "body X towards the cage's X"}
+
+
+def attitude(bench: Bench, axis: str) -> Array:
+    """`body_from_cage` (3, 3) at angle 0 with the body axis "x", "y" or "z" along the platform axis.
+
+    The shortest turn that carries the platform axis onto the body axis: the same as `record.carry` assumes.
+    """
+    return shortest_rotation(bench.config.platform.axis_cage, AXES[axis])
+
+
+def how_to_mount(axis: str) -> str:
+    """What the technician is told."""
+    return f"Mount the DUT with body {axis.upper()} up along the platform axis, {MARK[axis]}, at platform angle 0."
+
+
+def across(bench: Bench) -> Array:
+    """A unit vector (3,) in C across the platform axis, as near to the cage's x (else y) as it goes."""
+    axis = np.asarray(bench.config.platform.axis_cage)
+    start = np.eye(3)[int(abs(axis[0]) > 0.9)]
+    return unit(start - (start @ axis) * axis)
+
+
+def inclined_field(bench: Bench, magnitude_nT: float, inclination_deg: float, azimuth_deg: float = 0.0) -> Array:
+    """A field (3,) [nT, C] inclined to the platform axis; a negative magnitude reverses it."""
+    axis = np.asarray(bench.config.platform.axis_cage)
+    tilt = np.radians(inclination_deg)
+    sideways = rotate(axis, np.radians([azimuth_deg]), across(bench))[0]
+    return np.asarray(magnitude_nT * (np.cos(tilt) * axis + np.sin(tilt) * sideways))

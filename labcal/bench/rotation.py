@@ -1,0 +1,127 @@
+"""Turning the DUT in a steady field: how fast it may, how a turn is recorded, and which sectors it covered."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.bench import Bench
+from labcal.bench.samples import samples
+from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn
+from labcal.errors import InstrumentError
+from labcal.record.run import Segment, Vector
+from labcal.record.stream import Block, Prompt
+
+SECTOR_DEG = 15.0
+TRIES_BY_HAND = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Rotation:
+    """One turn to `to_deg` [deg] at `rate_deg_per_s`; stepped where `step_deg` is not 0, resting `dwell_s` at each."""
+
+    name: str
+    axis_body: Vector
+    mode: str
+    rate_deg_per_s: float
+    to_deg: float = 360.0
+    mounting: str | None = None
+    step_deg: float = 0.0
+    dwell_s: float = 2.0
+    u_axis_body_deg: float | None = None
+    u_time_s: float | None = None
+    note: str = field(default="")
+
+    def seconds(self, angle_deg: float = 360.0) -> float:
+        """Lab time of a turn by `angle_deg`."""
+        rests = abs(angle_deg) / self.step_deg * self.dwell_s if self.step_deg else 0.0
+        return abs(angle_deg) / self.rate_deg_per_s + rests
+
+    def segment(self, bench: Bench) -> Segment:
+        """The segment of the record. A scalar reference knows no axis in the cage."""
+        platform, vector = bench.config.platform, bench.config.reference.kind == "vector"
+        return Segment(
+            self.name,
+            "rotation",
+            mode=self.mode,
+            note=self.note,
+            axis_body=self.axis_body,
+            axis_cage=platform.axis_cage if vector else None,
+            mounting=self.mounting,
+            angle_noise_deg=platform.angle_noise_deg,
+            u_axis_body_deg=self.u_axis_body_deg,
+            u_axis_cage_deg=platform.u_axis_cage_deg,
+            u_time_s=self.u_time_s,
+        )
+
+
+def fastest_rate(bench: Bench, magnitude_nT: float, inclination_deg: float, u_time_s: float, timing_nT: float) -> float:
+    """The fastest allowed rate [deg/s]: the timing error |b_perp| ω u_t stays below `timing_nT`.
+
+    Never beyond the platform's, or the DUT's own limit.
+    """
+    across_nT = abs(magnitude_nT) * np.sin(np.radians(inclination_deg))
+    by_timing = float(np.degrees(timing_nT / (across_nT * u_time_s)))
+    by_dut = bench.config.dut.limits.rate_deg_per_s or np.inf
+    return min(by_timing, bench.platform.max_rate_deg_per_s, by_dut)
+
+
+def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:
+    """Record one turn as a segment, with its coverage; sectors that are missing by hand are asked for."""
+    how = _by_motor if bench.platform.motorised else _by_hand
+    blocks = yield from recorded(bench, rotation.segment(bench), how(bench, rotation))
+    missing = missing_sectors(blocks)
+    yield from measured(bench, f"{rotation.name}: missing sectors", len(missing), 0.0, "", limit=0.0)
+    return blocks
+
+
+def missing_sectors(blocks: Sequence[Block], sector_deg: float = SECTOR_DEG) -> list[int]:
+    """The starting angles [deg] of the sectors of the circle in which no angle was recorded."""
+    angle = np.sort(samples(blocks, "angle", "angle_deg").values[:, 0])
+    between = _filled(angle, sector_deg)
+    seen = {int(a // sector_deg) for a in np.mod(between, 360.0)}
+    return [int(n * sector_deg) for n in range(round(360 / sector_deg)) if n not in seen]
+
+
+def _filled(angle: NDArray[np.float64], sector_deg: float) -> NDArray[np.float64]:
+    """The angles, with the path between two neighbours that are less than half a sector apart."""
+    middles = (angle[1:] + angle[:-1]) / 2
+    return np.concatenate([angle, middles[np.diff(angle) < sector_deg / 2]])
+
+
+def _by_motor(bench: Bench, rotation: Rotation) -> Work[Blocks]:
+    if not rotation.step_deg:
+        return (yield from turn(bench, rotation.to_deg, rotation.rate_deg_per_s))
+    kept: Blocks = []
+    for angle in stops(bench.platform.angle_deg(), rotation.to_deg, rotation.step_deg):
+        kept += yield from turn(bench, angle, rotation.rate_deg_per_s)
+        kept += yield from record(bench, rotation.dwell_s)
+    return kept
+
+
+def stops(from_deg: float, to_deg: float, step_deg: float) -> list[float]:
+    """The angles at which a stepped turn rests, the last one `to_deg`."""
+    count = max(1, round(abs(to_deg - from_deg) / step_deg))
+    return [from_deg + (to_deg - from_deg) * n / count for n in range(1, count + 1)]
+
+
+def _by_hand(bench: Bench, rotation: Rotation) -> Work[Blocks]:
+    """Ask for each angle in turn: a dial has no motor, but a person who reads it."""
+    kept: Blocks = []
+    wanted = stops(bench.platform.angle_deg(), rotation.to_deg, rotation.step_deg or SECTOR_DEG)
+    for _ in range(TRIES_BY_HAND):
+        for angle in wanted:
+            text = f"Turn the platform to {angle:.0f}°, right-handed about its axis, then take your hands off."
+            yield Prompt(bench.clock.now(), f"turn-{angle:.0f}", text, acts=True, drawing={"angle_deg": angle})
+            kept += yield from record(bench, rotation.dwell_s)
+        wanted = [float(a) + SECTOR_DEG / 2 for a in missing_sectors(kept)]
+        if not wanted:
+            return kept
+    raise InstrumentError(
+        f"{rotation.name}: sectors {[round(w) for w in wanted]}° are still missing.",
+        fault="coverage",
+        remedy="Check that the dial's reading is entered after each turn.",
+    )

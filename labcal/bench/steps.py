@@ -1,0 +1,218 @@
+"""The words of a procedure: record, turn, set a field, ask. Each is a generator for `yield from`.
+
+with ExitStack() as afterwards:
+afterwards.callback(bench.make_safe)          # the undo, before anything is energised
+yield from energise(bench, (0, 0, 20_000))
+blocks = yield from recorded(bench, segment, record(bench, 10.0))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from labcal.bench.bench import Bench
+from labcal.bench.samples import Samples, samples
+from labcal.errors import InputError, InstrumentError
+from labcal.record.run import Segment
+from labcal.record.stream import (
+    Block,
+    Event,
+    Item,
+    Measurement,
+    ModeChanged,
+    Prompt,
+    SegmentClosed,
+    SegmentOpened,
+    Step,
+)
+
+T = TypeVar("T")
+Work = Generator[Item, str | None, T]  # yields what it measured, receives answers, returns what the caller needs
+Procedure = Work[None]
+Blocks = list[Block]
+TICK_S = 0.5  # samples are handed on at least so often
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What a procedure will do: names and lab time of its steps, so that each can say what is left."""
+
+    steps: tuple[tuple[str, float], ...]  # name, s
+
+    def begin(self, bench: Bench, name: str) -> Step:
+        """The item that opens the step `name`."""
+        number = [n for n, _ in self.steps].index(name)
+        left = sum(seconds for _, seconds in self.steps[number:])
+        return Step(bench.clock.now(), number + 1, len(self.steps), name, left)
+
+
+@dataclass(frozen=True, slots=True)
+class Resume:
+    """What an interrupted run had finished, given to a procedure that declares the keyword `resume`.
+
+    `done`: names of finished steps. `measured`: the last value of each measurement by name.
+    """
+
+    done: frozenset[str]
+    measured: dict[str, float]
+
+
+def record(bench: Bench, seconds: float) -> Work[Blocks]:
+    """Hand on what the streams send for `seconds`, and return it."""
+    kept: Blocks = []
+    until = bench.clock.now() + seconds
+    while (now := bench.clock.now()) < until:
+        blocks = bench.stream_until(min(now + TICK_S, until))
+        kept += blocks
+        yield from blocks
+    return kept
+
+
+def turn(bench: Bench, to_deg: float, rate_deg_per_s: float) -> Work[Blocks]:
+    """Turn the platform to `to_deg` while the streams are handed on; return what they sent."""
+    limit = bench.config.dut.limits.rate_deg_per_s
+    if limit is not None and rate_deg_per_s > limit:
+        raise InputError(f"{rate_deg_per_s:g} deg/s is beyond the DUT's limit of {limit:g} deg/s; nothing was moved.")
+    kept: Blocks = []
+    bench.platform.move_to(to_deg, rate_deg_per_s)
+    while bench.platform.moving():
+        kept += yield from record(bench, TICK_S)
+    return kept
+
+
+def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
+    """Bring a platform with a motor to `angle_deg`, homed first where it does not know where it is."""
+    if not bench.platform.motorised:
+        return
+    bench.platform.home()
+    while bench.platform.moving():
+        yield from record(bench, TICK_S)
+    fastest = min(bench.platform.max_rate_deg_per_s, bench.config.dut.limits.rate_deg_per_s or np.inf, 30.0)
+    yield from turn(bench, angle_deg, fastest)
+
+
+def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:
+    """Do `work` inside a segment of the record."""
+    yield SegmentOpened(bench.clock.now(), segment)
+    try:
+        result = yield from work
+    except InstrumentError:
+        yield SegmentClosed(bench.clock.now())
+        raise
+    yield SegmentClosed(bench.clock.now())
+    return result
+
+
+def rest(
+    bench: Bench, name: str, seconds: float, *, mode: str | None = None, mounting: str | None = None
+) -> Work[Blocks]:
+    """Record a standstill of `seconds` as a segment."""
+    segment = Segment(name, "static", mode=mode, mounting=mounting)
+    return (yield from recorded(bench, segment, record(bench, seconds)))
+
+
+def measure_ambient(bench: Bench, seconds: float, *, name: str = "zero") -> Work[Blocks]:
+    """Coils off, a standstill outside any segment; what the reference then sees becomes the cage's ambient field."""
+    yield from coils_off(bench)
+    blocks = yield from record(bench, seconds)
+    reference = samples(blocks, "reference")
+    for column, value, u in zip(reference.columns, reference.mean, reference.u_mean, strict=True):
+        yield from measured(bench, f"{name}: {column}", value, u, "nT")
+    if len(reference.columns) == 3:
+        bench.cage.ambient_nT = reference.mean
+    return blocks
+
+
+def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | None]:
+    """Do `work`; where an instrument fails, coils off and ask: stop, retry, or skip with a reason (then None).
+
+    A stopped step never restarts by itself: the first choice is to stop.
+    """
+    while True:
+        try:
+            return (yield from work())
+        except InstrumentError as fault:
+            yield Event(bench.clock.now(), "fault", str(fault), {"step": name, "fault": fault.fault})
+            yield from coils_off(bench)
+            text = f"{name}: {fault} The coils are at zero."
+            answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, ("stop", "retry", "skip"))
+            if answer == "stop":
+                raise
+            if answer == "skip":
+                reason = yield Prompt(bench.clock.now(), f"skip-{name}", f"Why is {name} skipped?", ())
+                yield Event(bench.clock.now(), "skip", f"{name} skipped: {reason}", {"step": name, "reason": reason})
+                return None
+
+
+def energise(bench: Bench, b_nT: ArrayLike) -> Work[None]:
+    """Bring the total field at the centre to `b_nT` (3,) in C, and say so in the record."""
+    b = [float(v) for v in np.asarray(b_nT)]
+    bench.cage.set_field(b)
+    yield _set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)
+
+
+def drive(bench: Bench, i_A: ArrayLike) -> Work[None]:
+    """Bring the coil currents to `i_A` (3,), and say so in the record."""
+    i = [float(v) for v in np.asarray(i_A)]
+    bench.cage.set_currents(i)
+    yield _set_point(bench, f"currents {i[0]:.4f} {i[1]:.4f} {i[2]:.4f} A", current_A=i)
+
+
+def coils_off(bench: Bench) -> Work[None]:
+    """All coils to zero, read back, and say so in the record."""
+    bench.cage.zero()
+    yield Event(bench.clock.now(), "read-back", "coils at zero", {"current_A": bench.cage.currents_A().tolist()})
+
+
+def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str) -> Work[None]:
+    """Coils off, platform to zero, then ask the person to mount the DUT so; `body_from_cage` (3, 3) at angle 0."""
+    yield from coils_off(bench)
+    yield from to_angle(bench, 0.0)
+    attitude = np.asarray(body_from_cage, dtype=float)
+    drawing = {"body_from_cage": attitude.tolist(), "axis_cage": list(bench.config.platform.axis_cage)}
+    yield Prompt(bench.clock.now(), key, text, acts=True, drawing=drawing)
+
+
+def switch_mode(bench: Bench, mode: str) -> Work[None]:
+    """Ask the person to bring the DUT into the power mode `mode`."""
+    allowed = bench.config.dut.limits.modes
+    if allowed and mode not in allowed:
+        raise InputError(f"power mode {mode!r} is none of the DUT's: {', '.join(allowed)}")
+    text = f"Switch the DUT to power mode {mode}."
+    yield Prompt(bench.clock.now(), f"mode-{mode}", text, acts=True, drawing={"mode": mode})
+    yield ModeChanged(bench.clock.now(), mode)
+
+
+def ready(bench: Bench, text: str) -> Work[None]:
+    """Ask before the first energising: hands off, and a person says so."""
+    yield Prompt(bench.clock.now(), "ready", text, acts=True)
+
+
+def measured(
+    bench: Bench, name: str, value: float, u: float, unit: str, limit: float | None = None
+) -> Work[Measurement]:
+    """Put a measurement into the record and return it with its verdict."""
+    result = Measurement(bench.clock.now(), name, float(value), float(u), unit, limit)
+    yield result
+    return result
+
+
+def note(bench: Bench, text: str, **data: Any) -> Event:
+    """A remark for the record."""
+    return Event(bench.clock.now(), "note", text, data)
+
+
+def dut_nT(bench: Bench, blocks: Sequence[Block]) -> Samples:
+    """The DUT's readings as nominal nT, body axes."""
+    raw = samples(blocks, "dut")
+    return replace(raw, values=raw.values * bench.config.dut.nominal_nT_per_unit)
+
+
+def _set_point(bench: Bench, text: str, **data: Any) -> Event:
+    read_back = bench.cage.currents_A().tolist()
+    return Event(bench.clock.now(), "set-point", text, data | {"read_back_A": read_back})

@@ -1,0 +1,116 @@
+"""What a run shows on stderr while it goes on: a bar for people, a line of JSON an item for programs, or nothing."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Protocol
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn
+
+from labcal.errors import InputError
+
+if TYPE_CHECKING:
+    from labcal.record.stream import Item, Prompt
+
+
+class Display(Protocol):
+    """Shows items as they come, and asks what has to be asked."""
+
+    def tell(self, item: Item) -> None:
+        """Show one item."""
+        ...
+
+    def ask(self, prompt: Prompt) -> str:
+        """Ask the person at the terminal."""
+        ...
+
+
+@contextmanager
+def shown(how: str) -> Iterator[Display]:
+    """The display `how`: "bar", "json" or "none"."""
+    if how != "bar":
+        yield Lines() if how == "json" else Nothing()
+        return
+    columns = (TextColumn("{task.description:<28}"), BarColumn(), TextColumn("{task.fields[left]}"))
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        yield Bar(progress)
+
+
+class Nothing:
+    """Shows nothing; asks all the same."""
+
+    def tell(self, item: Item) -> None:
+        """Show nothing."""
+
+    def ask(self, prompt: Prompt) -> str:
+        """Ask on the terminal until one of the choices is said."""
+        if not sys.stdin.isatty():
+            raise InputError(f"nobody is there to answer: {prompt.text} (at a terminal, or with --yes on a simulation)")
+        return _until_valid(prompt)
+
+
+class Lines(Nothing):
+    """One JSON object a line for each step, measurement, prompt and event."""
+
+    def tell(self, item: Item) -> None:
+        """Write it, unless it is samples."""
+        from labcal.record.stream import Block, Measurement
+
+        if isinstance(item, Block):
+            return
+        verdict = {"verdict": item.verdict} if isinstance(item, Measurement) else {}
+        said = {"item": type(item).__name__.lower(), **asdict(item), **verdict}
+        print(json.dumps(said, default=str), file=sys.stderr, flush=True)
+
+
+class Bar(Nothing):
+    """Step n of m with the lab time left; measurements with their verdict as they are made."""
+
+    def __init__(self, progress: Progress) -> None:
+        self._progress = progress
+        self._task = progress.add_task("starting", total=None, left="")
+
+    def tell(self, item: Item) -> None:
+        """Move the bar at a step, print a measurement that has a limit."""
+        from labcal.record.stream import Measurement, Step
+
+        if isinstance(item, Step):
+            left = f"step {item.number} of {item.total} · {clock_face(item.left_s)} left"
+            self._progress.update(
+                self._task, description=item.name, total=item.total, completed=item.number - 1, left=left
+            )
+        if isinstance(item, Measurement) and item.limit is not None:
+            value = f"{item.value:.4g} ± {2 * item.u:.2g} {item.unit} (limit {item.limit:g})"
+            self._progress.console.print(f"{item.verdict:<13} {item.name}: {value}", highlight=False)
+
+    def ask(self, prompt: Prompt) -> str:
+        """Ask with the bar out of the way."""
+        self._progress.stop()
+        try:
+            return super().ask(prompt)
+        finally:
+            self._progress.start()
+
+
+def clock_face(seconds: float) -> str:
+    """Seconds as minutes and seconds: 6:40."""
+    return f"{int(seconds) // 60}:{int(seconds) % 60:02d}"
+
+
+def _until_valid(prompt: Prompt) -> str:
+    choices = f" [{'/'.join(prompt.choices)}]" if prompt.choices else ""
+    while True:
+        print(f"{prompt.text}{choices} ", end="", file=sys.stderr, flush=True)
+        given = sys.stdin.readline()
+        if not given:
+            raise InputError(f"nobody answered: {prompt.text}")
+        given = given.strip()
+        if len(prompt.choices) == 1 and given == "":
+            return prompt.choices[0]
+        if not prompt.choices or given in prompt.choices:
+            return given

@@ -1,0 +1,124 @@
+"""`labcal run`: a procedure on the bench, with progress for people and for programs."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from datetime import UTC, datetime
+from enum import StrEnum
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from labcal.cli import app
+from labcal.cli.progress import shown
+from labcal.errors import InputError
+
+if TYPE_CHECKING:
+    from labcal.bench.clock import Clock
+    from labcal.runner import Control
+
+
+class ClockChoice(StrEnum):
+    """True speed, or as fast as the computer goes (where all links are emulated)."""
+
+    real = "real"
+    virtual = "virtual"
+
+
+class ProgressChoice(StrEnum):
+    """How progress is shown on stderr."""
+
+    bar = "bar"
+    json = "json"
+    none = "none"
+
+
+@app.command("run")
+def run(
+    procedure: str | None = typer.Argument(None, help="A procedure's name, or a file ./my_test.py; none: list them."),
+    bench: Path | None = typer.Option(None, help="The bench file."),
+    dut: str | None = typer.Option(
+        None, metavar="SERIAL", help="The DUT's serial number, instead of the bench file's."
+    ),
+    operator: str = typer.Option("", metavar="NAME", help="Who does it."),
+    settings: list[str] = typer.Option([], "--set", metavar="KEY=VALUE", help="A parameter of the procedure."),
+    yes: bool = typer.Option(False, "--yes", help="Answer prompts; on a real bench only those that do nothing."),
+    resume: str | None = typer.Option(None, metavar="RUN", help="Go on with an interrupted run."),
+    clock: ClockChoice | None = typer.Option(None, help="True speed, or virtual (the default where all is emulated)."),
+    seed: int | None = typer.Option(None, help="Of the simulated lab."),
+    progress: ProgressChoice = typer.Option(ProgressChoice.bar, help="How to show progress on stderr."),
+) -> None:
+    """Run a scripted procedure; prints the run id last."""
+    from labcal import session
+    from labcal.runner import Control
+
+    control = Control()
+    options: dict[str, Any] = {"clock": _clock(clock), "seed": seed, "control": control}
+    with _stop_on_interrupt(control), shown(progress.value) as display:
+        options |= {"answer": None if yes else display.ask, "tell": display.tell}
+        if resume is not None:
+            outcome = session.resume(resume, _bench(bench), **options)
+        elif procedure is not None:
+            given = _pairs(settings)
+            outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, **options)
+        else:
+            return _list()
+    print(outcome.status, file=sys.stderr)
+    print(outcome.run_id)
+    return outcome.raise_fault()
+
+
+def _list() -> None:
+    """What there is to run, with what each may be told."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from labcal.runner import procedures
+
+    table = Table("procedure", "does", "--set", box=None)
+    for name, found in procedures().items():
+        told = "\n".join(f"{spec.name}: {spec.expected}" for spec in found.parameters)
+        table.add_row(name, found.title, told)
+    Console().print(table)
+
+
+def _pairs(settings: Sequence[str]) -> dict[str, str]:
+    pairs = [text.partition("=") for text in settings]
+    for key, equals, _ in pairs:
+        if not equals or not key:
+            raise InputError(f"--set {key}: expected KEY=VALUE")
+    return {key.strip(): value for key, _, value in pairs}
+
+
+def _bench(given: Path | None) -> Path:
+    if given is None:
+        raise InputError("which bench? say --bench FILE")
+    return given
+
+
+def _clock(choice: ClockChoice | None) -> Clock | None:
+    from labcal.bench.clock import RealClock, VirtualClock
+
+    if choice is None:
+        return None
+    return RealClock() if choice is ClockChoice.real else VirtualClock(datetime.now(UTC))
+
+
+@contextmanager
+def _stop_on_interrupt(control: Control) -> Iterator[None]:
+    """Ctrl-C stops the run in order; the second one breaks off where it is."""
+
+    def interrupted(_: int, __: FrameType | None) -> None:
+        control.stop()
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    before = signal.signal(signal.SIGINT, interrupted)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -1,1 +1,0 @@
-"""Drives a procedure, writes the store, resumes."""

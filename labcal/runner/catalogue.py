@@ -1,0 +1,104 @@
+"""Where procedures are found: by name in the entry-point group `labcal.procedures`, or as a file of one's own."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import inspect
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from labcal.bench.parameters import ParameterSpec, parameters_of
+from labcal.bench.steps import Procedure
+from labcal.errors import InputError
+
+GROUP = "labcal.procedures"
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A procedure as found: what it is called, what it may be told, and the text it was read from."""
+
+    name: str
+    function: Callable[..., Procedure]
+    parameters: tuple[ParameterSpec, ...]
+    source: Path
+
+    @property
+    def title(self) -> str:
+        """The first line of its docstring."""
+        return (inspect.getdoc(self.function) or self.name).splitlines()[0]
+
+    @property
+    def sha256(self) -> str:
+        """SHA-256 of its source file."""
+        return hashlib.sha256(self.source.read_bytes()).hexdigest()
+
+    @property
+    def resumable(self) -> bool:
+        """Whether it can go on after its last finished step."""
+        return "resume" in inspect.signature(self.function).parameters
+
+
+def procedures() -> dict[str, Found]:
+    """All installed procedures by name, alphabetically."""
+    return {entry.name: _installed(entry) for entry in sorted(entry_points(group=GROUP), key=lambda e: e.name)}
+
+
+def find(procedure: str) -> Found:
+    """The procedure of that name, or in that file. Raises InputError where there is none."""
+    if procedure.endswith(".py") or "/" in procedure or "\\" in procedure:
+        return _from_file(Path(procedure))
+    entries = {entry.name: entry for entry in entry_points(group=GROUP)}
+    if procedure not in entries:
+        known = ", ".join(sorted(entries))
+        raise InputError(f"there is no procedure {procedure!r}; there are {known}, or a file ./my_test.py")
+    return _installed(entries[procedure])
+
+
+def _installed(entry: EntryPoint) -> Found:
+    function = entry.load()
+    source = inspect.getsourcefile(function)
+    return Found(entry.name, function, parameters_of(function), Path(source or ""))
+
+
+def _from_file(path: Path) -> Found:
+    if not path.is_file():
+        raise InputError("there is no such file", file=path)
+    function = _function_in(_imported(path), path)
+    return Found(path.stem.replace("_", "-"), function, parameters_of(function), path.resolve())
+
+
+def _imported(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"labcal_procedure_{path.stem}", path)
+    if spec is None or spec.loader is None:
+        raise InputError("is not a Python file", file=path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    try:
+        spec.loader.exec_module(module)
+    except SyntaxError as error:
+        raise InputError(f"is not Python: {error.msg}", file=path, line=error.lineno) from error
+    except Exception as error:
+        raise InputError(f"cannot be loaded: {type(error).__name__}: {error}", file=path) from error
+    return module
+
+
+def _function_in(module: ModuleType, path: Path) -> Callable[..., Procedure]:
+    """The generator function that is named like the file, or the only one there is."""
+    own: dict[str, Any] = {
+        name: value
+        for name, value in vars(module).items()
+        if inspect.isgeneratorfunction(value) and value.__module__ == module.__name__ and not name.startswith("_")
+    }
+    chosen = own.get(path.stem) or (next(iter(own.values())) if len(own) == 1 else None)
+    if chosen is None:
+        raise InputError(
+            f"holds {len(own) or 'no'} procedures; name one generator function {path.stem}(bench, *, …)", file=path
+        )
+    return chosen  # type: ignore[no-any-return]

@@ -1,0 +1,167 @@
+"""Drives a procedure: writes what it yields, answers what it asks, and brings the bench to rest however it ends."""
+
+from __future__ import annotations
+
+import queue
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from labcal.bench.bench import Bench
+from labcal.bench.clock import VirtualClock
+from labcal.bench.steps import Procedure
+from labcal.errors import InstrumentError, Stopped
+from labcal.record.stream import Block, Event, Item, Prompt, Step
+from labcal.runner.control import Aborted, Control
+from labcal.runner.prompts import Answer, checked
+
+LISTEN_S = 0.2  # while a person thinks, the streams are still written down
+CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
+Tell = Callable[[Item], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """How a run ended. `status` is the contract's word; `fault` what went wrong, None where nothing did."""
+
+    status: str
+    fault: BaseException | None = None
+
+
+@dataclass
+class Drive:
+    """One procedure on one bench into one record. `offset_s` shifts the bench's time onto the run's."""
+
+    bench: Bench
+    write: Callable[[Item], None]
+    answer: Answer
+    control: Control = field(default_factory=Control)
+    tell: Tell = lambda item: None
+    offset_s: float = 0.0
+    _reply: str | None = field(default=None, init=False)
+
+    def run(self, procedure: Procedure) -> Ending:
+        """Drive `procedure` to its end, whatever that is, and the bench to rest."""
+        ending = self._to_its_end(procedure)
+        return self._at_rest(ending)
+
+    def _to_its_end(self, procedure: Procedure) -> Ending:
+        started = self.bench.clock.utc(), self.bench.clock.now()
+        try:
+            with closing(procedure):
+                self.bench.start()
+                for item in self._items(procedure):
+                    self._keep(item)
+                    if isinstance(item, Prompt):
+                        self._reply = self._ask(item)
+                    if isinstance(item, Step):
+                        self._refuse_a_clock_set_back(*started)
+                        self._pause_if_wanted()
+            return Ending("finished")
+        except Aborted as fault:
+            return Ending(f"failed: {fault}", fault)
+        except (Stopped, KeyboardInterrupt) as fault:
+            return Ending("stopped", fault)
+        except BaseException as fault:
+            return Ending(f"failed: {_sentence(fault)}", fault)
+
+    def _items(self, procedure: Procedure) -> Iterator[Item]:
+        """What the procedure yields, while it is given the answers to what it asks."""
+        while True:
+            self.control.check()
+            reply, self._reply = self._reply, None
+            try:
+                item = procedure.send(reply)
+            except StopIteration:
+                return
+            yield item
+
+    def _keep(self, item: Item) -> None:
+        item = _later(item, self.offset_s) if self.offset_s else item
+        self.write(item)
+        self.tell(item)
+
+    def _ask(self, prompt: Prompt) -> str:
+        given = checked(prompt, self._answer_while_listening(prompt))
+        if self.bench.hands is not None:
+            self.bench.hands.do(prompt)
+        self._keep(self._event("answer", given, key=prompt.key))
+        return given
+
+    def _answer_while_listening(self, prompt: Prompt) -> str:
+        if isinstance(self.bench.clock, VirtualClock):
+            return self.answer(prompt)
+        answers: queue.Queue[str | BaseException] = queue.Queue()
+        threading.Thread(target=_put_answer, args=(self.answer, prompt, answers), daemon=True).start()
+        while answers.empty():
+            self._listen()
+        given = answers.get()
+        if isinstance(given, BaseException):
+            raise given
+        return given
+
+    def _pause_if_wanted(self) -> None:
+        if not self.control.paused():
+            return
+        self.bench.cage.zero()
+        self._keep(self._event("pause", "paused, coils at zero", current_A=self.bench.cage.currents_A().tolist()))
+        while self.control.paused():
+            self._listen()
+        self._keep(self._event("pause", "goes on"))
+
+    def _listen(self) -> None:
+        self.control.check()
+        for block in self.bench.stream_until(self.bench.clock.now() + LISTEN_S):
+            self._keep(block)
+
+    def _refuse_a_clock_set_back(self, utc: Any, now: float) -> None:
+        behind = (self.bench.clock.now() - now) - (self.bench.clock.utc() - utc).total_seconds()
+        if behind > CLOCK_BACK_S:
+            raise InstrumentError(
+                f"the computer's clock was set back by {behind:.1f} s.",
+                fault="clock set back",
+                remedy="The coils are at zero. Set the clock right and start the run again.",
+            )
+
+    def _at_rest(self, ending: Ending) -> Ending:
+        """Coils to zero, every instrument to rest, and what was read back into the record."""
+        bench, faults = self.bench, list[Exception]()
+        for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop, lambda: self._keep(self._read_back(faults))):
+            try:
+                come_to_rest()
+            except Exception as fault:
+                faults.append(fault)
+        if not faults or ending.fault is not None:
+            return ending
+        return Ending(f"failed: {_sentence(faults[0])}", faults[0])
+
+    def _read_back(self, faults: list[Exception]) -> Event:
+        data: dict[str, Any] = {"faults": [_sentence(f) for f in faults]}
+        try:
+            data["current_A"] = self.bench.cage.currents_A().tolist()
+        except InstrumentError as fault:
+            data["faults"].append(_sentence(fault))
+        text = "coils NOT confirmed at zero" if data["faults"] else "coils at zero"
+        return self._event("read-back", text, **data)
+
+    def _event(self, kind: str, text: str, **data: Any) -> Event:
+        return Event(self.bench.clock.now(), kind, text, data)
+
+
+def _later(item: Item, by_s: float) -> Item:
+    if isinstance(item, Block):
+        return replace(item, t_s=item.t_s + by_s)
+    return replace(item, t_s=item.t_s + by_s)
+
+
+def _put_answer(answer: Answer, prompt: Prompt, answers: queue.Queue[str | BaseException]) -> None:
+    try:
+        answers.put(answer(prompt))
+    except BaseException as fault:
+        answers.put(fault)
+
+
+def _sentence(fault: BaseException) -> str:
+    return str(fault) or type(fault).__name__

@@ -1,0 +1,34 @@
+"""Who answers a prompt: a person, or `--yes` as far as that may."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from labcal.errors import InputError
+from labcal.record.stream import Prompt
+
+Answer = Callable[[Prompt], str]
+
+
+def first_choice(prompt: Prompt) -> str:
+    """The answer of a bench where nothing can be hurt: the first choice."""
+    return prompt.choices[0] if prompt.choices else ""
+
+
+def information_only(prompt: Prompt) -> str:
+    """The first choice where nothing is done by it. Raises InputError where only a person may answer."""
+    if prompt.acts:
+        raise InputError(f"--yes cannot answer for a person on a real bench: {prompt.text}")
+    return first_choice(prompt)
+
+
+def yes_to_all(simulated: bool) -> Answer:
+    """What `--yes` answers with: everything where all links are emulated, else information only."""
+    return first_choice if simulated else information_only
+
+
+def checked(prompt: Prompt, answer: str) -> str:
+    """`answer` itself. Raises InputError where it is none of the choices."""
+    if prompt.choices and answer not in prompt.choices:
+        raise InputError(f"{answer!r} is no answer to {prompt.key!r}: expected {' or '.join(prompt.choices)}")
+    return answer

@@ -1,0 +1,204 @@
+"""One run from its header to its true final status, and one that goes on after it broke off."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import labcal
+from labcal.bench.bench import Bench
+from labcal.bench.parameters import settings
+from labcal.bench.roles import Identity
+from labcal.bench.steps import Resume
+from labcal.errors import InputError, LimitNotMet
+from labcal.record import Dut, Reference, RunHeader
+from labcal.record.header import ChannelSpec
+from labcal.record.stream import Block, Event, Item, Measurement, Step
+from labcal.runner.catalogue import Found
+from labcal.runner.control import Control
+from labcal.runner.drive import Drive, Ending, Tell
+from labcal.runner.prompts import Answer
+from labcal.store import RunWriter, Store
+
+GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met."""
+
+    run_id: str
+    status: str
+    fault: BaseException | None
+    failed: tuple[Measurement, ...] = ()
+
+    def raise_fault(self) -> None:
+        """Raise what went wrong, or LimitNotMet where a measurement failed; return where all is well."""
+        if self.fault is not None:
+            raise self.fault
+        if self.failed:
+            worst = self.failed[0]
+            raise LimitNotMet(f"{worst.name}: {worst.value:.4g} {worst.unit} is beyond its limit of {worst.limit:.4g}")
+
+
+def run_procedure(
+    bench: Bench,
+    procedure: Found,
+    given: Mapping[str, str],
+    *,
+    store: Store,
+    answer: Answer,
+    operator: str = "",
+    dut_serial: str | None = None,
+    bench_file: str = "",
+    run_id: str | None = None,
+    control: Control | None = None,
+    tell: Tell = lambda item: None,
+) -> Outcome:
+    """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
+
+    Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
+    wrong later is in the Outcome, and the coils are at zero.
+    """
+    values = settings(procedure.parameters, given)
+    identities = bench.identities()
+    header = RunHeader(
+        run_id=run_id or new_run_id(bench),
+        started_utc=bench.clock.utc().isoformat(timespec="milliseconds").replace("+00:00", "Z"),
+        simulated=bench.simulated,
+        operator=operator,
+        dut=_dut(bench, dut_serial),
+        reference=_reference(bench, identities),
+        channels=tuple(ChannelSpec(c.name, c.unit, c.quantity, c.role) for c in bench.channels),
+        procedure=procedure.name,
+        parameters=values,
+        source_sha256=procedure.sha256,
+        bench=bench_file,
+        instruments=_named(identities),
+        software=f"labcal {labcal.__version__}",
+    )
+    writer = store.begin(header)
+    return _drive(bench, procedure, values, writer, answer, control, tell, 0.0)
+
+
+def resume_run(
+    bench: Bench,
+    procedure: Found,
+    run_id: str,
+    *,
+    store: Store,
+    answer: Answer,
+    control: Control | None = None,
+    tell: Tell = lambda item: None,
+) -> Outcome:
+    """Go on with an interrupted run after its last finished step.
+
+    Raises InputError where the run was not interrupted, the procedure cannot be resumed or has changed since, or
+    another bench's instruments answer.
+    """
+    header = store.header(run_id)
+    _refuse_another(bench, procedure, header)
+    items = list(store.items(run_id))
+    values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
+    writer = store.resume(run_id)
+    offset = _last_time(items) + GAP_S - bench.clock.now()
+    return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, offset)
+
+
+def new_run_id(bench: Bench) -> str:
+    """The UTC time of its start and four letters: 20261121T070000-3f9c."""
+    return f"{bench.clock.utc():%Y%m%dT%H%M%S}-{secrets.token_hex(2)}"
+
+
+def _drive(
+    bench: Bench,
+    procedure: Found,
+    values: Mapping[str, Any],
+    writer: RunWriter,
+    answer: Answer,
+    control: Control | None,
+    tell: Tell,
+    offset_s: float,
+) -> Outcome:
+    failed: dict[str, Measurement] = {}
+
+    def notice(item: Item) -> None:
+        if isinstance(item, Measurement):
+            failed.pop(item.name, None)
+            if item.verdict == "FAIL":
+                failed[item.name] = item
+        tell(item)
+
+    drive = Drive(bench, writer.write, answer, control or Control(), notice, offset_s)
+    ending = drive.run(procedure.function(bench, **values))
+    return Outcome(writer.run_id, *_written(writer, ending), tuple(failed.values()))
+
+
+def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | None]:
+    """The status as it stands in the store; where it could not be written the run shows as interrupted."""
+    try:
+        writer.finish(ending.status)
+    except Exception as fault:
+        return "interrupted", ending.fault or fault
+    return ending.status, ending.fault
+
+
+def so_far(items: Sequence[Item]) -> Resume:
+    """What an interrupted run had finished: every step that another step followed, and the last measured values."""
+    steps = [item.name for item in items if isinstance(item, Step)]
+    skipped = {item.data["step"] for item in items if isinstance(item, Event) and item.kind == "skip"}
+    measured = {item.name: item.value for item in items if isinstance(item, Measurement)}
+    return Resume(frozenset(steps[:-1]) - (skipped & set(steps[-1:])), measured)
+
+
+def _last_time(items: Sequence[Item]) -> float:
+    ends = [float(item.t_s[-1]) if isinstance(item, Block) else item.t_s for item in items]
+    return max(ends, default=0.0)
+
+
+def _refuse_another(bench: Bench, procedure: Found, header: RunHeader) -> None:
+    if not procedure.resumable:
+        raise InputError(f"{procedure.name} cannot go on after an interruption: start it anew")
+    if procedure.sha256 != header.source_sha256:
+        raise InputError(f"{procedure.name} was changed since run {header.run_id} began: start it anew")
+    if bench.config.dut.serial != header.dut.serial:
+        raise InputError(f"run {header.run_id} is of DUT {header.dut.serial}, the bench has {bench.config.dut.serial}")
+    for then, now in zip(header.instruments, _named(bench.identities()), strict=False):
+        if dict(then) != dict(now):
+            raise InputError(
+                f"{then['name']} was {_words(then)} when run {header.run_id} began, now it is {_words(now)}"
+            )
+
+
+def _words(identity: Mapping[str, str]) -> str:
+    return f"{identity['manufacturer']} {identity['model']} {identity['serial']}"
+
+
+def _named(identities: Mapping[str, Identity]) -> tuple[Mapping[str, str], ...]:
+    return tuple({"name": name} | asdict(identity) for name, identity in identities.items())
+
+
+def _dut(bench: Bench, serial: str | None) -> Dut:
+    config = bench.config.dut
+    chosen = config.serial if serial is None else serial
+    if not chosen.strip():
+        raise InputError("a run needs the serial number of its DUT: --dut SERIAL")
+    return Dut(chosen, config.model, config.unit, config.nominal_nT_per_unit, config.noise_nT)
+
+
+def _reference(bench: Bench, identities: Mapping[str, Identity]) -> Reference:
+    config = bench.config.reference
+    return Reference(
+        kind=config.kind,
+        serial=identities[bench.reference.name].serial,
+        noise_nT=config.noise_nT,
+        place=config.place,
+        position_m=config.position_m,
+        u_scale_ppm=config.u_scale_ppm,
+        u_offset_nT=config.u_offset_nT,
+        u_align_deg=config.u_align_deg,
+        u_time_s=config.u_time_s,
+        calibration=config.calibration,
+    )

@@ -1,0 +1,235 @@
+"""The whole calibration before flight: three body axes, two magnitudes, one reversed, every power mode, closed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.bench import Bench
+from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
+from labcal.bench.parameters import Limits
+from labcal.bench.position import Position, position
+from labcal.bench.rotation import Rotation, fastest_rate, rotate_once
+from labcal.bench.steps import (
+    Blocks,
+    Plan,
+    Procedure,
+    Resume,
+    Work,
+    attempt,
+    coils_off,
+    energise,
+    measure_ambient,
+    measured,
+    mount,
+    ready,
+    record,
+    switch_mode,
+    to_angle,
+)
+from labcal.errors import LimitNotMet
+from labcal.record.stream import Prompt
+from procedures.axes_check import check_axes
+from procedures.sync_check import check_sync
+
+Array = NDArray[np.float64]
+REFERENCE = ("ref_x", "ref_y", "ref_z")
+POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
+MOUNT_S, SYNC_S, AXES_S = 10.0, 50.0, 60.0  # lab time of what is not a turn, for the time that is left
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What a preflight does, resolved: every field in order, reversed ones negative, and the rate."""
+
+    axes: tuple[str, ...]
+    fields_nT: tuple[float, ...]
+    modes: tuple[str, ...]
+    inclination_deg: float
+    rate_asked: bool
+    rate_deg_per_s: float
+    timing_nT: float
+    u_time_s: float
+    step_deg: float
+    dwell_s: float
+    zero_s: float
+    closure_nT: float
+    u_mounting_deg: float
+
+    def at_rate_of(self, bench: Bench) -> Setting:
+        """The same at the fastest rate that is allowed, unless one was asked for."""
+        if self.rate_asked:
+            return self
+        strongest = max(abs(b) for b in self.fields_nT)
+        return replace(
+            self, rate_deg_per_s=fastest_rate(bench, strongest, self.inclination_deg, self.u_time_s, self.timing_nT)
+        )
+
+    def left(self, axis: str, done: frozenset[str]) -> list[tuple[str, str, float]]:
+        """The turns about one body axis that are not done."""
+        return [turn for turn in self.turns(axis) if turn[0] not in done]
+
+    def turns(self, axis: str) -> Iterator[tuple[str, str, float]]:
+        """Step name, mode and field of every turn about one body axis."""
+        for mode in self.modes:
+            for field_nT in self.fields_nT:
+                yield f"{axis}{field_nT / 1000:+g}uT-{mode}", mode, field_nT
+
+    def plan(self) -> Plan:
+        """All steps with their lab time."""
+        one = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s).seconds()
+        steps = [("zero", self.zero_s + MOUNT_S), ("axes-check", AXES_S), ("sync-check", SYNC_S)]
+        for axis in self.axes:
+            steps += [(f"mount-{axis}", MOUNT_S + self.dwell_s), *((name, one) for name, _, _ in self.turns(axis))]
+            steps += [(f"closure-{axis}", self.dwell_s)]
+        return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)))
+
+
+def preflight(
+    bench: Bench,
+    *,
+    axes: Annotated[tuple[str, ...], "body axes, each mounted along the platform axis in turn"] = ("x", "y", "z"),
+    magnitudes_nT: Annotated[tuple[float, ...], Limits(1e3, 1e5, unit="nT"), "field magnitudes"] = (20e3, 50e3),
+    reverse: Annotated[bool, "the last magnitude also reversed"] = True,
+    inclination_deg: Annotated[float, Limits(35, 65, unit="deg"), "field from the platform axis"] = 50.0,
+    modes: Annotated[tuple[str, ...], "the DUT's power modes"] = ("nominal", "full"),
+    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: the fastest allowed"] = 0.0,
+    timing_nT: Annotated[float, Limits(0.1, 1_000, unit="nT"), "error that timing may make"] = 8.0,
+    u_time_s: Annotated[float, Limits(1e-6, 1, unit="s"), "timing uncertainty, at least"] = 0.005,
+    step_deg: Annotated[float, Limits(0, 90, unit="deg"), "0: continuous, else stepped"] = 0.0,
+    dwell_s: Annotated[float, Limits(0.5, 60, unit="s"), "recorded at a position"] = 5.0,
+    zero_s: Annotated[float, Limits(2, 600, unit="s"), "coils-off zero, first and last"] = 10.0,
+    closure_nT: Annotated[float, Limits(1, 100_000, unit="nT"), "largest closure that passes"] = 500.0,
+    u_mounting_deg: Annotated[float, Limits(0.01, 10, unit="deg"), "how well an axis is mounted"] = 0.5,
+    resume: Resume | None = None,
+) -> Procedure:
+    """The whole calibration before flight, from the zero to the closing."""
+    fields = (*magnitudes_nT, *((-magnitudes_nT[-1],) if reverse else ()))
+    wanted = Setting(
+        axes, fields, modes, inclination_deg, rate_deg_per_s > 0, rate_deg_per_s, timing_nT, u_time_s, step_deg,
+        dwell_s, zero_s, closure_nT, u_mounting_deg,
+    )  # fmt: skip
+    setting, done = wanted.at_rate_of(bench), resume.done if resume else frozenset()
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        mounted = next((axis for axis in axes if setting.left(axis, done)), axes[0])
+        first = yield from _open(bench, setting, mounted, resume)
+        setting = yield from _check(bench, setting, mounted)
+        for axis in axes:
+            if setting.left(axis, done):
+                yield from _about(bench, setting, axis, done, mounted)
+        yield from _closing(bench, setting, first)
+
+
+def _open(bench: Bench, setting: Setting, axis: str, resume: Resume | None) -> Work[Array]:
+    """Mount, then the zero and the first position; after an interruption they are compared with what they were."""
+    yield setting.plan().begin(bench, "zero")
+    yield from _mounted(bench, axis, resume)
+    yield from switch_mode(bench, setting.modes[0])
+    strongest = max(abs(b) for b in setting.fields_nT) / 1000
+    yield from ready(bench, f"The coils go to {strongest:g} µT and the platform turns. Hands off?")
+    first = yield from _zero_and_first_position(bench, setting, "zero")
+    if resume is None:
+        return first
+    moved = [resume.measured.get(f"zero: {c}", b) - b for c, b in zip(REFERENCE, bench.cage.ambient_nT, strict=True)]
+    yield from _must_close(bench, "zero since the interruption", float(np.linalg.norm(moved)), 0.0, setting.closure_nT)
+    return np.array([resume.measured.get(f"zero: {name}", value) for name, value in zip(POSITIONS, first, strict=True)])
+
+
+def _mounted(bench: Bench, axis: str, resume: Resume | None) -> Work[None]:
+    """The DUT mounted along `axis`: by a person now, or as it was before the interruption where that stands."""
+    if resume is not None:
+        text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
+        drawing = {"body_from_cage": attitude(bench, axis).tolist()}
+        if (yield Prompt(bench.clock.now(), "mounting-stands", text, ("yes", "no"), True, drawing)) == "yes":
+            return
+    yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
+
+
+def _check(bench: Bench, setting: Setting, axis: str) -> Work[Setting]:
+    """Axes and timing; the rate follows from the timing uncertainty found."""
+    yield setting.plan().begin(bench, "axes-check")
+    yield from check_axes(bench, axis, 5_000.0, 2.0, 20.0, 15.0)
+    yield setting.plan().begin(bench, "sync-check")
+    u_time_s = yield from check_sync(bench, axis, 8_000.0, 15, 1.0, 40.0, 0.5)
+    found = replace(setting, u_time_s=max(u_time_s, setting.u_time_s)).at_rate_of(bench)
+    yield from measured(bench, "rotation rate", found.rate_deg_per_s, 0.0, "deg/s")
+    return found
+
+
+def _about(bench: Bench, setting: Setting, axis: str, done: frozenset[str], mounted: str) -> Work[None]:
+    """Every turn about one body axis, with the first position before and after."""
+    plan, mode_now = setting.plan(), setting.modes[0]
+    yield plan.begin(bench, f"mount-{axis}")
+    if axis != mounted:
+        yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
+        yield from switch_mode(bench, mode_now)
+    before = yield from _first_position(bench, setting)
+    for name, mode, field_nT in setting.left(axis, done):
+        yield plan.begin(bench, name)
+        if mode != mode_now:
+            yield from switch_mode(bench, mode_now := mode)
+        work = partial(_one_turn, bench, setting, axis, f"{axis}.again" if done else axis, name, mode, field_nT)
+        yield from attempt(bench, name, work)
+    yield plan.begin(bench, f"closure-{axis}")
+    if mode_now != setting.modes[0]:
+        yield from switch_mode(bench, setting.modes[0])
+    after = yield from _first_position(bench, setting)
+    moved = after.moved_from(before, attitude(bench, axis))
+    u = float(np.hypot(before.u, after.u))
+    yield from _must_close(bench, f"closure {axis}", float(np.linalg.norm(moved)), u, setting.closure_nT)
+
+
+def _one_turn(
+    bench: Bench, setting: Setting, axis: str, mounting: str, name: str, mode: str, field_nT: float
+) -> Work[Blocks]:
+    """One turn there or back, so that no cable is wound up."""
+    yield from energise(bench, inclined_field(bench, field_nT, setting.inclination_deg))
+    to_deg = 0.0 if bench.platform.angle_deg() > 180 else 360.0
+    rotation = Rotation(
+        name, AXES[axis], mode, setting.rate_deg_per_s, to_deg, mounting, setting.step_deg, setting.dwell_s,
+        setting.u_mounting_deg, setting.u_time_s,
+    )  # fmt: skip
+    return (yield from rotate_once(bench, rotation))
+
+
+def _closing(bench: Bench, setting: Setting, first: Array) -> Work[None]:
+    """The first mounting, the first position and the zero again."""
+    yield setting.plan().begin(bench, "closing")
+    axis = setting.axes[0]
+    yield from mount(bench, f"mount-{axis}-again", attitude(bench, axis), how_to_mount(axis))
+    last = yield from _zero_and_first_position(bench, setting, "closing")
+    for name, moved in zip(POSITIONS, last - first, strict=True):
+        yield from _must_close(bench, f"closure, {name}", float(abs(moved)), 0.0, setting.closure_nT)
+    yield from coils_off(bench)
+
+
+def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[Array]:
+    """|DUT| − |reference| (2,) [nT], coils off and in the first field: what no remounting changes by much."""
+    off = yield from measure_ambient(bench, setting.zero_s, name=name)
+    yield from energise(bench, inclined_field(bench, setting.fields_nT[0], setting.inclination_deg))
+    on = yield from record(bench, setting.dwell_s)
+    excess = np.array([position(bench, blocks).excess for blocks in (off, on)])
+    for what, value in zip(POSITIONS, excess, strict=True):
+        yield from measured(bench, f"{name}: {what}", value, 0.0, "nT")
+    return excess
+
+
+def _first_position(bench: Bench, setting: Setting) -> Work[Position]:
+    """DUT and reference in the first field at angle 0."""
+    yield from to_angle(bench, 0.0)
+    yield from energise(bench, inclined_field(bench, setting.fields_nT[0], setting.inclination_deg))
+    blocks = yield from record(bench, setting.dwell_s)
+    return position(bench, blocks)
+
+
+def _must_close(bench: Bench, name: str, moved_nT: float, u_nT: float, limit_nT: float) -> Work[None]:
+    result = yield from measured(bench, name, moved_nT, u_nT, "nT", limit_nT)
+    if result.verdict == "FAIL":
+        raise LimitNotMet(f"{name}: {moved_nT:.0f} nT is beyond {limit_nT:.0f} nT; something moved or drifted")

@@ -1,0 +1,42 @@
+"""Turn the DUT about one body axis in one steady field: the unit of which a preflight is made."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from typing import Annotated, Literal
+
+from labcal.bench.bench import Bench
+from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
+from labcal.bench.parameters import Limits
+from labcal.bench.rotation import Rotation, fastest_rate, rotate_once
+from labcal.bench.steps import Procedure, coils_off, energise, measure_ambient, measured, mount, ready
+
+
+def rotate_axis(
+    bench: Bench,
+    *,
+    axis: Annotated[Literal["x", "y", "z"], "body axis mounted along the platform axis"] = "z",
+    magnitude_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "magnitude of the field"] = 50_000.0,
+    inclination_deg: Annotated[float, Limits(35, 65, unit="deg"), "field from the platform axis"] = 50.0,
+    rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: the fastest allowed"] = 0.0,
+    timing_nT: Annotated[float, Limits(0.1, 1_000, unit="nT"), "error that timing may make"] = 10.0,
+    u_time_s: Annotated[float, Limits(1e-6, 1, unit="s"), "timing uncertainty"] = 0.005,
+    turns: Annotated[int, Limits(1, 20), "full turns, there and back by turns"] = 1,
+    mode: Annotated[str, "the DUT's power mode"] = "nominal",
+    zero_s: Annotated[float, Limits(2, 600, unit="s"), "coils-off zero before"] = 10.0,
+) -> Procedure:
+    """Turn the DUT about one body axis in one steady field."""
+    allowed = fastest_rate(bench, magnitude_nT, inclination_deg, u_time_s, timing_nT)
+    rate = rate_deg_per_s or allowed
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
+        yield from measured(bench, "rotation rate", rate, 0.0, "deg/s")
+        yield from measure_ambient(bench, zero_s)
+        yield from ready(bench, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns. Hands off?")
+        yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
+        for turn in range(turns):
+            name = f"{axis}-{magnitude_nT / 1000:g}uT" + (f"-{turn + 1}" if turns > 1 else "")
+            work = Rotation(name, AXES[axis], mode, rate, to_deg=360.0 * ((turn + 1) % 2), mounting=axis)
+            yield from rotate_once(bench, work)
+        yield from coils_off(bench)
