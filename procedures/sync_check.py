@@ -82,7 +82,7 @@ def _square_wave(bench: Bench, step_nT: float, chips: int, chip_s: float) -> Wor
     for on in chips_on(chips):
         begun = bench.clock.now()
         yield from drive(bench, on * step_A)
-        kept += yield from record(bench, chip_s)
+        kept += yield from record(bench, chip_s, from_s=begun)
         corners += [(begun, last), (begun, on), (bench.clock.now(), on)]
         last = on
     return np.array(corners), kept

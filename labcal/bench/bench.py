@@ -25,6 +25,7 @@ from labcal.bench.roles import (
     Magnetometer,
     RotationPlatform,
 )
+from labcal.bench.samples import merged
 from labcal.record.stream import Block
 
 COIL_POLL_S = 1.0
@@ -88,7 +89,7 @@ class Bench:
         """Everything that arrived up to `t_s` on the bench's clock, in blocks at their own stamps; waits for it."""
         self._wait_until(t_s)
         arrived, self._pending = self._pending, []
-        return arrived
+        return merged(arrived)
 
     def stop(self) -> None:
         """End all streams."""

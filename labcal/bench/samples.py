@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -77,3 +77,18 @@ def samples(blocks: Iterable[Block], stream: Stream, column: str | None = None) 
     values = np.concatenate([b.values[:, place] for b, place in zip(found, places, strict=True)])
     order = np.argsort(t, kind="stable")
     return Samples(stream, columns, t[order], values[order])
+
+
+def merged(blocks: Iterable[Block]) -> list[Block]:
+    """The same samples in one block for each stream, source and set of columns; their order in time stays."""
+    groups: dict[tuple[Stream, str, tuple[str, ...]], list[Block]] = {}
+    for block in blocks:
+        groups.setdefault((block.stream, block.source, block.columns), []).append(block)
+    return [_one_block(group) for group in groups.values()]
+
+
+def _one_block(group: list[Block]) -> Block:
+    if len(group) == 1:
+        return group[0]
+    t_s, values = np.concatenate([b.t_s for b in group]), np.concatenate([b.values for b in group])
+    return replace(group[0], t_s=t_s, values=values, raw=b"".join(b.raw for b in group))

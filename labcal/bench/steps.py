@@ -35,7 +35,8 @@ T = TypeVar("T")
 Work = Generator[Item, str | None, T]  # yields what it measured, receives answers, returns what the caller needs
 Procedure = Work[None]
 Blocks = list[Block]
-TICK_S = 0.5  # samples are handed on at least so often
+MARGIN_S = 0.3
+TICK_S, VIRTUAL_TICK_S = 0.5, 5.0  # samples are handed on at least so often; on a virtual clock nobody waits
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,15 +63,21 @@ class Resume:
     measured: dict[str, float]
 
 
-def record(bench: Bench, seconds: float) -> Work[Blocks]:
-    """Hand on what the streams send for `seconds`, and return it."""
+def record(bench: Bench, seconds: float, *, from_s: float | None = None) -> Work[Blocks]:
+    """Hand on what the streams send for `seconds`; return what is stamped from now, or from `from_s` on."""
     kept: Blocks = []
-    until = bench.clock.now() + seconds
-    while (now := bench.clock.now()) < until:
-        blocks = bench.stream_until(min(now + TICK_S, until))
-        kept += blocks
+    begun, tick_s = bench.clock.now(), VIRTUAL_TICK_S if np.isinf(bench.clock.listen_s) else TICK_S
+    while (now := bench.clock.now()) < begun + seconds:
+        blocks = bench.stream_until(min(now + tick_s, begun + seconds))
+        kept += [since(begun if from_s is None else from_s, block) for block in blocks]
         yield from blocks
     return kept
+
+
+def since(start_s: float, block: Block) -> Block:
+    """The part of `block` that is stamped from `start_s` on: what came while the coils ramped is not the new field."""
+    rows = block.t_s >= start_s
+    return block if rows.all() else replace(block, t_s=block.t_s[rows], values=block.values[rows])
 
 
 def turn(bench: Bench, to_deg: float, rate_deg_per_s: float) -> Work[Blocks]:
@@ -78,8 +85,9 @@ def turn(bench: Bench, to_deg: float, rate_deg_per_s: float) -> Work[Blocks]:
     limit = bench.config.dut.limits.rate_deg_per_s
     if limit is not None and rate_deg_per_s > limit:
         raise InputError(f"{rate_deg_per_s:g} deg/s is beyond the DUT's limit of {limit:g} deg/s; nothing was moved.")
-    kept: Blocks = []
+    seconds = abs(to_deg - bench.platform.angle_deg()) / rate_deg_per_s
     bench.platform.move_to(to_deg, rate_deg_per_s)
+    kept = yield from record(bench, seconds)
     while bench.platform.moving():
         kept += yield from record(bench, TICK_S)
     return kept
@@ -97,7 +105,8 @@ def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
 
 
 def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:
-    """Do `work` inside a segment of the record."""
+    """Do `work` inside a segment; a little is recorded on either side, so that its ends can be interpolated."""
+    yield from record(bench, MARGIN_S)
     yield SegmentOpened(bench.clock.now(), segment)
     try:
         result = yield from work
@@ -105,6 +114,7 @@ def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:
         yield SegmentClosed(bench.clock.now())
         raise
     yield SegmentClosed(bench.clock.now())
+    yield from record(bench, MARGIN_S)
     return result
 
 

@@ -61,7 +61,7 @@ def offset_step(_: Rng, at_s: float = 700.0, nT: Three = (180.0, -120.0, 150.0))
 
 def offset_mode(_: Rng, nT: Mapping[str, Three] | None = None) -> Effect:
     """Another offset in each power mode."""
-    by_mode = nT or {"science": (150.0, 90.0, -200.0), "safe": (-80.0, 60.0, 40.0)}
+    by_mode = nT or {"full": (150.0, 90.0, -200.0), "safe": (-80.0, 60.0, 40.0)}
 
     def effect(moment: Moment, seen: Array) -> Array:
         out = np.zeros_like(seen)

@@ -1,0 +1,99 @@
+"""The preflight on the twin: what it records, what a fit makes of it, and what fails it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.errors import LimitNotMet
+from labcal.fit.ml import ml
+from labcal.record.stream import Event, Measurement, Prompt
+from labcal.store import Store
+from labcal.twin.config import TwinTruth
+from labcal.twin.sensor import response
+
+BenchFile = Callable[..., Path]
+SHORT = {"rate_deg_per_s": "12", "zero_s": "4", "dwell_s": "2"}
+
+
+def test_it_records_every_axis_magnitude_sign_and_mode_as_a_whole_turn(bench_file: BenchFile) -> None:
+    outcome = session.run("preflight", bench_file(), SHORT, operator="J. Doe", seed=3)
+    assert outcome.status == "finished", outcome.fault
+    run = session.load_run(outcome.run_id)
+    recorded = {(s.mounting, s.mode, s.id.split("uT")[0][1:]) for s in run.segments}
+    assert recorded == {(a, m, b) for a in "xyz" for m in ("nominal", "full") for b in ("+20", "+50", "-50")}
+    assert {s.axis_body for s in run.segments} == {(1, 0, 0), (0, 1, 0), (0, 0, 1)}
+    for index, segment in enumerate(run.segments):
+        rows = run.rows(index)
+        assert np.ptp(run.angle_deg[rows]) > 355
+        sign = -1 if "-50" in segment.id else 1
+        field = np.median(run.reference_vector[rows], axis=0)
+        inclination = np.degrees(np.arccos(sign * field[2] / np.linalg.norm(field)))
+        assert inclination == pytest.approx(50, abs=1.0)
+        assert np.linalg.norm(field) == pytest.approx(2e4 if "+20" in segment.id else 5e4, rel=0.01)
+
+
+def test_a_fit_of_the_record_finds_the_truth_of_the_twin(bench_file: BenchFile) -> None:
+    """The DUT reads (R b + bias) / 4 nT, so K = 4 R⁻¹ and k = R⁻¹ bias: signs, frames and units all hold."""
+    outcome = session.run("preflight", bench_file(), SHORT | {"rate_deg_per_s": "6"}, seed=5)
+    fit, truth = ml(session.load_run(outcome.run_id)), TwinTruth().dut
+    assert fit.affine is not None, fit.why_not
+    R = response(*(np.array(v) for v in (truth.scale, truth.nonorthogonality_deg, truth.misalignment_deg)))
+    for field in 5e4 * np.vstack([np.eye(3), -np.eye(3)]):
+        reading = (R @ field + truth.bias_nT) / truth.nT_per_unit
+        assert fit.affine.apply(reading) == pytest.approx(field, abs=25.0)
+
+
+def test_the_zero_the_checks_the_rate_and_the_closure_stand_in_the_record(bench_file: BenchFile) -> None:
+    outcome = session.run("preflight", bench_file(), SHORT | {"axes": "z", "modes": "nominal"}, seed=3)
+    with Store.open() as store:
+        items = list(store.items(outcome.run_id))
+        assert store.header(outcome.run_id).parameters["axes"] == ["z"]
+    measured = {item.name: item for item in items if isinstance(item, Measurement)}
+    assert measured["zero: ref_z"].value == pytest.approx(-43_700, abs=100)
+    assert measured["closure z"].verdict == "PASS"
+    assert measured["z+50uT-nominal: missing sectors"].value == 0
+    assert {"rotation rate", "DUT behind the angle", "closure, DUT less reference, coils off"} <= set(measured)
+    assert [item.key for item in items if isinstance(item, Prompt) and item.acts][:3] == [
+        "mount-z",
+        "mode-nominal",
+        "ready",
+    ]
+    last = [item for item in items if isinstance(item, Event)][-1]
+    assert (last.kind, last.text) == ("read-back", "coils at zero")
+
+
+def test_the_fastest_allowed_rate_follows_from_the_timing_uncertainty(bench_file: BenchFile) -> None:
+    outcome = session.run("preflight", bench_file(), {"axes": "z", "modes": "nominal", "reverse": "no"}, seed=3)
+    with Store.open() as store:
+        rate = next(i for i in store.items(outcome.run_id) if isinstance(i, Measurement) and i.name == "rotation rate")
+    b_across, u_time_s, allowed_nT = 50e3 * np.sin(np.radians(50)), 0.005, 8.0
+    assert np.radians(rate.value) * u_time_s * b_across == pytest.approx(allowed_nT, rel=1e-6)
+
+
+def test_a_closure_beyond_its_limit_fails_the_run(bench_file: BenchFile) -> None:
+    drift = 'effects = { "offset-step" = { } }'
+    outcome = session.run("preflight", bench_file(drift), SHORT | {"closure_nT": "40"}, seed=4)
+    assert outcome.status.startswith("failed: closure")
+    assert "something moved or drifted" in outcome.status
+    with pytest.raises(LimitNotMet):
+        outcome.raise_fault()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "says"),
+    [
+        (("angle_sign = 1", "angle_sign = -1"), "the angle runs the wrong way round"),
+        (("[reference]\n", "[reference]\ncage_from_sensor = [[0,1,0],[1,0,0],[0,0,1]]\n"), "reference's x axis shows"),
+    ],
+)
+def test_what_points_the_wrong_way_is_said_in_words_and_stops_it(
+    bench_file: BenchFile, wrong: tuple[str, str], says: str
+) -> None:
+    outcome = session.run("preflight", bench_file("", wrong), SHORT, seed=3)
+    assert outcome.status.startswith("failed: axes-check")
+    assert says in outcome.status
