@@ -26,6 +26,8 @@ from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, resume_run, run_procedure, yes_to_all
 from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
 
+THIS_LAB = "this lab's trust list"
+
 
 def run(
     procedure: str,
@@ -201,9 +203,9 @@ def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:
 
 
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
-    calibration, checked = load_calibration(path), verify(path, allowed_signers)
-    now = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
-    write_report(calibration_page(calibration, path.read_bytes(), checked, now, _run_of(calibration)), out)
+    calibration, verification = load_calibration(path), verify(path, allowed_signers)
+    checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
+    write_report(calibration_page(calibration, path.read_bytes(), verification, checked, _run_of(calibration)), out)
 
 
 def _run_of(calibration: Calibration) -> Run | None:
