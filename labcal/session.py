@@ -203,9 +203,10 @@ def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:
 
 
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
-    calibration, verification = load_calibration(path), verify(path, allowed_signers)
+    verification = verify(path, allowed_signers)
+    calibration = certificate.parse_calibration(verification.content, path)
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
-    write_report(calibration_page(calibration, path.read_bytes(), verification, checked, _run_of(calibration)), out)
+    write_report(calibration_page(calibration, verification, checked, _run_of(calibration)), out)
 
 
 def _run_of(calibration: Calibration) -> Run | None:

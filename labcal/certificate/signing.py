@@ -41,6 +41,7 @@ class Verification:
     """What all signatures of a calibration came to; `run_matches` is None where no run was named."""
 
     file: Path
+    content: bytes  # what was checked
     checks: tuple[Check, ...]
     calibration: Calibration | None  # where at least one signature holds
     run_matches: bool | None = None
@@ -144,11 +145,13 @@ def verify(
     content = read_limited(path, LARGEST_BYTES)
     checks = _once_each([_check(file, content, signers, revoked, now) for file in _expected(path)])
     if all(check.objection for check in checks):
-        return Verification(path, checks, None)
+        return Verification(path, content, checks, None)
     calibration = parse_calibration(content, path)
     if not calibration.simulated:
         checks = tuple(_real(check) for check in checks)
-    return Verification(path, checks, calibration, None if run_sha256 is None else calibration.run_sha256 == run_sha256)
+    return Verification(
+        path, content, checks, calibration, None if run_sha256 is None else calibration.run_sha256 == run_sha256
+    )
 
 
 def signature_files(path: Path) -> list[Path]:

@@ -28,7 +28,7 @@ NOW = datetime(2026, 11, 21, tzinfo=UTC)
 
 def page_text(calibration: Calibration, path: Path, lab: tuple[Signer, ...] = ()) -> str:
     checked = verify(path, lab, frozenset(), NOW)
-    return html(calibration_page(calibration, path.read_bytes(), checked, "2026-11-21 12:00 UTC"))
+    return html(calibration_page(calibration, checked, "2026-11-21 12:00 UTC"))
 
 
 @pytest.fixture
@@ -120,7 +120,7 @@ def test_the_same_page_gives_the_same_bytes(calibration: Calibration, draft: Pat
     page = run_page(run, "ab" * 32, Fit("ml", True, affine=AffineMap(np.eye(3), np.full(3, 100.0))))
     assert html(page) == html(page)
     checked = verify(draft, (), frozenset(), NOW)
-    words = calibration_page(calibration, draft.read_bytes(), checked, "2026-11-21 12:00 UTC")
+    words = calibration_page(calibration, checked, "2026-11-21 12:00 UTC")
     for path in (tmp_path / "1.pdf", tmp_path / "2.pdf"):
         write_report(words, path)
     assert (tmp_path / "1.pdf").read_bytes() == (tmp_path / "2.pdf").read_bytes()

@@ -24,9 +24,9 @@ RESIDUAL_KEYS = (("holdout_rms_nT", "held-out residual, rms"), ("train_rms_nT", 
 
 
 def calibration_page(
-    calibration: Calibration, content: bytes, verification: Verification, checked: str, run: Run | None = None
+    calibration: Calibration, verification: Verification, checked: str, run: Run | None = None
 ) -> Page:
-    """The page of `calibration`, whose file's bytes are `content`; `verification` was made as `checked` says.
+    """The page of `calibration`; `verification` of its file was made as `checked` says (when, against whose list).
 
     With its `run` at hand the page says which of the reference's uncertainties were never stated.
     """
@@ -47,7 +47,7 @@ def calibration_page(
             ),
             section("Where it holds", [_validity(calibration)]),
             section("What is not covered", [Prose(_not_covered(calibration, run))]),
-            section("Signatures", _signatures(calibration, content, verification, checked)),
+            section("Signatures", _signatures(calibration, verification, checked)),
         ),
         footer=f"b = K m − k − Σ effects, in nT of the sensor's own axes. Made by {calibration.software or 'labcal'}.",
     )
@@ -171,12 +171,12 @@ def _not_covered(c: Calibration, run: Run | None) -> tuple[str, ...]:
     )
 
 
-def _signatures(c: Calibration, content: bytes, v: Verification, checked: str) -> list[Block | None]:
+def _signatures(c: Calibration, v: Verification, checked: str) -> list[Block | None]:
     rows = tuple((k.file.name, k.principal or "unknown", k.fingerprint or "–", k.objection or "good") for k in v.checks)
     table = Table(("File", "Signed by", "Key", "Result"), rows) if rows else None
     facts = Facts(
         (
-            ("SHA-256 of this file", sha256(content).hexdigest()),
+            ("SHA-256 of this file", sha256(v.content).hexdigest()),
             ("SHA-256 of its run", c.run_sha256),
             ("Supersedes", c.supersedes or "–"),
             ("Checked", checked),

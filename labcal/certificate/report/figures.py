@@ -61,7 +61,7 @@ def draw_sphere(figure: FigureBase, run: Run, field: Array) -> None:
 def draw_magnitude(figure: FigureBase, run: Run, field: Array | None) -> None:
     """|field| over time: the raw reading, the calibrated one, and the reference."""
     axes = figure.subplots()
-    t, rows = run.t_s - run.t_s[0], _rows(len(run))
+    t, rows = run.t_s - run.t_s[0], thin(len(run))
     series = [("reading × nominal", np.linalg.norm(run.reading_nT, axis=1), LINE if field is not None else AXES[2])]
     if field is not None:
         series.append(("calibrated", np.linalg.norm(field, axis=1), AXES[2]))
@@ -70,21 +70,21 @@ def draw_magnitude(figure: FigureBase, run: Run, field: Array | None) -> None:
     for name, values, colour in series:
         axes.plot(t[rows], values[rows] / 1000, ".", ms=1.6, color=colour, label=name, rasterized=True)
     axes.set(xlabel="time (s)", ylabel="|b| (µT)")
-    _segment_bounds(axes, run)
+    segment_bounds(axes, run.t_s, run.segment_index)
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, markerscale=5, handletextpad=0.2)
 
 
 def draw_residual(figure: FigureBase, run: Run, residual: Array, labels: tuple[str, ...]) -> None:
     """Residual (n, 3) or (n, 1) [nT] over time, and how it is distributed."""
     over_time, spread = figure.subplots(1, 2, width_ratios=(3, 1), sharey=True)
-    t, rows = run.t_s - run.t_s[0], _rows(len(run))
+    t, rows = run.t_s - run.t_s[0], thin(len(run))
     for values, label, colour in zip(residual.T, labels, AXES if len(labels) == 3 else AXES[2:], strict=True):
         over_time.plot(t[rows], values[rows], ".", ms=1.8, color=colour, label=label, rasterized=True)
         spread.hist(values[np.isfinite(values)], bins=50, orientation="horizontal", histtype="step", color=colour, lw=1)
     limit = 1.1 * float(np.nanquantile(np.abs(residual), 0.999)) or 1.0
     over_time.set(xlabel="time (s)", ylabel="residual (nT)", ylim=(-limit, limit))
     spread.set(xlabel="samples")
-    _segment_bounds(over_time, run)
+    segment_bounds(over_time, run.t_s, run.segment_index)
     if len(labels) > 1:
         over_time.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, markerscale=5, handletextpad=0.2)
 
@@ -110,11 +110,16 @@ def draw_by_segment(figure: FigureBase, run: Run, residual: Array, noise_nT: flo
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0))
 
 
-def _segment_bounds(axes: Axes, run: Run) -> None:
-    """A faint line wherever the segment changes."""
-    for row in np.flatnonzero(np.diff(run.segment_index)):
-        axes.axvline((run.t_s[row] + run.t_s[row + 1]) / 2 - run.t_s[0], color=MUTED, lw=0.4, alpha=0.4)
+def segment_bounds(axes: Axes, t_s: Array, segment: NDArray[np.intp]) -> None:
+    """A faint line wherever the segment (n,) changes along the time (n,)."""
+    for row in np.flatnonzero(np.diff(segment)):
+        axes.axvline((t_s[row] + t_s[row + 1]) / 2 - t_s[0], color=MUTED, lw=0.4, alpha=0.4)
     axes.margins(x=0.01)
+
+
+def thin(count: int) -> NDArray[np.intp]:
+    """Evenly chosen rows of `count`, at most MOST_POINTS."""
+    return np.arange(0, count, max(1, -(-count // MOST_POINTS)))
 
 
 def _even_directions(count: int) -> Array:
@@ -125,13 +130,9 @@ def _even_directions(count: int) -> Array:
     return np.column_stack([r * np.cos(turn), r * np.sin(turn), z])
 
 
-def _rows(count: int) -> NDArray[np.intp]:
-    return np.arange(0, count, max(1, -(-count // MOST_POINTS)))
-
-
 def _thinned(values: Array) -> Array:
     finite = values[np.isfinite(values).all(axis=1)]
-    return finite[_rows(len(finite))]
+    return finite[thin(len(finite))]
 
 
 def _rms(values: Array) -> float:

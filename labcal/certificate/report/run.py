@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from labcal.certificate.report.calibration import headline_of
 from labcal.certificate.report.figures import (
+    MOST_POINTS,
     NEAR_DEG,
     coverage,
     draw_by_segment,
@@ -138,7 +139,7 @@ def _channels(run: Run) -> Table | None:
 
 
 def _thin_note(run: Run) -> str:
-    every = -(-len(run) // 6000)
+    every = -(-len(run) // MOST_POINTS)
     return f"Every {every}th sample is drawn." if every > 1 else "Faint lines part the segments."
 
 
