@@ -8,13 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.observations import Observations
-from labcal.fit.solve import Form, Solution
+from labcal.fit.solve import ROBUST, Form, Loss, Solution, solve
 from labcal.fit.system import CONTRACT_ORDER, Noise, blocks, evaluate
 from labcal.geometry import unit
 
 Array = NDArray[np.float64]
 NAMES = (*(f"K_{a}{b}" for a in "xyz" for b in "xyz"), "k_x", "k_y", "k_z")
 SIGNAL_OVER_NOISE = 4.0  # a direction counts where excitation gives four times the information that noise feigns
+CLEAR = 1e4  # … and beyond this much more there is no need to look for a valley
+MOST_NAMED = 5
+FAR = 8.0  # standard uncertainties at which a valley is looked for
 LARGEST_U = 0.05  # of the largest field: beyond it the linear propagation, too, means little
 
 
@@ -29,30 +32,64 @@ class Identified:
     why_not: str | None
 
 
-def identify(seen: Observations, noise: Noise, allowed: Form, found: Solution) -> Identified:
+def identify(
+    seen: Observations, noise: Noise, allowed: Form, found: Solution, loss: Loss = ROBUST, scale: float = 1.0
+) -> Identified:
     """Decide by rank and by the uncertainty propagated over the working range whether the map is determined.
 
     The phases are eliminated first. The scaled parameters are all in nT at the rms reading, so that their eigenvalues
     compare. Noise in the readings adds to Σ xᵀGx what it would without any motion; that part is taken off, and the
-    covariance is S⁻¹ N S⁻¹ with S the rest (Fuller, Measurement Error Models, 1987, section 2.2).
+    covariance is S⁻¹ N S⁻¹ with S the rest (Fuller, Measurement Error Models, 1987, section 2.2), times `scale`².
     """
-    q = allowed.basis.shape[1]
+    q, largest = allowed.basis.shape[1], float(seen.magnitude.max())
     N, feigned = _without_phases(found.normal, q), allowed.basis.T @ _feigned(seen, noise, found) @ allowed.basis
     S = N - feigned
     values, vectors = np.linalg.eigh(S)
-    by_noise = np.einsum("aj,ab,bj->j", vectors, feigned, vectors)
-    known = (values > SIGNAL_OVER_NOISE * by_noise) & (values > 1e-10 * values[-1])
-    rank, nothing = int(known.sum()), np.full((12, 12), np.nan)
+    ratio = values / np.maximum(np.einsum("aj,ab,bj->j", vectors, feigned, vectors), 1e-300)
+    known = (ratio > SIGNAL_OVER_NOISE) & (values > 1e-10 * values[-1])
+    rank = int(known.sum())
     if rank < q:
-        return Identified(rank, q, nothing, np.inf, _reason(seen, allowed, vectors[:, ~known], rank))
+        why = _reason(seen, allowed, vectors[:, ~known], rank)
+        return Identified(rank, q, np.full((12, 12), np.nan), np.inf, why)
     inverse = vectors @ np.diag(1 / values) @ vectors.T
-    covariance = allowed.basis @ (inverse @ N @ inverse) @ allowed.basis.T
-    worst = worst_uncertainty(found.theta, covariance, float(seen.magnitude.max()))
-    if worst > LARGEST_U * seen.magnitude.max():
-        weakest = vectors[:, :1]
-        why = _reason(seen, allowed, weakest, rank, f"; the field would be uncertain by {worst:.0f} nT")
-        return Identified(rank, q, covariance, worst, why)
-    return Identified(rank, q, covariance, worst, None)
+    own = scale**2 * (inverse @ N @ inverse)
+    covariance = allowed.basis @ own @ allowed.basis.T
+    worst = worst_uncertainty(found.theta, covariance, largest)
+    weakest = vectors[:, np.argmin(ratio)]
+    if worst > LARGEST_U * largest:
+        more = f"; the field would be uncertain by {worst:.0f} nT"
+    elif ratio.min() < CLEAR and _valley(seen, noise, allowed, found, loss, scale, weakest, own):
+        more, rank = "; quite another map fits as well", rank - 1
+    else:
+        return Identified(rank, q, covariance, worst, None)
+    return Identified(rank, q, covariance, worst, _reason(seen, allowed, weakest[:, None], rank, more))
+
+
+def _valley(
+    seen: Observations,
+    noise: Noise,
+    allowed: Form,
+    found: Solution,
+    loss: Loss,
+    scale: float,
+    weakest: Array,
+    own: Array,
+) -> bool:
+    """Whether the loss stays low FAR along the weakest direction, where the curvature says that it must have risen.
+
+    Two circles in parallel planes lie on a whole family of ellipsoids: noise chooses one, and its curvature there is
+    no measure of the others.
+    """
+    step = FAR * float(np.sqrt(weakest @ own @ weakest)) * weakest
+    across = np.linalg.svd(weakest[:, None])[0][:, 1:]
+    q = allowed.nearest(found.theta)
+    for sign in (-1.0, 1.0):
+        shifted = allowed.fixed + allowed.basis @ (q + sign * step)
+        held = Form(allowed.name, shifted, allowed.basis @ across)
+        there = solve(seen, noise, held, shifted, found.phase, loss, iterations=30)
+        if there.loss - found.loss < FAR**2 / 4 * scale**2:
+            return True
+    return False
 
 
 def worst_uncertainty(theta: Array, covariance: Array, field_nT: float) -> float:
@@ -98,8 +135,9 @@ def _reason(seen: Observations, allowed: Form, directions: Array, rank: int, mor
     """One sentence: which parameters are open, and which excitation is missing."""
     reach = np.linalg.norm(allowed.basis @ directions, axis=1)
     open_ones = [NAMES[i] for i in np.argsort(-reach, kind="stable") if reach[i] > 0.3 * reach.max()]
-    size = allowed.basis.shape[1]
-    return f"the run determines {rank} of {size} parameters, not {', '.join(open_ones)}{more}: {_missing(seen)}"
+    size, others = allowed.basis.shape[1], len(open_ones) - MOST_NAMED
+    listed = ", ".join(open_ones[:MOST_NAMED]) + (f" and {others} more" if others > 0 else "")
+    return f"the run determines {rank} of {size} parameters, not {listed}{more}: {_missing(seen)}"
 
 
 def _missing(seen: Observations) -> str:

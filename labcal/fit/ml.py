@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.fit.declared import widen
 from labcal.fit.identify import Identified, identify
 from labcal.fit.observations import SCALAR, Observations, observe
 from labcal.fit.result import Fit
@@ -62,12 +63,13 @@ def ml(run: Run, *, robust: bool = True) -> Fit:
         return _refused(str(error))
     if found.identified.why_not:
         return _refused(found.identified.why_not)
+    frame_known = found.form.name != "symmetric"
     return Fit(
         method="ml",
         ok=True,
         affine=found.affine,
-        covariance=found.covariance,
-        frame_known=found.form.name != "symmetric",
+        covariance=widen(run, found.affine, found.covariance, frame_known=frame_known),
+        frame_known=frame_known,
         phase_rad=found.solution.phase,
         noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
     )
@@ -84,9 +86,8 @@ def estimate(run: Run, *, allowed: FormName | None = None, as_scalar: bool = Fal
     shape = form(name, nominal)
     noise = _declared(run, seen)
     start = _best_start(seen, noise, shape, nominal)
-    found, noise, scale = _settle(run, seen, noise, shape, start, robust=robust)
-    identified = identify(seen, noise, shape, found)
-    identified = replace(identified, covariance=identified.covariance * scale**2)
+    found, noise, loss, scale = _settle(run, seen, noise, shape, start, robust=robust)
+    identified = identify(seen, noise, shape, found, loss, scale)
     return Estimate(seen, noise, shape, found, identified, scale)
 
 
@@ -120,12 +121,12 @@ def _best_start(seen: Observations, noise: Noise, shape: Form, nominal: float) -
 
 def _settle(
     run: Run, seen: Observations, noise: Noise, shape: Form, start: Solution, *, robust: bool
-) -> tuple[Solution, Noise, float]:
-    """Alternate the fit with the scale of its residuals until both stand: solution, noise, scale left over.
+) -> tuple[Solution, Noise, Loss, float]:
+    """Alternate the fit with the scale of its residuals until both stand: solution, noise, loss, scale left over.
 
     The scale goes into the reading's noise where none is declared; else it widens the covariance, never narrows it.
     """
-    found, scale = start, 1.0
+    found, scale, loss = start, 1.0, LEAST_SQUARES
     for _ in range(8):
         at_start = solve(seen, noise, shape, found.theta, found.phase, LEAST_SQUARES, iterations=0)
         loss = replace(ROBUST, knee=_knee(seen, at_start)) if robust else LEAST_SQUARES
@@ -135,7 +136,7 @@ def _settle(
             noise, before, scale = replace(noise, reading=noise.reading * scale), 1.0 / scale, 1.0
         if abs(scale / before - 1) < 0.005:
             break
-    return found, noise, max(scale, 1.0)
+    return found, noise, loss, max(scale, 1.0)
 
 
 def _knee(seen: Observations, found: Solution) -> float:
