@@ -20,7 +20,7 @@ import pytest
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record import ChannelSpec, Dut, Reference, RunHeader, Segment
 from labcal.record.stream import Block, Event, Measurement, ModeChanged, Prompt, SegmentClosed, SegmentOpened, Step
-from labcal.store import Store, load_bundle
+from labcal.store import Store, bundle_sha256, load_bundle
 
 HEADER = RunHeader(
     run_id="r1",
@@ -398,3 +398,18 @@ def test_the_golden_store_of_version_1_still_reads(tmp_path: Path) -> None:
         assert store.header("r1") == HEADER
         assert store.bundle("20260302-081500-SN1").sha256 == load_bundle(golden / "bundle-1").sha256
         assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
+
+
+def test_the_bundle_of_a_recorded_run_reads_back_as_the_run() -> None:
+    with Store.open() as store:
+        with store.begin(HEADER) as writer:
+            for item in ITEMS:
+                writer.write(item)
+            writer.write(Block("channel", "dut", ("temp",), np.arange(0.0, 4.0), np.full((4, 1), 20.5)))
+        run, bundle = store.run("r1"), store.bundle("r1")
+    again = bundle.run()
+    assert (again.segments, again.dut, again.reference) == (run.segments, run.dut, run.reference)
+    np.testing.assert_array_equal(again.t_s, run.t_s)
+    np.testing.assert_array_equal(again.reading, run.reading)
+    np.testing.assert_array_equal(again.channel("temp").values, [20.5] * 10)
+    assert bundle_sha256(run) == bundle.sha256 == bundle_sha256(again)
