@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
 
-from labcal import certificate, fit
+from labcal import certificate, fit, loop
 from labcal.bench import off
 from labcal.bench.bench import open_bench
 from labcal.bench.clock import Clock
@@ -19,6 +19,7 @@ from labcal.errors import InputError
 from labcal.files import write_bytes
 from labcal.fit import Fit
 from labcal.home import home
+from labcal.loop import ClosedLoop
 from labcal.model import Calibration
 from labcal.model.apply import Applied
 from labcal.record import Run
@@ -183,6 +184,17 @@ def draft(run: str, found: Fit, out: Path) -> Calibration:
     made = fit.draft_calibration(bundle.run(), found, bundle.sha256)
     write_bytes(out, certificate.calibration_bytes(made))
     return made
+
+
+def close_loop(run: str, out: Path | None = None, progress: Callable[[str], None] = lambda text: None) -> ClosedLoop:
+    """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`."""
+    bundle = run_bundle(run)
+    measured = bundle.run()
+    closed = loop.close_loop(measured, progress)
+    if out is not None:
+        made = fit.draft_calibration(measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
+        write_bytes(out, certificate.calibration_bytes(made))
+    return closed
 
 
 def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:

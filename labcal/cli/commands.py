@@ -5,7 +5,17 @@ from __future__ import annotations
 import typer
 
 import labcal
-from labcal.cli import app, bench, fitting, keys, report, run, runs, signing  # noqa: F401  each registers its commands
+from labcal.cli import (  # noqa: F401  each registers its commands
+    app,
+    bench,
+    fitting,
+    keys,
+    loop,
+    report,
+    run,
+    runs,
+    signing,
+)
 
 
 def _version(wanted: bool) -> None:

@@ -7,32 +7,36 @@ the body, p' = p + e × p (to first order, from v_B = R(axis_body, −angle) · 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from labcal.geometry import skew
 from labcal.model.effects.protocol import Array, Family, Form, Scene
 from labcal.record import Run, offers
+from labcal.record.run import Vector
 
 DEG = np.pi / 180
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """`cage_x` … turn the axis in C; `body_1:x` … turn the first mounting axis in B. Per degree."""
+    """`cage_x` turns the axis in C, `cage_2:x` for the second mounted axis alone, `body_2:x` in B. Per degree."""
     assert scene.rig is not None
     out = np.zeros((len(scene), 3, len(form.parameters)))
     turning = np.isfinite(scene.rig.angle_rad)
     axes = _mounted(scene.rig.axis_body)
     for column, (name, _) in enumerate(form.parameters):
-        direction = np.eye(3)["xyz".index(name[-1])]
-        if name.startswith("cage"):
-            turned = np.einsum("nij,nj->ni", scene.rig.to_body, -scene.rig.reference_nT @ skew(direction).T)
-            out[turning, :, column] = turned[turning] * DEG
+        where, _, direction = name.rpartition(":" if ":" in name else "_")
+        frame, _, number = where.partition("_")
+        rows = turning & (axes == int(number)) if number else turning
+        turn = skew(np.eye(3)["xyz".index(direction)]) * DEG
+        if frame == "cage":
+            cage = -scene.rig.reference_nT[rows] @ turn.T
+            out[rows, :, column] = np.einsum("nij,nj->ni", scene.rig.to_body[rows], cage)
         else:
-            rows = turning & (axes == int(name[5:].split(":")[0]))
-            out[rows, :, column] = scene.rig.prediction_nT[rows] @ skew(direction).T * DEG
+            out[rows, :, column] = scene.rig.prediction_nT[rows] @ turn.T
     return out
 
 
-def _mounted(axis_body: Array) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
+def _mounted(axis_body: Array) -> NDArray[np.intp]:
     """A number from 1 for each different axis, 0 where there is none."""
     known = np.isfinite(axis_body).all(axis=1)
     number = np.zeros(len(axis_body), dtype=np.intp)
@@ -43,17 +47,22 @@ def _mounted(axis_body: Array) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
 
 
 def candidates(run: Run) -> list[Form]:
-    """A tilt in the cage, common to all; and one in the body for each mounted axis."""
+    """A tilt in the cage, common to all or for each mounted axis; and one in the body for each mounted axis."""
     segments = [s for s in run.segments if s.kind == "rotation" and offers(run, s) == "vector"]
     if not segments:
         return []
-    cage = Form(kernel, tuple((f"cage_{a}", "deg") for a in _across([s.axis_cage or (0, 0, 1) for s in segments])))
+    across_cage = _across([s.axis_cage for s in segments if s.axis_cage is not None])
+    forms = [Form(kernel, tuple((f"cage_{a}", "deg") for a in across_cage))]
     mounted = np.unique(np.round([s.axis_body for s in segments if s.axis_body is not None], 6), axis=0)
-    body = tuple((f"body_{i}:{a}", "deg") for i, axis in enumerate(mounted, start=1) for a in _across([tuple(axis)]))
-    return [cage, Form(kernel, body)] if len(mounted) > 1 else [cage]
+    if len(mounted) > 1:
+        numbered = list(enumerate(mounted, start=1))
+        forms.append(Form(kernel, tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)))
+        body = tuple((f"body_{i}:{a}", "deg") for i, axis in numbered for a in _across([tuple(axis)]))
+        forms.append(Form(kernel, body))
+    return forms
 
 
-def _across(axes: list[tuple[float, float, float]]) -> str:
+def _across(axes: list[Vector]) -> str:
     """The directions about which a turn moves any of these axes."""
     spread = np.sum([1 - np.square(axis) for axis in axes], axis=0)
     return "".join(a for a, moved in zip("xyz", spread, strict=True) if moved > 1e-6)

@@ -45,4 +45,5 @@ FAMILY = Family(
     kernel,
     candidates,
     experiment="hold the field along one axis and step it along another",
+    of_field=True,
 )

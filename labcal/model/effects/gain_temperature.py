@@ -33,4 +33,5 @@ FAMILY = Family(
     kernel,
     candidates,
     experiment="warm the sensor in a large field and again in a small one",
+    of_field=True,
 )

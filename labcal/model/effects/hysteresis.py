@@ -53,4 +53,5 @@ FAMILY = Family(
     candidates,
     shapes=("r_nT",),
     experiment="step the field up and down through the same values, or turn backwards",
+    of_field=True,
 )

@@ -30,5 +30,10 @@ def candidates(run: Run) -> list[Form]:
 
 
 FAMILY = Family(
-    "nonlinearity", "sensor", kernel, candidates, experiment="step the field along each axis through its whole range"
+    "nonlinearity",
+    "sensor",
+    kernel,
+    candidates,
+    experiment="step the field along each axis through its whole range",
+    of_field=True,
 )

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord, Owner
 from labcal.record import Run
 
@@ -93,8 +94,11 @@ class Form:
         return self.kernel(self, scene)
 
     def at(self, name: str) -> float:
-        """The value of a shape parameter."""
-        return next(s.value for s in self.shape if s.name == name)
+        """The value of a shape parameter. Raises InputError where the form lacks it."""
+        for shape in self.shape:
+            if shape.name == name:
+                return shape.value
+        raise InputError(f"the effect lacks its parameter {name}")
 
     def reshaped(self, **values: float) -> Form:
         """The same form at other shape parameters."""
@@ -117,6 +121,7 @@ class Family:
     shapes: tuple[str, ...] = ()  # names of the parameters that do not enter linearly
     experiment: str = ""  # what would show it, one sentence
     bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
+    of_field: bool = False  # grows with the field itself: cannot be told from a gain that the run does not determine
 
     def restore(self, record: EffectRecord) -> Form:
         """The form that a calibration file describes."""

@@ -37,7 +37,4 @@ def load(record: EffectRecord) -> Fitted:
     kind = family(record.effect)
     form = kind.restore(record)
     values = {p.name: p.value for p in record.parameters}
-    missing = [name for name in kind.shapes if name not in values]
-    if missing:
-        raise InputError(f"effect {record.effect} lacks its parameters {', '.join(missing)}")
     return Fitted(kind, form, np.array([values[name] for name, _ in form.parameters]))

@@ -1,0 +1,62 @@
+"""`labcal close-loop`: find what is left of a run, trace it to a cause, prove it."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from labcal.cli import DONE, NEGATIVE, app
+from labcal.cli.results import JSON, write_json
+
+if TYPE_CHECKING:
+    from labcal.loop import ClosedLoop
+
+
+@app.command("close-loop", rich_help_panel="Calibration")
+def close_loop(
+    run: str = typer.Argument(..., help="A run id of the local store, or the path of a bundle."),
+    json_file: str | None = JSON,
+    out: Path | None = typer.Option(None, metavar="CAL.json", help="Write the calibration with the effects found."),
+) -> int:
+    """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
+    from labcal import session
+
+    closed = session.close_loop(run, out, _progress)
+    if json_file is not None:
+        write_json(closed.to_json(), json_file)
+    if json_file != "-":
+        _show(closed)
+    return DONE if closed.done else NEGATIVE
+
+
+def _progress(step: str) -> None:
+    if sys.stderr.isatty():
+        print(f"{step} …", file=sys.stderr)
+
+
+def _show(closed: ClosedLoop) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    console.print(f"{closed.verdict}: {closed.summary}", highlight=False)
+    table = Table("", "in sample nT", "held out nT", box=None)
+    for when, errors in (("before", closed.before), ("after", closed.after)):
+        table.add_row(when, f"{errors.train_rms_nT:.1f}", f"{errors.holdout_rms_nT:.1f}")
+    table.add_row("noise alone", "", f"{closed.noise_floor_nT:.1f}")
+    console.print(table)
+    if closed.accepted:
+        effects = Table("Cause", "Channel", "Parameter", "Value", "u", "Unit", box=None)
+        for effect in closed.accepted:
+            name = effect.effect + (" (provisional)" if effect.provisional else "")
+            for number, p in enumerate(effect.parameters):
+                first = (name, ", ".join(effect.channels)) if number == 0 else ("", "")
+                effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
+        console.print(effects)
+    for remark in closed.remarks:
+        console.print(remark, highlight=False)
+    if closed.next_experiment is not None:
+        console.print(f"Next: {closed.next_experiment.do} ({closed.next_experiment.why}).", highlight=False)

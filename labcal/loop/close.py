@@ -1,0 +1,322 @@
+"""Close the loop on a run: the residual, its cause, the proof on data that nothing has seen, and the verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.observations import SCALAR
+from labcal.loop.decide import Cause, forward, looks
+from labcal.loop.experiments import between
+from labcal.loop.floor import Floor, floor
+from labcal.loop.holdout import HeldOut, Plan, held_out, plan, rms
+from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
+from labcal.loop.refit import Refit, refit
+from labcal.loop.result import ClosedLoop, Errors, NextExperiment, Pictures, Verdict
+from labcal.loop.search import NAMED, Candidate, Search, Weighed, expand
+from labcal.loop.setaside import at_rail, outliers
+from labcal.model import EffectRecord, Parameter
+from labcal.model.calibration import Rival
+from labcal.model.effects import family
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
+SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
+A_FEW = 3  # rows set aside before they are named as a cause
+RIVAL = 8.0  # nats: what comes closer does as well
+MOST_OUTLIERS = 0.05
+WHITE_AT_LEAST = 0.85  # of a declared noise; 0.5 of a measured one
+Progress = Callable[[str], None]
+
+
+def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
+    """Find the residual of `run`, trace it, and say what it is. Raises InputError where the run says too little."""
+    progress("fitting the base model")
+    problem, level, stuck = prepared(run)
+    progress("weighing every effect")
+    search = _without_outliers(Search(problem, expand(problem), np.ones(len(problem), dtype=bool), _lowest(run)))
+    progress("holding out blocks of time")
+    found = weighed(search, level)
+    before, after = (refit(problem, [c.form for c in chosen], found.search.rows) for chosen in ((), found.accepted))
+    aside = {"outliers": int((~found.search.rows).sum()), "saturation": stuck}
+    return _result(run, found, before, after, aside)
+
+
+def weighed(search: Search, level: Floor) -> Evidence:
+    """Choose effects, and refuse again those that do not help on data that the fit has not seen."""
+    refused: set[Cause] = set()
+    while True:
+        accepted, rankings = forward(search, refused=refused)
+        blocks = plan(search.problem, _correlation_s(search, accepted))
+        steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
+        idle = next((c.cause for c, step in zip(accepted, steps, strict=True) if not _helps(step)), None)
+        if idle is None:
+            break
+        refused.add(idle)
+    honest = held_out(search, blocks, lambda part: forward(part, len(accepted), refine=False, refused=refused)[0])
+    if accepted and not _carries(honest, level):
+        refused |= {c.cause for c in accepted}
+        accepted, steps = [], []
+        honest = held_out(search, blocks, _always(()))
+    rivals = tuple(tuple(_rivals(search, accepted, chosen)) for chosen in accepted)
+    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks)
+
+
+def _helps(step: HeldOut) -> bool:
+    """Whether an effect lowers the held-out error, its whole interval above zero."""
+    return step.improvement()[0] > 0
+
+
+def _carries(honest: HeldOut, level: Floor) -> bool:
+    """Whether the effects carry most of what lies above the noise: less is no explanation, whatever its name."""
+    excess = honest.before**2 - level.nT**2
+    return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > SHARE_OF_EXCESS * excess
+
+
+def _without_outliers(search: Search) -> Search:
+    """The search on the rows that do not lie, once the effects that the others show are taken off."""
+    segment = search.problem.scene.segment
+    rows = ~outliers(search.problem.y, segment)
+    for _ in range(2):
+        here = search.on(rows)
+        accepted, _ = forward(here) if not rows.all() else ([], [])
+        still = ~outliers(here.residual(accepted), segment)
+        if bool((still == rows).all()):
+            break
+        rows = still
+    return search.on(rows)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """All that the verdict rests on."""
+
+    search: Search
+    accepted: tuple[Candidate, ...]
+    rankings: tuple[list[Weighed], ...]
+    rivals: tuple[tuple[Weighed, ...], ...]  # of each accepted effect, itself first
+    honest: HeldOut
+    steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
+    level: Floor
+    blocks: Plan
+
+
+def prepared(run: Run) -> tuple[Problem, Floor, int]:
+    """The base fitted, readings at a rail left out and counted, the noise known."""
+    cut, _ = usable(run)
+    stuck = at_rail(cut)
+    cut, seen = usable(cut.select(~stuck))
+    base, near = fit_base(cut, seen)
+    start = near.solution
+    problem = linearise(cut, seen, noise_of(cut, seen), base, near.form, start.theta, start.phase)
+    problem, level = floor(problem)
+    found = least_squares(seen, problem.noise, near)
+    return linearise(cut, seen, problem.noise, base, near.form, found.theta, found.phase), level, int(stuck.sum())
+
+
+def _lowest(run: Run) -> float:
+    return WHITE_AT_LEAST if run.dut.noise_nT else 0.5
+
+
+def _always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
+    return lambda part: accepted
+
+
+def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
+    """Other causes that would do as well in the place of `chosen`, it first."""
+    others = [c for c in accepted if c is not chosen]
+    open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
+    ranking = search.rank([*open_to, chosen], others)
+    own = next(w for w in ranking if w.candidate.cause == chosen.cause)
+    return [own, *(w for w in ranking if w.candidate.cause != chosen.cause and w.weight > own.weight - RIVAL)]
+
+
+def _correlation_s(search: Search, accepted: Sequence[Candidate]) -> float:
+    """Time over which the residual forgets itself: the first lag at which its correlation is below 1/e."""
+    left = search.residual(accepted)
+    left = left - left.mean(axis=0)
+    n = len(left)
+    power = np.sum(np.abs(np.fft.rfft(left, n=2 * n, axis=0)) ** 2, axis=1)
+    correlation = np.fft.irfft(power)[: n // 4]
+    below = np.flatnonzero(correlation < correlation[0] / np.e)
+    return float(below[0] if len(below) else n // 4) * float(np.median(np.diff(search.problem.scene.t_s)))
+
+
+def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[str, int]) -> ClosedLoop:
+    problem = after.problem
+    rows = found.search.rows
+    in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
+    verdict = _verdict(found, aside, len(problem))
+    accepted = [*_of_the_data(aside, problem, verdict), *_records(found, after)]
+    affine = problem.affine
+    return ClosedLoop(
+        run_id=run.run_id,
+        residual_kind=problem.kind,
+        base=problem.base,
+        noise_floor_nT=found.level.nT,
+        noise_floor_source=found.level.source,
+        before=Errors(in_sample[0], found.honest.before),
+        after=Errors(in_sample[1], found.honest.after),
+        set_aside=aside,
+        accepted=tuple(accepted),
+        rejected=tuple(_rejected(found)),
+        verdict=verdict,
+        summary=_summary(found, verdict, aside),
+        next_experiment=_next(found, verdict),
+        affine=affine,
+        covariance=_covariance(after),
+        frame_known=not bool((problem.seen.kind == SCALAR).all()),
+        noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
+        pictures=Pictures(problem.scene.t_s, problem.scene.segment, *_pictured(before, after)),
+    )
+
+
+def _pictured(before: Refit, after: Refit) -> tuple[Array, Array]:
+    return _shown(before.problem), _shown(after.problem)
+
+
+def _shown(problem: Problem) -> Array:
+    if problem.kind == "vector":
+        return problem.residual_nT
+    b = problem.scene.field_nT
+    return np.asarray(np.sum(problem.residual_nT * b, axis=1) / np.linalg.norm(b, axis=1))[:, None]
+
+
+def _covariance(after: Refit) -> Array:
+    """Of K row by row [nT per DUT unit], then k [nT]."""
+    problem = after.problem
+    q = problem.allowed.basis.shape[1]
+    B = problem.allowed.basis * np.r_[np.full(9, 1 / problem.seen.scale), np.ones(3)][:, None]
+    C = B @ after.covariance[:q, :q] @ B.T
+    return np.asarray((C + C.T) / 2)
+
+
+def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
+    reaches = found.honest.after <= AT_FLOOR * found.level.nT
+    lying = aside["outliers"] > MOST_OUTLIERS * rows
+    if any(len(r) > 1 for r in found.rivals):
+        return "ambiguous"
+    if found.accepted:
+        return "explained" if reaches and not lying else "partly-explained"
+    if lying:
+        return "partly-explained"
+    if max(aside.values()) >= A_FEW and reaches:
+        return "explained"
+    return "clean" if reaches else "unexplained"
+
+
+def _records(found: Evidence, after: Refit) -> list[EffectRecord]:
+    out = []
+    lists = zip(found.accepted, after.forms, after.parameters(), found.steps, found.rivals, strict=True)
+    for chosen, form, parameters, step, rivals in lists:
+        low, high = step.improvement()
+        own, others = rivals[0], rivals[1:]
+        out.append(
+            EffectRecord(
+                effect=chosen.family.id,
+                channels=form.channels,
+                reference_value=dict(form.reference_value),
+                belongs_to=chosen.family.belongs_to,
+                parameters=parameters,
+                provisional=bool(others),
+                holdout_rms_before_nT=step.before,
+                holdout_rms_after_nT=step.after,
+                improvement_ci95_nT=(low, high),
+                p_value=_p_value(own, len(found.search.candidates)),
+                rivals=tuple(_rival(found, chosen, other) for other in others),
+                why=f"held-out rms {step.before:.1f} to {step.after:.1f} nT; weight of evidence {own.weight:.0f} nats",
+            )
+        )
+    return out
+
+
+def _rival(found: Evidence, chosen: Candidate, other: Weighed) -> Rival:
+    others = [c for c in found.accepted if c is not chosen]
+    swapped = held_out(found.search, found.blocks, _always([*others, other.candidate]))
+    return Rival(other.candidate.family.id, other.candidate.form.channels, swapped.after)
+
+
+def _p_value(weighed: Weighed, tried: int) -> float:
+    """Chi-squared of the likelihood ratio, times the looks taken (Bonferroni)."""
+    from scipy.stats import chi2
+
+    return float(min(1.0, tried * chi2.sf(2 * max(weighed.gain, 0.0), max(weighed.rank, 1))))
+
+
+def _of_the_data(aside: dict[str, int], problem: Problem, verdict: Verdict) -> list[EffectRecord]:
+    """Rows set aside are named as a cause where they are more than chance and the rest is understood."""
+    found = []
+    for effect, count in aside.items():
+        if count >= A_FEW and verdict != "unexplained":
+            part = count / (len(problem) + count)
+            rows = Parameter("rows", float(count), 0.0, "1")
+            why = f"{count} rows ({100 * part:.1f} %) set aside"
+            found.append(EffectRecord(effect, (), {}, "data", (rows,), why=why))
+    return found
+
+
+def _rejected(found: Evidence) -> list[EffectRecord]:
+    """Every cause that was weighed and not taken, at the last step that weighed it."""
+    last = {w.candidate.cause: w for ranking in found.rankings for w in ranking}
+    taken = {c.cause for c in found.accepted}
+    out = []
+    for cause, w in last.items():
+        if cause not in taken:
+            form = w.candidate.form
+            out.append(
+                EffectRecord(
+                    effect=w.candidate.family.id,
+                    channels=form.channels,
+                    reference_value=dict(form.reference_value),
+                    belongs_to=w.candidate.family.belongs_to,
+                    parameters=(),
+                    p_value=_p_value(w, len(found.search.candidates)),
+                    why=_why_not(w),
+                )
+            )
+    return out
+
+
+def _why_not(w: Weighed) -> str:
+    if w.weight < 0:
+        return f"gains {w.gain:.1f} nats of likelihood for {w.rank} parameters: what chance and a slow process give"
+    if w.weight < NAMED:
+        return f"weight of evidence {w.weight:.1f} nats, less than the {NAMED:.0f} that a name needs"
+    return f"takes {100 * w.drop:.1f} % of the noise's square off the residual: not worth its parameters"
+
+
+def _summary(found: Evidence, verdict: Verdict, aside: dict[str, int]) -> str:
+    named = " and ".join(_name(c) for c in found.accepted)
+    change = f"{found.honest.before:.0f} to {found.honest.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
+    rows = ", ".join(f"{n} rows set aside as {what}" for what, n in aside.items() if n)
+    sentences = {
+        "clean": f"The base model reaches the noise: {change}.",
+        "explained": f"{named or 'Rows that lie'} explain the residual: {change}.",
+        "partly-explained": f"{named or 'Rows that lie'} explain part of the residual: {change}.",
+        "ambiguous": f"{named} explains the residual ({change}), and other effects do as well on this run.",
+        "unexplained": f"There is structure that no known effect carries: {change}.",
+    }
+    return sentences[verdict] + (f" {rows}." if rows else "")
+
+
+def _name(candidate: Candidate) -> str:
+    channels = ", ".join(candidate.form.channels)
+    return candidate.family.id + (f" ({channels})" if channels else "")
+
+
+def _next(found: Evidence, verdict: Verdict) -> NextExperiment | None:
+    if verdict == "ambiguous":
+        chosen, rivals = next((c, r) for c, r in zip(found.accepted, found.rivals, strict=True) if len(r) > 1)
+        other = rivals[1].candidate
+        do = between(chosen.family.id, other.family.id) or family(other.family.id).experiment
+        return NextExperiment(f"{_name(chosen)} and {_name(other)} do as well as each other on this run", do)
+    if verdict in ("unexplained", "partly-explained"):
+        return NextExperiment(
+            "structure remains that no known effect carries",
+            "repeat the run unchanged, then at another rate: what repeats belongs to field or angle, the rest to time",
+        )
+    return None

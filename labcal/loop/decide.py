@@ -1,0 +1,129 @@
+"""Forward choice with re-examination: an effect comes in, and those already in have to earn their place again.
+
+A second cause has to explain what a more flexible version of the first one cannot: beside every accepted effect stand
+all other looks of its family on the same channels. So the remainder of a shape that is not quite ours is not given
+another name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
+from labcal.loop.spectrum import transformed
+
+Array = NDArray[np.float64]
+Cause = tuple[str, tuple[str, ...]]
+MOST = 3  # effects accepted at most
+MATERIAL = 0.03  # of the noise's square: a smaller drop of the mean square is not worth a parameter
+SHARE = 0.01  # of all that was explained: a smaller part is a detail of the first effect's shape
+RELATED = {"offset-current": ("offset-current-squared",), "offset-current-squared": ("offset-current",)}
+
+
+def forward(
+    search: Search, most: int = MOST, refine: bool = True, refused: Collection[Cause] = ()
+) -> tuple[list[Candidate], list[list[Weighed]]]:
+    """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
+    accepted: list[Candidate] = []
+    rankings: list[list[Weighed]] = []
+    total = 0.0
+    while len(accepted) < most:
+        open_to = [c for c in looks(search, accepted) if not _same(c, accepted)]
+        ranking = search.rank(open_to, accepted, neighbourhood(search, accepted))
+        rankings.append(ranking)
+        least = max(MATERIAL * search.lowest**2, SHARE * total)
+        best = next((w for w in ranking if w.drop >= least and w.candidate.cause not in refused), None)
+        if best is None or best.weight < NAMED:
+            break
+        chosen = refined(search, best.candidate, accepted) if refine else best.candidate
+        total += best.drop
+        accepted = reexamined(search, [*accepted, chosen])
+        if chosen not in accepted:
+            break
+    return accepted, rankings
+
+
+def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
+    """All candidates, the periodic ones at the frequencies that the present residual shows."""
+    return [*search.candidates, *periodic(search.problem, search.residual(accepted) * search.rows[:, None])]
+
+
+def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
+    """The same cause twice; steps and periods may come twice, at another time or frequency."""
+    return any(c.cause == candidate.cause for c in accepted) and candidate.family.id not in ("offset-step", "periodic")
+
+
+def neighbourhood(search: Search, accepted: Sequence[Candidate]) -> list[Array]:
+    """All other looks of the accepted causes, as a few transformed columns that span them."""
+    parts = []
+    for chosen in accepted:
+        ids = (chosen.family.id, *RELATED.get(chosen.family.id, ()))
+        if chosen.family.id in ("offset-step", "periodic"):
+            continue
+        kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
+        if kin:
+            parts.append(spanning(np.concatenate([search.columns(c)[search.rows] for c in kin], axis=2)))
+    return parts
+
+
+def spanning(columns: Array, least: float = 1e-4) -> Array:
+    """Transformed columns (n, q, few) that span the given ones to a part `least` of their norms."""
+    n, q, p = columns.shape
+    flat = columns.reshape(n * q, p)
+    flat = flat / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
+    values, vectors = np.linalg.eigh(flat.T @ flat)
+    kept = vectors[:, values > least**2 * values[-1]] / np.sqrt(values[values > least**2 * values[-1]])
+    return transformed((flat @ kept).reshape(n, q, -1))
+
+
+def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
+    """Those that still earn their place beside the others."""
+    while len(accepted) > 1:
+        weights = []
+        for chosen in accepted:
+            others = [c for c in accepted if c is not chosen]
+            weights.append(search.weigh(chosen, search.stage(others)).weight)
+        weakest = int(np.argmin(weights))
+        if weights[weakest] >= NAMED:
+            break
+        accepted = [c for i, c in enumerate(accepted) if i != weakest]
+    return accepted
+
+
+def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    """The candidate at its best shape near the grid point that was found, by golden section in each shape."""
+    for shape in candidate.form.shape:
+        if shape.grid:
+            candidate = _along(search, candidate, shape.name, accepted)
+    return candidate
+
+
+def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[Candidate]) -> Candidate:
+    from scipy.optimize import minimize_scalar
+
+    low, high = _bracket(search, candidate, name)
+    stage = search.stage(accepted)
+
+    def badness(value: float) -> float:
+        columns = search.problem.columns(candidate.form.reshaped(**{name: value}))[search.rows]
+        return -stage.beside(transformed(columns))[0].log
+
+    start = candidate.form.at(name)
+    found = minimize_scalar(badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": 1e-3 * low})
+    if found.fun < badness(start):
+        return Candidate(candidate.family, candidate.form.reshaped(**{name: float(found.x)}), candidate.looks)
+    return candidate
+
+
+def _bracket(search: Search, candidate: Candidate, name: str) -> tuple[float, float]:
+    """Between the neighbours on the grid; for a frequency half the resolution either way."""
+    shape = next(s for s in candidate.form.shape if s.name == name)
+    if name == "f_Hz":
+        width = 0.6 / float(np.ptp(search.problem.scene.t_s))
+        return shape.value - width, shape.value + width
+    below = [g for g in shape.grid if g < shape.value]
+    above = [g for g in shape.grid if g > shape.value]
+    return (max(below) if below else shape.value / 3), (min(above) if above else shape.value * 3)

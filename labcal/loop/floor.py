@@ -1,0 +1,86 @@
+"""The rms that noise alone would leave, and where that is known from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.system import Noise
+from labcal.loop.problem import Problem, linearise
+from labcal.model.effects.regressors import stretches
+
+Array = NDArray[np.float64]
+Source = Literal["declared", "static", "differences"]
+STILL = 0.002  # of the field: a static stretch moves no more than this
+
+
+@dataclass(frozen=True, slots=True)
+class Floor:
+    """The noise floor [nT], its source, and the ratio of measured to declared noise where both are known."""
+
+    nT: float
+    source: Source
+    measured_over_declared: float | None
+
+
+def floor(problem: Problem) -> tuple[Problem, Floor]:
+    """The problem whitened by the noise as it is, and its floor: declared, else static stretches, else differences."""
+    level, source = _static(problem), "static"
+    if level is None:
+        level, source = _differences(problem.y, problem.scene.segment), "differences"
+    if problem.run.dut.noise_nT:
+        ratio = level if source == "static" else None
+        return problem, Floor(_expected(problem), "declared", ratio)
+    noise = rescaled(problem.noise, max(level, 1e-6))
+    p = problem
+    problem = linearise(p.run, p.seen, noise, p.base, p.allowed, p.theta, p.phase)
+    return problem, Floor(_expected(problem), "static" if source == "static" else "differences", None)
+
+
+def rescaled(noise: Noise, factor: float) -> Noise:
+    """All of the noise times a factor."""
+    return replace(noise, reading=noise.reading * factor)
+
+
+def _expected(problem: Problem) -> float:
+    """Contract: sqrt(tr C + quantisation), its projection for magnitudes, times sqrt(1 + p / n)."""
+    W = problem.whiten
+    if problem.kind == "vector":
+        variance = float(np.mean(np.sum(np.linalg.inv(W) ** 2, axis=(1, 2)))) + _angle_step(problem)
+    else:
+        variance = float(np.mean(1 / np.sum(W[:, 0] ** 2, axis=1)))
+    return float(np.sqrt(variance * (1 + problem.T.shape[2] / problem.y.size)))
+
+
+def _angle_step(problem: Problem) -> float:
+    """Variance [nT²] of the field across the axis from the angle's rounding."""
+    rig, angle = problem.scene.rig, problem.run.angle_deg
+    if rig is None or angle is None or not np.isfinite(rig.angle_rad).any():
+        return 0.0
+    turning = np.isfinite(rig.angle_rad)
+    steps = np.diff(np.unique(np.round(angle[turning], 9)))
+    step = np.radians(float(steps.min())) if len(steps) else 0.0
+    across = np.cross(np.nan_to_num(rig.axis_body), rig.prediction_nT)
+    return float(np.mean(np.sum(across**2, axis=1)) * step**2 / 12)
+
+
+def _differences(y: Array, segment: NDArray[np.intp]) -> float:
+    """Robust white level of successive second differences: a lower bound where noise correlates."""
+    within = (segment[2:] == segment[:-2])[:, None]
+    second = (y[2:] - 2 * y[1:-1] + y[:-2])[np.broadcast_to(within, y[2:].shape)]
+    return float(1.4826 * np.median(np.abs(second)) / np.sqrt(6)) if len(second) else 1.0
+
+
+def _static(problem: Problem) -> float | None:
+    """Spread of the residual about its mean in static segments whose field stands still; None without any."""
+    left = []
+    for part in stretches(problem.scene.segment):
+        segment = problem.run.segments[int(problem.scene.segment[part][0])]
+        field = problem.scene.field_nT[part]
+        still = float(field.std(axis=0).max()) < STILL * float(np.linalg.norm(field.mean(axis=0)))
+        if segment.kind == "static" and still and len(field) > 10:
+            left.append(problem.y[part] - problem.y[part].mean(axis=0))
+    return float(np.sqrt(np.mean(np.concatenate(left) ** 2))) if left else None

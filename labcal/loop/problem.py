@@ -1,0 +1,232 @@
+"""The base model fitted, and what is left of it as one whitened linear problem.
+
+Near the base fit, with r = a − Σ e − p and W'W the inverse noise covariance, W r = y + T δ − X β: T are the directions
+that the base can still move in (map and phases), X the columns of effects. Everything else in this room is about y, T
+and X, each (n, q, …): n rows in time, q = 3 numbers a row for vectors, 2 with an axis, 1 for a magnitude.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.errors import InputError
+from labcal.fit.ml import Estimate, estimate
+from labcal.fit.observations import AXIS, SCALAR, VECTOR, Observations, observe
+from labcal.fit.solve import LEAST_SQUARES, FormName, Solution, solve
+from labcal.fit.solve import Form as MapForm
+from labcal.fit.system import Noise, evaluate, map_of
+from labcal.geometry import rotation, shortest_rotation
+from labcal.model import AffineMap
+from labcal.model.effects import Form, Scene
+from labcal.model.effects.protocol import Rig
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+Base = Literal["affine", "gain-offset", "offset"]
+LOOSE = 0.02  # a base whose field is uncertain by more than this part of the largest is not determined
+ROWS = 30  # fewer usable rows than this say nothing
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Problem:
+    """A run's residual about one set of parameters, ready for linear algebra."""
+
+    run: Run  # the usable rows only
+    seen: Observations
+    noise: Noise
+    base: Base
+    allowed: MapForm
+    theta: Array  # (12,) scaled map
+    phase: Array  # (groups,) rad
+    scene: Scene
+    whiten: Array  # (n, q, 3) W: y = W r
+    residual_nT: Array  # (n, 3) r, effects subtracted
+    y: Array  # (n, q)
+    T: Array  # (n, q, t) of the base's coordinates, then of the phases
+    turning: NDArray[np.intp]  # phase groups that have rows, in the order of T's last columns
+
+    def __len__(self) -> int:
+        return len(self.seen)
+
+    @property
+    def kind(self) -> Literal["vector", "scalar"]:
+        """`vector` where every row used offers a vector."""
+        return "vector" if bool((self.seen.kind == VECTOR).all()) else "scalar"
+
+    @property
+    def affine(self) -> AffineMap:
+        """The map in nT per DUT unit."""
+        K, k = map_of(self.theta, self.seen.scale)
+        return AffineMap(K, k)
+
+    def columns(self, candidate: Form) -> Array:
+        """An effect's whitened columns (n, q, p)."""
+        return np.asarray(self.whiten @ candidate.columns(self.scene))
+
+    def length_nT(self, residual_nT: Array) -> Array:
+        """What the reported rms is over (n,): the residual vector's length, or the magnitude residual."""
+        if self.kind == "vector":
+            return np.asarray(np.linalg.norm(residual_nT, axis=1))
+        b = self.scene.field_nT
+        return np.asarray(np.abs(np.sum(residual_nT * b, axis=1)) / np.maximum(np.linalg.norm(b, axis=1), 1e-9))
+
+
+def usable(run: Run) -> tuple[Run, Observations]:
+    """The rows that the loop works on: vectors where most rows offer them, else axes and magnitudes.
+
+    Raises InputError where there are too few.
+    """
+    if run.reference.kind == "none":
+        raise InputError(f"run {run.run_id} has no reference: there is no residual to explain")
+    try:
+        seen = observe(run)
+    except ValueError as error:
+        raise InputError(f"run {run.run_id}: {error}") from None
+    vector = seen.kind == VECTOR
+    if 2 * vector.sum() >= len(seen):
+        rows = seen.rows[vector]
+        cut = run.select(rows)
+        seen = observe(cut)
+    elif vector.any():
+        cut = run.select(seen.rows)
+        seen = observe(cut, as_scalar=True)
+    else:
+        cut = run.select(seen.rows)
+        seen = observe(cut)
+    if len(seen) < ROWS:
+        raise InputError(f"run {run.run_id} has {len(seen)} rows with a reading and a reference; {ROWS} are needed")
+    return cut, seen
+
+
+def declared_noise(run: Run) -> float:
+    """Noise of one axis of one reading [DUT units]; a thousandth of the reading where nothing is declared."""
+    if run.dut.noise_nT:
+        return run.dut.noise_nT / run.dut.nominal_nT_per_unit
+    return 1e-3 * float(np.sqrt(np.mean(run.reading**2)))
+
+
+def noise_of(run: Run, seen: Observations) -> Noise:
+    """The declared noise of reading, reference, angle and time."""
+    angle = np.array([np.radians(s.angle_noise_deg or 0.0) for s in run.segments])[run.segment_index]
+    time = np.array([s.u_time_s or 0.0 for s in run.segments])[run.segment_index]
+    return Noise(declared_noise(run), run.reference.noise_nT or 0.0, angle, time)
+
+
+def fit_base(run: Run, seen: Observations) -> tuple[Base, Estimate]:
+    """The largest base that the run determines, fitted robustly. Raises InputError where not even an offset is."""
+    scalar = bool((seen.kind == SCALAR).all())
+    full: FormName = "symmetric" if scalar else "affine"
+    names: tuple[tuple[Base, FormName], ...] = (("affine", full), ("gain-offset", "gain-offset"), ("offset", "offset"))
+    why = ""
+    for base, name in names:
+        with np.errstate(all="ignore"):
+            try:
+                found = estimate(run, allowed=name, as_scalar=scalar)
+            except (ValueError, np.linalg.LinAlgError) as error:
+                why = str(error)
+                continue
+        known = found.identified.worst_u_nT < LOOSE * float(seen.magnitude.max())
+        if found.identified.why_not is None and (known or base == "offset"):
+            return base, found
+        why = found.identified.why_not or why
+    raise InputError(f"run {run.run_id} does not even determine an offset: {why}")
+
+
+def linearise(
+    run: Run,
+    seen: Observations,
+    noise: Noise,
+    base: Base,
+    allowed: MapForm,
+    theta: Array,
+    phase: Array,
+    effects_nT: Array | float = 0.0,
+) -> Problem:
+    """The problem about `theta`, `phase` and the effects' sum (n, 3)."""
+    at = evaluate(seen, noise, theta, phase, effects_nT)
+    whiten = _whitener(seen, at.information, at.field)
+    dtheta = np.zeros((len(seen), 3, 12))
+    for axis in range(3):
+        dtheta[:, axis, 3 * axis : 3 * axis + 3], dtheta[:, axis, 9 + axis] = at.columns[:, :3], at.columns[:, 3]
+    moves = dtheta @ allowed.basis
+    groups = np.flatnonzero([bool((seen.group == g).any()) for g in range(len(phase))])
+    turns = np.stack([at.tangent * (seen.group == g)[:, None] for g in groups], axis=2) if len(groups) else None
+    tangent = moves if turns is None else np.concatenate([moves, turns], axis=2)
+    y = np.einsum("nqj,nj->nq", whiten, at.residual)
+    scene = scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction)
+    return Problem(
+        run, seen, noise, base, allowed, theta, phase, scene, whiten, at.residual, y, whiten @ tangent, groups
+    )
+
+
+def _whitener(seen: Observations, information: Array, field: Array) -> Array:
+    """W (n, q, 3) with W'W = G; axes of W move no faster than the field."""
+    if bool((seen.kind == VECTOR).all()):
+        return np.asarray(np.swapaxes(np.linalg.cholesky(information), 1, 2))
+    u = field / np.maximum(np.linalg.norm(field, axis=1), 1e-9)[:, None]
+    first = np.einsum("nab,nb->na", information, u)
+    size = np.sqrt(np.maximum(np.einsum("na,na->n", first, u), 1e-300))
+    along = first / size[:, None]
+    if not bool((seen.kind == AXIS).any()):
+        return np.asarray(along[:, None, :])
+    rest = information - along[:, :, None] * along[:, None, :]
+    values, vectors = np.linalg.eigh(rest)
+    second = np.sqrt(np.maximum(values[:, 2], 0.0))[:, None] * vectors[:, :, 2]
+    second *= np.where(np.sum(second * seen.axis, axis=1) < 0, -1.0, 1.0)[:, None]
+    return np.stack([along, second], axis=1)
+
+
+def scene_of(run: Run, seen: Observations, theta: Array, phase: Array, field: Array, prediction: Array) -> Scene:
+    """What effects may look at; rows and prediction as in the fit, gaps of channels bridged linearly in time."""
+    K, _ = map_of(theta, seen.scale)
+    channels = {c.name: filled(run.t_s, c.values) for c in run.channels if np.isfinite(c.values).any()}
+    rig = None
+    vector = bool((seen.kind == VECTOR).all()) and run.reference_vector is not None
+    if vector:
+        rig = _rig(run, seen, phase, prediction)
+    axes = K / run.dut.nominal_nT_per_unit
+    return Scene(run.t_s, run.segment_index, field, channels, run.mode, axes, rig)
+
+
+def filled(t_s: Array, values: Array) -> Array:
+    """`values` with gaps bridged linearly."""
+    known = np.isfinite(values)
+    return values if known.all() else np.interp(t_s, t_s[known], values[known])
+
+
+def _rig(run: Run, seen: Observations, phase: Array, prediction: Array) -> Rig:
+    n = len(run)
+    to_body = np.full((n, 3, 3), np.nan)
+    axis_body, axis_cage, angle = np.full((n, 3), np.nan), np.full((n, 3), np.nan), np.full(n, np.nan)
+    mounting, names = np.zeros(n, dtype=np.intp), list[Any]()
+    for index, segment in enumerate(run.segments):
+        rows = run.rows(index)
+        name = segment.mounting or (index,)
+        if name not in names:
+            names.append(name)
+        mounting[rows] = names.index(name)
+        if segment.reference_frame == "body" or not len(rows):
+            to_body[rows] = 0.0
+            continue
+        cage, body = np.asarray(segment.axis_cage), np.asarray(segment.axis_body)
+        stated = segment.body_from_cage
+        at_zero = np.asarray(stated) if stated is not None else shortest_rotation(cage, body)
+        if segment.kind != "rotation" or run.angle_deg is None:
+            to_body[rows] = at_zero
+            continue
+        start = np.where(seen.group[rows] >= 0, phase[np.maximum(seen.group[rows], 0)], 0.0) if len(phase) else 0.0
+        angle[rows] = np.unwrap(np.radians(run.angle_deg[rows]))
+        axis_body[rows], axis_cage[rows] = body, cage
+        to_body[rows] = rotation(body, -(angle[rows] + start)) @ at_zero
+    assert run.reference_vector is not None
+    return Rig(prediction, run.reference_vector, to_body, axis_body, axis_cage, angle, mounting)
+
+
+def least_squares(seen: Observations, noise: Noise, near: Estimate) -> Solution:
+    """The base fit without robust weights, once the rows that lie are set aside."""
+    start = near.solution
+    return solve(seen, noise, near.form, start.theta, start.phase, LEAST_SQUARES, iterations=30)

@@ -1,0 +1,138 @@
+"""Everything at once: map, phases and all effects, by Gauss-Newton on the full residual."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.problem import Problem, linearise
+from labcal.loop.search import NOTHING, SEEN, minimise
+from labcal.loop.spectrum import spectrum_of, weighted_gram
+from labcal.model import Parameter
+from labcal.model.effects import Form, Scene
+
+Array = NDArray[np.float64]
+STEPS = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Refit:
+    """The joint solution."""
+
+    problem: Problem  # about the solution, effects subtracted
+    forms: tuple[Form, ...]
+    beta: tuple[Array, ...]  # of each form
+    covariance: (
+        Array  # of the base's coordinates, the phases, the betas and the searched shapes, correlated noise included
+    )
+
+    def effects(self, scene: Scene) -> Array | float:
+        """Σ e (n, 3) [nT]."""
+        return total(self.forms, self.beta, scene)
+
+    def parameters(self) -> tuple[tuple[Parameter, ...], ...]:
+        """The parameters of each effect with their standard uncertainties."""
+        u = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))[self.problem.T.shape[2] :]
+        linear = sum(len(b) for b in self.beta)
+        shapes = iter(u[linear:].tolist())
+        out, at = [], 0
+        for form, beta in zip(self.forms, self.beta, strict=True):
+            found = [
+                Parameter(name, float(value), float(spread), unit)
+                for (name, unit), value, spread in zip(form.parameters, beta, u[at : at + len(beta)], strict=True)
+            ]
+            at += len(beta)
+            found += [Parameter(s.name, s.value, next(shapes) if s.grid else 0.0, s.unit) for s in form.shape]
+            out.append(tuple(found))
+        return tuple(out)
+
+
+def total(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:
+    """The sum of the effects (n, 3) [nT]; 0.0 where there is none."""
+    return sum((form.columns(scene) @ b for form, b in zip(forms, beta, strict=True)), 0.0)
+
+
+def refit(problem: Problem, forms: Sequence[Form], rows: NDArray[np.bool_] | None = None) -> Refit:
+    """Fit all from the problem's own parameters, on `rows` where they are given."""
+    used = np.ones(len(problem), dtype=bool) if rows is None else rows
+    forms, beta = tuple(forms), tuple(np.zeros(len(form.parameters)) for form in forms)
+    here = problem
+    for _ in range(STEPS):
+        A = np.concatenate([here.T, *(-here.columns(form) for form in forms)], axis=2)[used]
+        step = -minimise(A, here.y[used], here.T.shape[2])
+        here, beta = _moved(here, forms, beta, step)
+        forms = tuple(_settled(form, b) for form, b in zip(forms, beta, strict=True))
+        here = _about(here, forms, beta)
+        if _negligible(A, step):
+            break
+    return Refit(here, forms, beta, _covariance(here, forms, beta, used))
+
+
+def _negligible(A: Array, step: Array) -> bool:
+    return bool(np.sqrt(np.mean((A @ step) ** 2)) < 1e-4)
+
+
+def _moved(
+    here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...], step: Array
+) -> tuple[Problem, tuple[Array, ...]]:
+    q = here.allowed.basis.shape[1]
+    theta = here.theta + here.allowed.basis @ step[:q]
+    phase = here.phase.copy()
+    phase[here.turning] += step[q : q + len(here.turning)]
+    ends = np.cumsum([q + len(here.turning), *(len(b) for b in beta)])
+    moved = tuple(b + step[start : start + len(b)] for b, start in zip(beta, ends, strict=False))
+    bare = linearise(here.run, here.seen, here.noise, here.base, here.allowed, theta, phase)
+    return bare, moved
+
+
+def _about(bare: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...]) -> Problem:
+    if not forms:
+        return bare
+    effects = total(forms, beta, bare.scene)
+    return linearise(bare.run, bare.seen, bare.noise, bare.base, bare.allowed, bare.theta, bare.phase, effects)
+
+
+def _settled(form: Form, beta: Array) -> Form:
+    """A lag's secant is taken over the lag itself."""
+    if any(s.name == "secant_s" for s in form.shape) and abs(float(beta[0])) > 1e-6:
+        return form.reshaped(secant_s=float(beta[0]))
+    return form
+
+
+def _covariance(here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...], used: NDArray[np.bool_]) -> Array:
+    """A⁻¹ (Σ S_k G_k) A⁻¹ for plain least squares under the noise spectrum S that the residual shows."""
+    shapes = [_by_shape(form, b, here) for form, b in zip(forms, beta, strict=True)]
+    columns = [here.columns(form) for form in forms]
+    parts = np.concatenate([here.T, *columns, *(s for s in shapes if s.shape[2])], axis=2)[used]
+    bands, spectrum = spectrum_of(parts, here.y[used])
+    A = weighted_gram(parts, bands, np.ones_like(spectrum))
+    inverse = _inverse(A, here.T.shape[2])
+    return np.asarray(inverse @ weighted_gram(parts, bands, spectrum) @ inverse)
+
+
+def _inverse(A: Array, base: int) -> Array:
+    """Of a Gram matrix, zero in the directions of the effects that the base nearly contains."""
+    scale = np.maximum(np.sqrt(np.diag(A)), 1e-300)
+    A = A / np.outer(scale, scale)
+    first = np.linalg.pinv(A[:base, :base], rcond=NOTHING, hermitian=True)
+    carried = first @ A[:base, base:]
+    values, vectors = np.linalg.eigh(A[base:, base:] - A[base:, :base] @ carried)
+    second = (vectors * np.where(values > SEEN, 1 / np.maximum(values, 1e-300), 0.0)) @ vectors.T
+    cross = -carried @ second
+    whole = np.block([[first + carried @ second @ carried.T, cross], [cross.T, second]])
+    return np.asarray(whole / np.outer(scale, scale))
+
+
+def _by_shape(form: Form, beta: Array, here: Problem) -> Array:
+    """Derivatives by the searched shapes, whitened (n, q, shapes)."""
+    out = [np.zeros((len(here), here.y.shape[1], 0))]
+    for shape in form.shape:
+        if shape.grid:
+            step = 1e-3 * abs(shape.value) if shape.name != "f_Hz" else 1e-3 / float(np.ptp(here.scene.t_s))
+            up, down = (form.reshaped(**{shape.name: shape.value + s}) for s in (step, -step))
+            slope = (up.columns(here.scene) - down.columns(here.scene)) @ beta / (2 * step)
+            out.append(here.whiten @ slope[:, :, None])
+    return np.concatenate(out, axis=2)

@@ -1,0 +1,131 @@
+"""What the loop found (contract: close-loop JSON)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit import Fit
+from labcal.model import AffineMap, EffectRecord
+
+Array = NDArray[np.float64]
+Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexplained"]
+FORMAT = "labcal-closed-loop/1"
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """Rms in sample and on held-out blocks [nT]."""
+
+    train_rms_nT: float
+    holdout_rms_nT: float
+
+
+@dataclass(frozen=True, slots=True)
+class NextExperiment:
+    """What would tell the rivals apart, or show what the structure is."""
+
+    why: str
+    do: str
+    procedure: str | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pictures:
+    """Residuals for the report, over the rows used (n,)."""
+
+    t_s: Array
+    segment: NDArray[np.intp]
+    before_nT: Array  # (n, 3), or (n, 1) of the magnitude
+    after_nT: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ClosedLoop:
+    """The verdict and all that it rests on."""
+
+    run_id: str
+    residual_kind: Literal["vector", "scalar"]
+    base: Literal["affine", "gain-offset", "offset"]
+    noise_floor_nT: float
+    noise_floor_source: Literal["declared", "static", "differences"]
+    before: Errors
+    after: Errors
+    set_aside: Mapping[str, int]
+    accepted: tuple[EffectRecord, ...]
+    rejected: tuple[EffectRecord, ...]
+    verdict: Verdict
+    summary: str
+    next_experiment: NextExperiment | None
+    affine: AffineMap  # with the accepted effects
+    covariance: Array | None  # (12, 12) of K row by row, then k
+    frame_known: bool
+    noise_nT: float  # standard deviation of one axis of one reading
+    pictures: Pictures
+    remarks: tuple[str, ...] = ()  # the residual's tests and other findings, in words
+
+    @property
+    def done(self) -> bool:
+        """Whether the loop closed: exit code 0."""
+        return self.verdict in ("clean", "explained")
+
+    def fit(self) -> Fit:
+        """The calibration found, as every estimator states it: map, covariance and accepted effects."""
+        return Fit(
+            method="closed-loop",
+            ok=True,
+            affine=self.affine,
+            covariance=self.covariance,
+            frame_known=self.frame_known,
+            effects=self.accepted,
+            noise_nT=self.noise_nT,
+        )
+
+    def metrics(self) -> Mapping[str, Mapping[str, float]]:
+        """Before and after, for the calibration file."""
+        return {"before": asdict(self.before), "after": {**asdict(self.after), "noise_nT": self.noise_nT}}
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's JSON object."""
+        return {
+            "format": FORMAT,
+            "run_id": self.run_id,
+            "residual_kind": self.residual_kind,
+            "base": self.base,
+            "noise_floor_nT": self.noise_floor_nT,
+            "noise_floor_source": self.noise_floor_source,
+            "before": asdict(self.before),
+            "after": asdict(self.after),
+            "set_aside": dict(self.set_aside),
+            "accepted": [effect_json(e) for e in self.accepted],
+            "rejected": [effect_json(e) for e in self.rejected],
+            "verdict": self.verdict,
+            "summary": self.summary,
+            "next_experiment": None if self.next_experiment is None else asdict(self.next_experiment),
+        }
+
+
+def effect_json(record: EffectRecord) -> dict[str, Any]:
+    """The contract's EFFECT."""
+    ci = record.improvement_ci95_nT
+    return {
+        "effect": record.effect,
+        "channels": list(record.channels),
+        "reference_value": dict(record.reference_value),
+        "belongs_to": record.belongs_to,
+        "provisional": record.provisional,
+        "parameters": [asdict(p) for p in record.parameters],
+        "holdout_rms_before_nT": record.holdout_rms_before_nT,
+        "holdout_rms_after_nT": record.holdout_rms_after_nT,
+        "improvement_ci95_nT": None if ci is None else list(ci),
+        "p_value": record.p_value,
+        "rivals": [
+            {"effect": r.effect, "channels": list(r.channels), "holdout_rms_after_nT": r.holdout_rms_after_nT}
+            for r in record.rivals
+        ],
+        "why": record.why,
+    }

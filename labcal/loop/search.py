@@ -1,0 +1,221 @@
+"""Every effect that could be at work, weighed against an unnamed process on the same rows.
+
+The weight of a candidate is the gain in log-likelihood over the model without it, noise process and all, less half the
+logarithm of the number of data for each parameter (Schwarz 1978) and less the logarithm of the number of looks that its
+family took (time constants, step times, frequencies). Above zero it is more probable than not; NAMED is far above.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.problem import Problem
+from labcal.loop.spectrum import Bands, Likelihood, Stage, bands_of, transformed
+from labcal.model.effects import Family, Form, families
+
+Array = NDArray[np.float64]
+NAMED = 12.0  # nats of weight below which nothing is named: odds of 1.6e5 to one
+PEAKS = 3  # frequencies that a periodic effect is tried at
+SEEN = 1e-5  # of a column's square must be new to the base
+NOTHING = 1e-10  # of the largest eigenvalue: directions below carry no information
+CYCLES = 2.0  # a period must fit this often into a median segment
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Candidate:
+    """A form of a family at fixed shape, and how many looks the family took to find it."""
+
+    family: Family
+    form: Form
+    looks: int = 1
+
+    @property
+    def cause(self) -> tuple[str, tuple[str, ...]]:
+        """What is named: the effect's id and its channels."""
+        return self.family.id, self.form.channels
+
+    @property
+    def size(self) -> int:
+        """Parameters that were fitted: the linear ones, and the shapes that were searched."""
+        return len(self.form.parameters) + sum(1 for s in self.form.shape if s.grid)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Weighed:
+    """A candidate with its evidence."""
+
+    candidate: Candidate
+    gain: float  # log-likelihood over the model without it
+    weight: float  # gain less its price
+    drop: float  # of the mean square of the whitened residual, plain least squares
+    rank: int  # columns that the base does not already have
+    likelihood: Likelihood
+
+
+def expand(problem: Problem) -> list[Candidate]:
+    """Every form of every family at every point of its grid; those that need no residual to look at."""
+    found = []
+    for family in families():
+        if family.id != "periodic" and _at_home(problem, family):
+            for points in map(_points, family.candidates(problem.run)):
+                found += [Candidate(family, point, len(points)) for point in points]
+    return found
+
+
+def _at_home(problem: Problem, family: Family) -> bool:
+    """Effects of the rig need to know where the cage is; those of the field need a base that knows the gains."""
+    if family.of_field and problem.base != "affine":
+        return False
+    return family.belongs_to != "rig" or problem.scene.rig is not None
+
+
+def _points(form: Form) -> list[Form]:
+    searched = [s for s in form.shape if s.grid]
+    return [
+        form.reshaped(**dict(zip([s.name for s in searched], values, strict=True)))
+        for values in itertools.product(*(s.grid for s in searched))
+    ]
+
+
+def periodic(problem: Problem, residual: Array) -> list[Candidate]:
+    """The periodic effect at the highest peaks of the residual's periodogram (n, q), against its neighbourhood."""
+    family = next((f for f in families() if f.id == "periodic"), None)
+    forms = family.candidates(problem.run) if family is not None else ()
+    if family is None or not forms:
+        return []
+    frequency, power = periodogram(problem.scene.t_s, residual)
+    usual = _running_median(power)
+    t, segment = problem.scene.t_s, problem.scene.segment
+    lengths = [float(np.ptp(t[segment == s])) for s in np.unique(segment)]
+    low = CYCLES / max(float(np.median(lengths)), 1e-9)
+    contrast = np.where((frequency > low) & (frequency < 0.98 * frequency[-1]), power / usual, 0.0)
+    found: list[Candidate] = []
+    for _ in range(PEAKS):
+        peak = int(np.argmax(contrast))
+        if contrast[peak] <= 0:
+            break
+        form = replace(forms[0], shape=(replace(forms[0].shape[0], value=float(frequency[peak]), grid=(0.0,)),))
+        found.append(Candidate(family, form, len(frequency)))
+        contrast[max(peak - 8, 0) : peak + 9] = 0.0
+    return found
+
+
+def periodogram(t_s: Array, residual: Array) -> tuple[Array, Array]:
+    """Frequencies [Hz] up to half the sampling rate and the power of all components; gaps count as zeros.
+
+    Times are rounded to a quarter of the sampling interval.
+    """
+    step = float(np.median(np.diff(t_s)))
+    place = np.round((t_s - t_s[0]) / (step / 4)).astype(int)
+    if place[-1] > 64 * len(t_s) + 1024:  # gaps far longer than the record: close them
+        place = np.cumsum(np.concatenate([[0], np.minimum(np.diff(place), 64)]))
+    grid = np.zeros((int(place[-1]) + 1, residual.shape[1]))
+    np.add.at(grid, place, residual - residual.mean(axis=0))
+    power = np.sum(np.abs(np.fft.rfft(grid, n=2 * len(grid), axis=0)) ** 2, axis=1)
+    frequency = np.fft.rfftfreq(2 * len(grid), step / 4)
+    inside = frequency <= 0.5 / step
+    return np.asarray(frequency[inside]), np.asarray(power[inside])
+
+
+def _running_median(power: Array, width: int = 201) -> Array:
+    blocks = max(len(power) // width, 1)
+    centres = (np.arange(blocks) + 0.5) * len(power) / blocks
+    medians = [float(np.median(part)) for part in np.array_split(power, blocks)]
+    return np.maximum(np.interp(np.arange(len(power)), centres, medians), 1e-300)
+
+
+@dataclass(eq=False)
+class Search:
+    """The candidates' columns on the rows of a problem, or on some of them, in the frequency domain."""
+
+    problem: Problem
+    candidates: list[Candidate]
+    rows: NDArray[np.bool_]
+    lowest: float  # of the white noise, in whitened units
+    bands: Bands = field(init=False)
+    base: Array = field(init=False)  # (n, q, t) transformed tangent
+    y: Array = field(init=False)  # (n, q, 1)
+    whitened: dict[int, Array] = field(default_factory=dict)  # shared between folds: columns on all rows
+    _moved: dict[int, Array] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.bands = bands_of(int(self.rows.sum()))
+        self.base = transformed(self.problem.T[self.rows])
+        self.y = transformed(self.problem.y[self.rows])[:, :, None]
+
+    @property
+    def data(self) -> int:
+        """Numbers that are fitted."""
+        return int(self.y.size)
+
+    def on(self, rows: NDArray[np.bool_]) -> Search:
+        """The same search on fewer rows."""
+        return Search(self.problem, self.candidates, rows, self.lowest, whitened=self.whitened)
+
+    def columns(self, candidate: Candidate) -> Array:
+        """Its whitened columns on all rows (n, q, p)."""
+        key = id(candidate.form)
+        if key not in self.whitened:
+            self.whitened[key] = self.problem.columns(candidate.form)
+        return self.whitened[key]
+
+    def moved(self, candidate: Candidate) -> Array:
+        """Its columns on these rows, transformed."""
+        key = id(candidate.form)
+        if key not in self._moved:
+            self._moved[key] = transformed(self.columns(candidate)[self.rows])
+        return self._moved[key]
+
+    def stage(self, accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()) -> Stage:
+        """The base, what is accepted and other transformed columns, ready for candidates to stand beside."""
+        parts = [self.base, *(self.moved(c) for c in accepted), *beside]
+        return Stage.of(np.concatenate(parts, axis=2), self.y, self.bands, self.lowest)
+
+    def weigh(self, candidate: Candidate, stage: Stage) -> Weighed:
+        """The evidence for a candidate beside what the stage holds."""
+        found, rank = stage.beside(self.moved(candidate))
+        size = rank + candidate.size - len(candidate.form.parameters)
+        gain = found.log - stage.null.log
+        weight = gain - 0.5 * size * np.log(self.data) - np.log(candidate.looks)
+        return Weighed(candidate, gain, float(weight), (stage.null.rss - found.rss) / self.data, rank, found)
+
+    def rank(
+        self, candidates: Iterable[Candidate], accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()
+    ) -> list[Weighed]:
+        """The best look of each cause beside what is accepted and `beside`, heaviest first."""
+        stage = self.stage(accepted, beside)
+        best: dict[tuple[str, tuple[str, ...]], Weighed] = {}
+        for candidate in candidates:
+            found = self.weigh(candidate, stage)
+            if candidate.cause not in best or found.weight > best[candidate.cause].weight:
+                best[candidate.cause] = found
+        return sorted(best.values(), key=lambda w: -w.weight)
+
+    def residual(self, accepted: Sequence[Candidate]) -> Array:
+        """What plain least squares on these rows leaves of all rows of the problem (n, q)."""
+        T, y, rows = self.problem.T, self.problem.y, self.rows
+        A = np.concatenate([T, *(self.columns(c) for c in accepted)], axis=2)
+        return np.asarray(y - A @ minimise(A[rows], y[rows], T.shape[2]))
+
+
+def minimise(A: Array, y: Array, base: int) -> Array:
+    """The x of least |A x − y|² for A (n, q, p), of which the first `base` columns are the base model's.
+
+    Directions of the others that the base nearly contains (to SEEN of their square) stay at zero: a large effect that
+    the base undoes is no finding, and nothing that the data support.
+    """
+    n, q, p = A.shape
+    flat = A.reshape(n * q, p)
+    scale = np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
+    gram, pull = (flat / scale).T @ (flat / scale), flat.T @ y.ravel() / scale
+    inverse = np.linalg.pinv(gram[:base, :base], rcond=NOTHING, hermitian=True)
+    carried = inverse @ gram[:base, base:]
+    values, vectors = np.linalg.eigh(gram[base:, base:] - gram[base:, :base] @ carried)
+    kept = np.where(values > SEEN, 1 / np.maximum(values, 1e-300), 0.0)
+    x = vectors @ (kept * (vectors.T @ (pull[base:] - carried.T @ pull[:base])))
+    return np.asarray(np.concatenate([inverse @ (pull[:base] - gram[:base, base:] @ x), x]) / scale)

@@ -1,0 +1,67 @@
+"""Rows that say nothing of the sensor: readings at a rail, and single readings far from their neighbours."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.effects.regressors import stretches
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+AT_RAIL = 4  # equal readings at an extreme before it can be a rail
+FAR = 6.0  # robust standard deviations from the neighbours
+WINDOW = 4  # neighbours on either side
+LONGEST = 2  # rows in a row: more is structure, not an outlier
+
+
+def outliers(residual: Array, segment: NDArray[np.intp]) -> Mask:
+    """Rows (n,) whose whitened residual (n, q) jumps out of its neighbourhood and back."""
+    away, around = _neighbourhood(residual, segment)
+    spread = 1.4826 * np.median(np.abs(away), axis=0)
+    far = (np.abs(away) > FAR * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)).any(axis=1)
+    return np.asarray(far & ~_long(np.asarray(far)))
+
+
+def _neighbourhood(residual: Array, segment: NDArray[np.intp]) -> tuple[Array, Array]:
+    """Distance of each row from the median of its neighbours (n, q), and their own median distance from it."""
+    away, around = np.zeros_like(residual), np.zeros_like(residual)
+    for part in stretches(segment):
+        y = residual[part]
+        if len(y) < 2 * WINDOW + 1:
+            continue
+        padded = np.pad(y, ((WINDOW, WINDOW), (0, 0)), mode="reflect")
+        near = np.stack([padded[k : k + len(y)] for k in range(2 * WINDOW + 1) if k != WINDOW])
+        middle = np.median(near, axis=0)
+        away[part], around[part] = y - middle, np.median(np.abs(near - middle), axis=0)
+    return away, around
+
+
+def _long(mask: Mask) -> Mask:
+    """Members of stretches longer than LONGEST rows."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
+    out = np.zeros_like(mask)
+    for start, stop in zip(edges[::2], edges[1::2], strict=True):
+        out[start:stop] = stop - start > LONGEST
+    return out
+
+
+def at_rail(run: Run) -> Mask:
+    """Rows (n,) with an axis at a reading that the axis often stops at and never passes."""
+    out = np.zeros(len(run), dtype=bool)
+    for values in run.reading.T:
+        for extreme in (np.nanmax(values), np.nanmin(values)):
+            stuck = values == extreme
+            if stuck.sum() >= AT_RAIL and _crowded(values, float(extreme), int(stuck.sum())):
+                out |= stuck
+    return out
+
+
+def _crowded(values: Array, extreme: float, stuck: int) -> bool:
+    """Whether far more rows lie at the extreme than at the readings next to it."""
+    distinct = np.unique(np.abs(values[np.isfinite(values)] - extreme))
+    if len(distinct) < 20:
+        return False
+    near = np.abs(values - extreme) <= distinct[10]
+    return stuck > 3 * max((int(near.sum()) - stuck) / 10, 1.0)

@@ -1,0 +1,24 @@
+"""The loop on runs that a simulator of other hands made, with their truth."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from labcal import session
+
+
+def _truth(folder: Path) -> dict[str, object]:
+    content: dict[str, object] = json.loads((folder / "truth.json").read_text())
+    return content
+
+
+@pytest.mark.parametrize("name", [f"p0{i}" for i in range(1, 10)])
+def test_a_practice_run_comes_out_as_it_is(shared: Path, tmp_path: Path, name: str) -> None:
+    folder = shared / "data" / "practice" / name
+    truth = _truth(folder)
+    closed = session.close_loop(str(folder / "bundle"), tmp_path / "cal.json")
+    named = {effect.effect for effect in closed.accepted}
+    assert closed.verdict in truth["verdicts"]
+    assert all(named & set(cause) for cause in truth["cause"])
+    assert named <= {e for cause in truth["cause"] for e in cause} | set(truth["also_fine"])
