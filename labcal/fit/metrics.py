@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from labcal.fit.result import Fit
 from labcal.geometry import plane_normal
 from labcal.model import AffineMap
+from labcal.model.effects import Scene, load
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -17,10 +18,15 @@ FOLDS = 5
 
 
 def scalar_residual(run: Run, found: Fit) -> Array:
-    """|K m − k| − |ref| (n,) [nT], NaN where either is missing; zero references leave NaN throughout."""
+    """|K m − k − effects| − |ref| (n,) [nT], NaN where either is missing; zero references leave NaN throughout."""
     if found.affine is None or run.reference.kind == "none":
         return np.full(len(run), np.nan)
-    return np.asarray(np.linalg.norm(found.affine.apply(run.reading), axis=1) - run.magnitude_nT)
+    field = found.affine.apply(run.reading)
+    if found.effects:
+        channels = {c.name: c.values for c in run.channels}
+        scene = Scene(run.t_s, run.segment_index, field, channels, run.mode)
+        field = field - sum(load(effect).predict(scene) for effect in found.effects)
+    return np.asarray(np.linalg.norm(field, axis=1) - run.magnitude_nT)
 
 
 def folds(run: Run, count: int = FOLDS) -> Iterator[tuple[NDArray[np.bool_], NDArray[np.bool_]]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -51,13 +51,17 @@ class Scalars:
         return Scalars(self.reading, self.magnitude, self.noise * scale**2, self.reference_noise * scale)
 
 
+def usable(run: Run) -> NDArray[np.bool_]:
+    """Which rows (n,) have a reading and a reference. Raises ValueError where the run has no reference."""
+    return np.asarray(np.isfinite(run.magnitude_nT) & np.isfinite(run.reading).all(axis=1))
+
+
 def scalars(run: Run) -> Scalars:
     """The rows with a reading and a reference, in nT. Raises ValueError where there are fewer than ten."""
-    magnitude = run.magnitude_nT
-    rows = np.isfinite(magnitude) & np.isfinite(run.reading).all(axis=1)
+    rows = usable(run)
     if rows.sum() < 10:
         raise ValueError(f"{rows.sum()} rows have both a reading and a reference magnitude; nine parameters need ten")
-    reading, magnitude = run.reading_nT[rows], magnitude[rows]
+    reading, magnitude = run.reading_nT[rows], run.magnitude_nT[rows]
     noise = run.dut.noise_nT or FIRST_NOISE * float(np.sqrt(np.mean(magnitude**2)))
     return Scalars(reading, magnitude, noise**2 * np.eye(3), run.reference.noise_nT or 0.0)
 
@@ -85,18 +89,22 @@ def settle(seen: Scalars, estimate: Estimator) -> tuple[Scalars, Estimate]:
     return seen, found
 
 
-def as_fit(run: Run, method: str, seen: Scalars, found: Estimate) -> Fit:
-    """The contract's K and k, or the refusal of what the run does not determine."""
+def as_fit(run: Run, method: str, seen: Scalars, found: Estimate, *, widened: bool = False) -> Fit:
+    """The contract's K and k, or the refusal of what the run does not determine.
+
+    The covariance is widened for residuals that correlate, unless it has been (`widened`).
+    """
+    slope, gain = to_contract(run.dut.nominal_nT_per_unit), run.dut.nominal_nT_per_unit
+    wider = 1.0 if widened else correlation(residual(seen, found))
+    found = replace(found, covariance=found.covariance * wider)
     uncertain = worst_uncertainty(found, float(seen.magnitude.max()))
     if uncertain > LARGEST_U * seen.magnitude.max():
         return Fit(method, ok=False, why_not=f"the field would be uncertain by {uncertain:.0f} nT: {MISSING}")
-    gain = run.dut.nominal_nT_per_unit
-    slope = to_contract(gain)
     return Fit(
         method,
         ok=True,
         affine=AffineMap(gain * (np.eye(3) + found.D), found.bias),
-        covariance=slope @ (found.covariance * correlation(residual(seen, found))) @ slope.T,
+        covariance=slope @ found.covariance @ slope.T,
         bias_nT=found.bias,
         D=found.D,
         noise_nT=float(np.sqrt(np.trace(seen.noise) / 3)),
