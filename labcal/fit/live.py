@@ -124,8 +124,8 @@ class LiveFilter:
         if np.isfinite(ratio) and ratio < max(SURPRISE, chance):
             return None
         return (
-            f"the filter has diverged, or the sensor has changed: its innovations squared are {ratio:.1f} times what its "
-            "covariance and the noise of the first readings allow"
+            f"the filter has diverged, or the sensor has changed: its innovations squared are {ratio:.1f} times "
+            "what its covariance and the noise of the first readings allow"
         )
 
     def _begin(self, seen: Scalars, found: Estimate) -> None:
