@@ -14,7 +14,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.greet import Greeting, greet
 from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
-from labcal.certificate.report import calibration_page, run_page, write_report
+from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
 from labcal.files import write_bytes
 from labcal.fit import Fit
@@ -186,11 +186,21 @@ def draft(run: str, found: Fit, out: Path) -> Calibration:
     return made
 
 
-def close_loop(run: str, out: Path | None = None, progress: Callable[[str], None] = lambda text: None) -> ClosedLoop:
-    """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`."""
+def close_loop(
+    run: str,
+    out: Path | None = None,
+    progress: Callable[[str], None] = lambda text: None,
+    *,
+    report: Path | None = None,
+) -> ClosedLoop:
+    """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`, the page to `report`."""
+    if report is not None:
+        check_form(report)  # before the work, not after it
     bundle = run_bundle(run)
     measured = bundle.run()
     closed = loop.close_loop(measured, progress)
+    if report is not None:
+        write_report(closed_loop_page(closed, measured), report)
     if out is not None:
         made = fit.draft_calibration(measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
         write_bytes(out, certificate.calibration_bytes(made))

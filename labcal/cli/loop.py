@@ -19,12 +19,13 @@ if TYPE_CHECKING:
 def close_loop(
     run: str = typer.Argument(..., help="A run id of the local store, or the path of a bundle."),
     json_file: str | None = JSON,
+    report: Path | None = typer.Option(None, metavar="FILE.html", help="Write the report for people (.html or .pdf)."),
     out: Path | None = typer.Option(None, metavar="CAL.json", help="Write the calibration with the effects found."),
 ) -> int:
     """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
     from labcal import session
 
-    closed = session.close_loop(run, out, _progress)
+    closed = session.close_loop(run, out, _progress, report=report)
     if json_file is not None:
         write_json(closed.to_json(), json_file)
     if json_file != "-":

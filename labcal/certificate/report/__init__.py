@@ -6,24 +6,29 @@ from pathlib import Path
 
 from labcal import files
 from labcal.certificate.report.calibration import calibration_page
+from labcal.certificate.report.closed_loop import closed_loop_page
+from labcal.certificate.report.html import html
 from labcal.certificate.report.page import Page
+from labcal.certificate.report.pdf import write_pdf
 from labcal.certificate.report.run import run_page
 from labcal.errors import InputError
 
-__all__ = ["Page", "calibration_page", "run_page", "write_report"]
+__all__ = ["Page", "calibration_page", "check_form", "closed_loop_page", "run_page", "write_report"]
+
+FORMS = (".html", ".pdf")
 
 
 def write_report(page: Page, path: Path) -> None:
     """Write `page` to `path`, whole or not at all, in the form its ending names. Raises InputError for another."""
-    match path.suffix.lower():
-        case ".html" | ".htm":
-            from labcal.certificate.report.html import html
+    check_form(path)
+    with files.replacing(path) as part:
+        if path.suffix.lower() == ".pdf":
+            write_pdf(page, part)
+        else:
+            part.write_text(html(page), encoding="utf-8", newline="\n")
 
-            files.write_text(path, html(page))
-        case ".pdf":
-            from labcal.certificate.report.pdf import write_pdf
 
-            with files.replacing(path) as part:
-                write_pdf(page, part)
-        case _:
-            raise InputError("a report ends in .html or .pdf", file=path)
+def check_form(path: Path) -> None:
+    """Raise InputError unless the ending of `path` names a form that reports have."""
+    if path.suffix.lower() not in FORMS:
+        raise InputError(f"a report ends in {' or '.join(FORMS)}", file=path)

@@ -20,7 +20,10 @@ _UNKNOWN_RUN = (
     "Frame as mounted; mounting uncertainty not included. The reference's own scale, zero, alignment and time, "
     "where the run does not state them. (The run is not in this lab's store, so they cannot be listed here.)"
 )
-RESIDUAL_KEYS = (("holdout_rms_nT", "held-out residual, rms"), ("train_rms_nT", "residual of the fit, rms"))
+RESIDUAL_KEYS = (
+    ("holdout_rms_nT", "rms residual on blocks of time that were held out: without → with the effects"),
+    ("rms_scalar_nT", "rms residual of the magnitude, in sample: raw → calibrated"),
+)
 
 
 def calibration_page(
@@ -123,7 +126,7 @@ def _instrument(stated: object) -> str:
 
 
 def _parameters(c: Calibration) -> list[Block]:
-    per_unit = "nT" if c.dut.unit == "count" else "1"
+    per_unit = " (nT)" if c.dut.unit == "count" else ""
     u = None if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance), 0.0))
     values = np.column_stack([c.affine.K, c.affine.k_nT])
     U = np.full((3, 4), np.nan) if u is None else COVERAGE * np.column_stack([u[:9].reshape(3, 3), u[9:]])
@@ -132,7 +135,7 @@ def _parameters(c: Calibration) -> list[Block]:
     for axis, value, spread in zip("xyz", values, U, strict=True):
         rows.append((f"b {axis}", *(number(v, d) for v, d in zip(value, (dK, dK, dK, dk), strict=True))))
         rows.append(("U", *(number(v, d) for v, d in zip(spread, (dK, dK, dK, dk), strict=True))))
-    header = ("", f"K · x ({per_unit})", f"K · y ({per_unit})", f"K · z ({per_unit})", "k (nT)")
+    header = ("", f"K · x{per_unit}", f"K · y{per_unit}", f"K · z{per_unit}", "k (nT)")
     note = (
         f"U is the expanded uncertainty, k = {COVERAGE:.0f} (about 95 %)." if u is not None else "No covariance stated."
     )

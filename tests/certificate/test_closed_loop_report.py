@@ -1,0 +1,103 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from labcal.certificate.report.closed_loop import closed_loop_page
+from labcal.certificate.report.html import html
+from labcal.certificate.report.page import Headline
+from labcal.loop.result import ClosedLoop, Errors, NextExperiment, Pictures
+from labcal.model import AffineMap, Calibration
+from labcal.record import Dut, Reference, Run, Segment
+
+
+@pytest.fixture
+def run() -> Run:
+    return Run(
+        run_id="r-1",
+        started_utc="2026-11-21T08:00:00Z",
+        simulated=True,
+        operator="Grace",
+        dut=Dut("FM-07", noise_nT=20.0),
+        reference=Reference("vector"),
+        segments=(Segment("a", "rotation", axis_body=(1.0, 0.0, 0.0)), Segment("b", "static")),
+        t_s=np.arange(100.0),
+        segment_index=np.repeat([0, 1], 50),
+        reading=np.zeros((100, 3)),
+        reference_vector=np.zeros((100, 3)),
+    )
+
+
+@pytest.fixture
+def result(calibration: Calibration, run: Run) -> ClosedLoop:
+    rng = np.random.default_rng(0)
+    after = rng.normal(0, 20, (100, 3))
+    before = after + 80 * np.sin(run.t_s / 5)[:, None]
+    rejected = replace(calibration.effects[0], effect="offset-temperature", why="It helps less than the current does.")
+    return ClosedLoop(
+        run_id="r-1",
+        residual_kind="vector",
+        base="affine",
+        noise_floor_nT=35.0,
+        noise_floor_source="declared",
+        before=Errors(90.0, 101.25),
+        after=Errors(34.0, 36.5),
+        set_aside={"outliers": 3, "saturation": 0},
+        accepted=calibration.effects,
+        rejected=(rejected,),
+        verdict="partly-explained",
+        summary="The current of the power supply explains most of it.",
+        next_experiment=NextExperiment(
+            "They rise together here.", "Switch the load at a constant temperature.", "load_steps"
+        ),
+        affine=AffineMap.nominal(),
+        covariance=None,
+        noise_nT=20.0,
+        frame_known=True,
+        pictures=Pictures(run.t_s, run.segment_index, before, after),
+        remarks=("Declared and measured floors agree.",),
+    )
+
+
+def test_the_page_says_what_the_loop_found(result: ClosedLoop, run: Run):
+    page = closed_loop_page(result, run)
+    assert page.headline == Headline("101.2", "36.5", "nT", page.headline.caption)
+    assert page.marks[0].tone == "warning"
+    text = html(page)
+    for said in (
+        "PARTLY EXPLAINED",
+        "SIMULATED",
+        "explains most of it",
+        "3 outliers",
+        "offset-current · i_eps",
+        "offset-temperature · i_eps",
+        "It helps less",
+        "Switch the load",
+        "procedure load_steps",
+        "noise alone would leave 35.0 nT (declared)",
+        "mounting uncertainty not included",
+    ):
+        assert said in text, said
+    assert text.count("<svg") == 2
+
+
+def test_a_clean_scalar_result_needs_no_more(result: ClosedLoop, run: Run):
+    one = result.pictures.before_nT[:, :1]
+    bare = replace(
+        result,
+        residual_kind="scalar",
+        verdict="clean",
+        accepted=(),
+        rejected=(),
+        next_experiment=None,
+        remarks=(),
+        set_aside={},
+        pictures=Pictures(run.t_s, run.segment_index, one, one),
+    )
+    text = html(closed_loop_page(bare, run))
+    assert "CLEAN" in text
+    assert "Rows set aside" in text
+    for absent in ("Accepted", "Tried and not accepted", "What to measure next", "Remarks"):
+        assert absent not in text
