@@ -29,6 +29,11 @@ def scalar_residual(run: Run, found: Fit) -> Array:
     return np.asarray(np.linalg.norm(field, axis=1) - run.magnitude_nT)
 
 
+def reading_bias_nT(run: Run, affine: AffineMap) -> Array:
+    """The reading at zero field (3,), times the nominal nT per unit: K⁻¹ k (Crassidis et al. (1): b)."""
+    return np.asarray(np.linalg.solve(affine.K, affine.k_nT) * run.dut.nominal_nT_per_unit)
+
+
 def folds(run: Run, count: int = FOLDS) -> Iterator[tuple[NDArray[np.bool_], NDArray[np.bool_]]]:
     """Masks (training, test) (n,): each fold holds out one contiguous block of every segment's time.
 

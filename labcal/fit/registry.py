@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.fit.metrics import axis_errors_deg, folds, scalar_residual
+from labcal.fit.metrics import axis_errors_deg, folds, reading_bias_nT, scalar_residual
 from labcal.fit.result import Fit
 from labcal.record import Run
 
@@ -70,8 +70,10 @@ def _with_metrics(found: Fit, estimator: Estimator, run: Run, options: Mapping[s
     if not found.ok or found.affine is None:
         return found
     residual = scalar_residual(run, found)
+    own_bias = found.bias_nT is not None
     return replace(
         found,
+        bias_nT=found.bias_nT if own_bias else reading_bias_nT(run, found.affine),
         rms_scalar_nT=_rms(residual),
         holdout_rms_scalar_nT=_holdout(found, estimator, run, options) if holdout else None,
         axis_error_deg=axis_errors_deg(run, found.affine),

@@ -1,0 +1,121 @@
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal.certificate import read_calibration
+from labcal.cli import _run
+from labcal.fit import METHODS
+from labcal.store import read_bundle
+
+PRACTICE = "data/practice/p01"
+FIT_KEYS = {
+    "method", "ok", "why_not", "K", "k_nT", "covariance", "frame_known", "bias_nT",
+    "rms_scalar_nT", "holdout_rms_scalar_nT", "axis_error_deg", "seconds", "effects",
+}  # fmt: skip
+
+
+@pytest.fixture
+def calibration(shared: Path, tmp_path: Path) -> Path:
+    """The draft that `labcal fit` makes of a practice run."""
+    out = tmp_path / "cal.json"
+    assert _run(["fit", str(shared / PRACTICE / "bundle"), "--out", str(out)]) == 0
+    return out
+
+
+def test_fit_json_on_stdout_is_the_contracts_and_nothing_else(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert _run(["fit", str(shared / PRACTICE / "bundle"), "--json", "-"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said.keys() == {"format", "run_id", "n_samples", "fits"}
+    assert (said["format"], said["n_samples"]) == ("labcal-fit/1", 1788)
+    (found,) = said["fits"]
+    assert found.keys() == FIT_KEYS
+    assert np.shape(found["covariance"]) == (12, 12)
+    assert found["method"] == "ml"
+    assert found["ok"]
+    assert found["frame_known"]
+    assert len(found["axis_error_deg"]) == 6
+
+
+def test_apply_comes_as_near_to_the_true_field_as_the_noise_allows(
+    shared: Path, calibration: Path, tmp_path: Path
+) -> None:
+    fresh, out = shared / PRACTICE / "fresh/samples.csv", tmp_path / "out.csv"
+    assert _run(["apply", str(calibration), str(fresh), "--out", str(out), "--dut", "SN328"]) == 0
+    truth = json.loads((shared / PRACTICE / "truth.json").read_text())
+    rows, true = (
+        list(csv.DictReader(path.read_text().splitlines())) for path in (out, shared / PRACTICE / "truth_fresh.csv")
+    )
+    assert [row["t_s"] for row in rows] == [row["t_s"] for row in true]
+    valid = np.array([row["valid"] == "1" for row in true])
+    field, expected = (np.array([[float(row[f"b_{a}"]) for a in "xyz"] for row in table]) for table in (rows, true))
+    error = np.sqrt(np.mean(np.sum((field - expected)[valid] ** 2, axis=1)))
+    per_reading = np.linalg.inv(truth["S"]) * truth["unit_nT"]
+    noise = truth["noise_nT_per_axis"] * np.sqrt(np.trace(per_reading @ per_reading.T))
+    assert error < 1.05 * noise
+    stated = np.array([float(row["u_nT"]) for row in rows])[valid]
+    assert np.sqrt(3 * np.mean(stated**2)) == pytest.approx(error, rel=0.1)
+
+
+def test_apply_keeps_every_row_and_cell(shared: Path, calibration: Path, tmp_path: Path) -> None:
+    fresh, out = shared / PRACTICE / "fresh/samples.csv", tmp_path / "out.csv"
+    assert _run(["apply", str(calibration), str(fresh), "--out", str(out)]) == 0
+    before, after = fresh.read_text().splitlines(), out.read_text().splitlines()
+    assert after[0] == before[0] + ",b_x,b_y,b_z,u_nT,flag"
+    assert [line.rsplit(",", 5)[0] for line in after] == before
+
+
+def test_another_serial_is_refused_and_nothing_is_written(shared: Path, calibration: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.csv"
+    fresh = str(shared / PRACTICE / "fresh/samples.csv")
+    assert _run(["apply", str(calibration), fresh, "--out", str(out), "--dut", "SN999"]) == 2
+    assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ("dut_x,dut_y\n1,2\n", "dut_z"),
+        ("dut_x,dut_y,dut_z\n1,2,3\n1,oops,3\n", "line 3, column dut_y"),
+        ("dut_x,dut_y,dut_z\n1,2\n", "line 2"),
+        ("dut_x,dut_y,dut_z,flag\n1,2,3,\n", "flag"),
+        ("", "line 1"),
+    ],
+)
+def test_bad_readings_are_a_sentence_with_the_place(
+    calibration: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, place: str
+) -> None:
+    bad = tmp_path / "bad.csv"
+    bad.write_text(text)
+    assert _run(["apply", str(calibration), str(bad), "--out", str(tmp_path / "out.csv")]) == 2
+    assert place in capsys.readouterr().err
+    assert not (tmp_path / "out.csv").exists()
+
+
+def test_the_draft_says_where_it_comes_from_and_where_it_holds(shared: Path, calibration: Path) -> None:
+    made = read_calibration(calibration)
+    assert (made.run_id, made.dut.serial, made.simulated) == ("r82d47edd", "SN328", True)
+    magnitude = read_bundle(shared / PRACTICE / "bundle").magnitude_nT
+    assert made.validity.field_nT == (magnitude.min(), magnitude.max())
+    assert made.validity.modes == ("full-power", "nominal")
+    assert made.metrics["after"]["noise_nT"] == pytest.approx(25.0, rel=0.1)
+    assert not made.approvers
+
+
+def test_a_run_that_determines_nothing_is_a_negative_result(shared: Path, tmp_path: Path) -> None:
+    out = tmp_path / "cal.json"
+    assert _run(["fit", str(shared / "data/px4-battery-current"), "--out", str(out)]) == 1
+    assert not out.exists()
+
+
+def test_unknown_methods_and_channels_are_refused(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run = str(shared / PRACTICE / "bundle")
+    assert _run(["fit", run, "--method", "magic"]) == 2
+    said = capsys.readouterr().err
+    assert all(name in said for name in METHODS)
+    assert _run(["fit", run, "--channels", "nothing"]) == 2
+    assert "hk01" in capsys.readouterr().err

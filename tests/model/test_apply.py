@@ -1,0 +1,184 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from labcal.errors import InputError
+from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
+from labcal.model.apply import Readings, apply, needed_columns
+from labcal.record import Dut
+
+K = np.array([[1.1, 0.1, 0.0], [0.0, 0.9, -0.1], [0.05, 0.0, 1.0]])
+k = np.array([100.0, -200.0, 300.0])
+NOISE_NT = 10.0
+TURN = np.linspace(0, 6, 400)
+FIELD = 30e3 * np.column_stack([np.cos(TURN), np.sin(TURN), 0.3 * np.cos(2 * TURN)])
+
+
+def calibration(*effects: EffectRecord, **more) -> Calibration:
+    stated = {
+        "run_id": "r",
+        "simulated": True,
+        "dut": Dut(serial="S"),
+        "affine": AffineMap(K, k),
+        "covariance": None,
+        "frame_known": True,
+        "validity": Validity((20e3, 40e3), modes=("nominal", "quiet")),
+        "span_s": (0.0, 1000.0),
+        "run_sha256": "0" * 64,
+        "effects": effects,
+        "metrics": {"before": {}, "after": {"noise_nT": NOISE_NT}},
+    }
+    return Calibration(**{**stated, **more})
+
+
+def effect(name: str, channels: tuple[str, ...] = (), reference: dict | None = None, **values) -> EffectRecord:
+    parameters = tuple(Parameter(key, value, u, "") for key, (value, u) in values.items())
+    return EffectRecord(name, channels, reference or {}, "sensor", parameters)
+
+
+def readings(field=FIELD, **more) -> Readings:
+    """The noiseless readings of `field` (n, 3) [nT]."""
+    return Readings(np.linalg.solve(K, (field + k).T).T, **more)
+
+
+def test_the_base_map_alone() -> None:
+    found = apply(calibration(), readings())
+    assert np.allclose(found.field_nT, FIELD, atol=1e-8)
+    assert found.u_nT == pytest.approx(NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3))
+    assert set(found.flags) == {""}
+
+
+def test_uncertainty_is_the_scatter_of_drawn_maps_and_noise() -> None:
+    rng = np.random.default_rng(0)
+    A = rng.normal(size=(12, 12)) * np.r_[np.full(9, 3e-4), np.full(3, 5.0)][:, None]
+    row = readings(FIELD[:1])
+    drawn = rng.multivariate_normal(np.zeros(12), A @ A.T, size=100_000)
+    noisy = row.reading + NOISE_NT * rng.normal(size=(100_000, 3))
+    b = np.einsum("nij,nj->ni", K + drawn[:, :9].reshape(-1, 3, 3), noisy) - k - drawn[:, 9:]
+    u = apply(calibration(covariance=A @ A.T), row).u_nT[0]
+    assert u == pytest.approx(np.sqrt(np.mean(np.var(b, axis=0))), rel=0.02)
+
+
+def test_a_positive_offset_parameter_is_taken_off_and_counts_from_its_reference() -> None:
+    cal = calibration(effect("offset-current", ("i_eps",), {"i_eps": 0.2}, c_x=(50, 2), c_y=(0, 2), c_z=(-10, 2)))
+    amps = np.full(len(FIELD), 1.2)
+    found = apply(cal, readings(channels={"i_eps": amps}))
+    assert np.allclose(found.field_nT, FIELD - [50.0, 0.0, -10.0], atol=1e-8)
+    at_reference = apply(cal, readings(channels={"i_eps": amps - 1.0}))
+    assert np.allclose(at_reference.field_nT, FIELD, atol=1e-8)
+    assert found.u_nT[0] ** 2 - at_reference.u_nT[0] ** 2 == pytest.approx(2.0**2)
+
+
+def test_a_row_without_its_channel_keeps_its_place_with_a_larger_uncertainty() -> None:
+    cal = calibration(effect("offset-current", ("i_eps",), {"i_eps": 0.0}, c_x=(500, 0), c_y=(0, 0), c_z=(0, 0)))
+    amps = np.ones(len(FIELD))
+    amps[7] = np.nan
+    found = apply(cal, readings(channels={"i_eps": amps}))
+    assert np.allclose(found.field_nT[7], FIELD[7], atol=1e-8)
+    assert found.u_nT[7] > 200 > found.u_nT[8]
+
+
+def test_effects_of_the_run_hold_inside_its_span_only() -> None:
+    cal = calibration(
+        effect("offset-step", t_step_s=(500.0, 0.0), c_x=(80.0, 0.0), c_y=(0.0, 0.0), c_z=(0.0, 0.0)),
+    )
+    found = apply(cal, readings(t_s=np.linspace(0, 1500, len(FIELD))))
+    t = np.linspace(0, 1500, len(FIELD))
+    assert np.allclose(found.field_nT[t < 500], FIELD[t < 500], atol=1e-8)
+    inside = (t > 500) & (t <= 1000)
+    assert np.allclose(found.field_nT[inside] - FIELD[inside], [-80, 0, 0], atol=1e-8)
+    after = t > 1000
+    assert np.allclose(found.field_nT[after], FIELD[after], atol=1e-8)
+    assert {found.flags[i] for i in np.flatnonzero(after)} == {"time"}
+    assert found.u_nT[after].min() > found.u_nT[inside].max() + 10
+
+
+@pytest.mark.parametrize("lag", [0.05, -0.08])
+def test_a_lag_is_undone_but_for_the_ends(lag: float) -> None:
+    t = np.arange(400) * 0.25
+    rate = 0.2
+    now, then = (np.column_stack([np.cos(rate * (t - d)), np.sin(rate * (t - d)), 0 * t]) * 30e3 for d in (0.0, lag))
+    cal = calibration(effect("lag", secant_s=(lag, 0.0), lag_s=(lag, 0.0)))
+    found = apply(cal, readings(then, t_s=t, segment=np.full(400, "new")))
+    assert np.abs(found.field_nT - now)[5:-5].max() < 3.0  # of a shift of 300 and more
+    assert "rate" in (found.flags[-1] if lag > 0 else found.flags[0])
+    assert found.flags[200] == ""
+
+
+def test_needed_columns_are_those_that_effects_use() -> None:
+    assert needed_columns(calibration()) == ()
+    memory = effect("offset-temperature", ("temp",), {"temp": 20.0}, tau_s=(30, 0), c_x=(1, 0), c_y=(1, 0), c_z=(1, 0))
+    assert set(needed_columns(calibration(memory))) == {"temp", "t_s", "segment"}
+    mode = EffectRecord(
+        "offset-mode", (), {}, "sensor", tuple(Parameter(f"c_{a} quiet", 5.0, 1.0, "nT") for a in "xyz")
+    )
+    assert needed_columns(calibration(mode)) == ("mode",)
+    with pytest.raises(InputError, match="mode"):
+        apply(calibration(mode), readings())
+
+
+def test_rows_beyond_the_validity_are_flagged_and_less_certain() -> None:
+    field = FIELD.copy()
+    field[100:103] *= 3
+    field[100] = field[101] = field[102]  # a slow excursion, not an outlier
+    modes = np.full(len(field), "nominal", dtype="<U9")
+    modes[5] = "full"
+    found = apply(calibration(), readings(field, mode=modes))
+    assert found.flags[101] == "field"
+    assert found.flags[5] == "mode"
+    assert found.u_nT[101] > 1.5 * found.u_nT[50]
+    assert found.u_nT[5] == pytest.approx(2 * found.u_nT[50])
+
+
+def test_temperature_outside_the_range_is_flagged() -> None:
+    cal = calibration(validity=Validity((0.0, 1e5), (10.0, 30.0)))
+    temperature = np.full(len(FIELD), 20.0)
+    temperature[3] = 50.0
+    found = apply(cal, readings(channels={"temp_dut": temperature}))
+    assert found.flags[3] == "temperature"
+    assert found.u_nT[3] == pytest.approx(2 * found.u_nT[4])
+
+
+def test_a_spike_is_an_outlier_and_a_step_is_none() -> None:
+    rng = np.random.default_rng(1)
+    measured = readings().reading + NOISE_NT * rng.normal(size=FIELD.shape)
+    measured[50] += [4e3, 0, 0]
+    measured[200:] -= [0, 3e3, 0]
+    found = apply(calibration(), Readings(measured))
+    assert [i for i, flag in enumerate(found.flags) if "outlier" in flag] == [50]
+    assert found.u_nT[50] > 1000
+
+
+def test_a_plateau_at_the_end_of_the_range_is_saturated() -> None:
+    clipped = readings().reading.copy()
+    clipped[:, 0] = np.minimum(clipped[:, 0], 24e3)
+    found = apply(calibration(), Readings(clipped))
+    expected = np.flatnonzero(clipped[:, 0] == 24e3)
+    assert [i for i, flag in enumerate(found.flags) if "saturated" in flag] == expected.tolist()
+
+
+def test_the_runs_own_saturation_limit_is_used() -> None:
+    limit = EffectRecord("saturation", (), {}, "data", (Parameter("upper_y", 20e3, 0.0, "nT"),))
+    measured = readings()
+    found = apply(calibration(findings=(limit,)), measured)
+    expected = np.flatnonzero(measured.reading[:, 1] >= 20e3)
+    assert [i for i, flag in enumerate(found.flags) if "saturated" in flag] == expected.tolist()
+
+
+def test_a_row_without_a_reading_stays_empty() -> None:
+    measured = readings().reading.copy()
+    measured[9, 1] = np.nan
+    found = apply(calibration(), Readings(measured))
+    assert len(found.flags) == len(FIELD)
+    assert np.isnan(found.field_nT[9]).any()
+    assert np.isfinite(found.field_nT[[8, 10]]).all()
+
+
+def test_counts_take_the_noise_through_the_scale() -> None:
+    cal = replace(calibration(), affine=AffineMap(13.0 * K, k), dut=Dut(serial="S", nominal_nT_per_unit=13.0))
+    found = apply(cal, Readings(readings().reading / 13.0))
+    assert np.allclose(found.field_nT, FIELD, atol=1e-8)
+    assert found.u_nT == pytest.approx(NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3))
