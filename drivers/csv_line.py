@@ -57,6 +57,7 @@ class CsvLine:
     """Lines that are not numbers (headers, comments, cut or noisy lines) are dropped and counted in `dropped`."""
 
     roles = ("dut",)
+    never = (rb".",)  # it is only listened to
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock

@@ -48,6 +48,7 @@ class Hmr2300:
     """Counts become nT at 15000 a gauss. A reading at full scale is a fault, not a value."""
 
     roles = ("reference",)
+    never = (rb"\*\d\d(SP|RST|D|ID=\d|!BR|ZN|ZR|[TVZ]\r)",)  # what is kept when it is off, and toggles
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock

@@ -41,6 +41,7 @@ class TtiSupply:
     """A unipolar supply in constant current. A non-zero event register after a command is a failure."""
 
     roles = ("coil",)
+    never = (rb"\*RST", rb"\*?SAV", rb"\*?RCL")
     bipolar, can_open = False, True
 
     current = quantity(

@@ -27,6 +27,12 @@ class WaveshareRelay:
     """Two-pole relays, one an axis. They are set and read back, never toggled, and a write is never repeated."""
 
     roles = ("polarity",)
+    never = (
+        rb"^.[\x06\x0F\x10]",
+        rb"^.\x05[^\0]",
+        rb"^.\x05\0\xFF",
+        rb"^.\x05..[^\0\xFF]",
+    )  # settings, all, toggle, flash
 
     def __init__(self, name: str, link: ModbusLink, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock

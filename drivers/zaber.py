@@ -40,6 +40,7 @@ class ZaberStage:
     """Absolute moves only. Idle is not arrived: warnings and position are looked at after every move."""
 
     roles = ("platform",)
+    never = (rb"system re", rb"renumber", rb"move (rel|vel|min|max|index|sin)", rb"set comm", rb"tools")
     motorised = True
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:

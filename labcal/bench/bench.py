@@ -121,11 +121,8 @@ class Bench:
 
     def _wait_until(self, t_s: float) -> None:
         while self._streaming and self.clock.now() < t_s:
-            due = min(t_s, self._next_angle_s, self._next_coils_s, self.clock.now() + self.clock.listen_s)
-            self.clock.wait_until(due)
+            self.clock.wait_until(min(t_s, self._next_angle_s, self._next_coils_s))
             self._poll()
-            if self.clock.listen_s < math.inf:
-                self._listen()
         self.clock.wait_until(t_s)
         if self._streaming:
             self._listen()

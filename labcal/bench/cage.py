@@ -105,13 +105,14 @@ class Cage:
                 )
 
     def _ramp(self, target: Array) -> None:
-        start, begun = self.set_points_A(), self._clock.now()
+        start = self.set_points_A()
         duration = float(np.max(np.abs(target - start) / list(self._rates().values())))
         steps = max(1, math.ceil(duration / RAMP_STEP_S))
         for step in range(1, steps + 1):
+            begun = self._clock.now()  # of this step: time lost in reversing contacts is not caught up
             for supply, value in zip(self.supplies.values(), start + (target - start) * step / steps, strict=True):
                 supply.set_current(float(value))
-            self._wait(begun + duration * step / steps)
+            self._wait(begun + duration / steps)
 
     def _refuse_beyond_limits(self, target: Array) -> None:
         for axis, value, limit in zip(AXES, target, self.limits.current_A, strict=True):

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import math
 import time
+from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 from typing import Protocol
 
+LOOK_S = 0.002
+
 
 class Clock(Protocol):
-    """Seconds since the bench was opened; never goes back.
-
-    `listen_s`: how often lines have to be looked at so that what arrives is stamped truly.
-    """
-
-    listen_s: float
+    """Seconds since the bench was opened; never goes back."""
 
     def now(self) -> float:
         """Seconds since the bench was opened."""
@@ -22,6 +19,10 @@ class Clock(Protocol):
 
     def wait_until(self, t_s: float) -> None:
         """Return at `t_s`, or at once if that has passed."""
+        ...
+
+    def while_waiting(self, look: Callable[[], None]) -> None:
+        """Have `look` called again and again while anybody waits: lines are looked at, so that stamps are true."""
         ...
 
     def utc(self) -> datetime:
@@ -32,19 +33,24 @@ class Clock(Protocol):
 class RealClock:
     """True time: monotonic for intervals, the system's for dates."""
 
-    listen_s = 0.002
-
     def __init__(self) -> None:
         self._start = time.monotonic()
+        self._looks: list[Callable[[], None]] = []
 
     def now(self) -> float:
         """Seconds since the bench was opened."""
         return time.monotonic() - self._start
 
     def wait_until(self, t_s: float) -> None:
-        """Sleep until `t_s`."""
+        """Sleep until `t_s`, in slices, with a look at every line between them."""
         while (left := t_s - self.now()) > 0:
-            time.sleep(left)
+            time.sleep(min(left, LOOK_S))
+            for look in self._looks:
+                look()
+
+    def while_waiting(self, look: Callable[[], None]) -> None:
+        """Call `look` every few milliseconds of waiting."""
+        self._looks.append(look)
 
     def utc(self) -> datetime:
         """The system's UTC time."""
@@ -53,10 +59,8 @@ class RealClock:
 
 class VirtualClock:
     """Simulated time: waiting moves it. Emulated instruments put on the link what they would have sent by then,
-    each piece with its own stamp: nothing is gained by looking often.
+    each piece with its own stamp.
     """
-
-    listen_s = math.inf
 
     def __init__(self, start: datetime) -> None:
         self._start, self._now = start, 0.0
@@ -68,6 +72,9 @@ class VirtualClock:
     def wait_until(self, t_s: float) -> None:
         """Let the time be `t_s`, unless it is later already."""
         self._now = max(self._now, t_s)
+
+    def while_waiting(self, look: Callable[[], None]) -> None:
+        """No need: what arrives brings its own stamp."""
 
     def utc(self) -> datetime:
         """The start's date and the simulated seconds since."""

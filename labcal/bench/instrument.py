@@ -24,7 +24,8 @@ class Speaks(Protocol):
 
 
 class quantity:
-    """A number in `unit`. In `get` and `set`, {s.…} are the instrument's settings and {value} is the number.
+    """A number in `unit`. In `get` and `set`, {s.…} are the instrument's settings, {value} is the number
+    and {on} is ON or OFF.
 
     Setting beyond `limits` (a function of the settings) raises LimitError and sends nothing; after every set the
     instrument is asked what it holds, and another value than that within `tolerance` raises InstrumentError.
@@ -60,7 +61,7 @@ class quantity:
 
     def __set__(self, device: Speaks, value: float) -> None:
         self._refuse_beyond_limits(device, value)
-        device.command(self.set.format(s=device.settings, value=value))
+        device.command(self.set.format(s=device.settings, value=value, on="ON" if value else "OFF"))
         held = self.__get__(device)
         if not abs(held - value) <= self.tolerance:
             raise InstrumentError(

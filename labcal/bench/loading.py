@@ -45,6 +45,7 @@ class Loader:
         if entry.role.split("-")[0] not in driver.roles:
             self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
         link = self.modbus(name, entry, settings) if hints["link"] is ModbusLink else self.link(name, entry, settings)
+        self.links[self.line_of(name)].never.add(driver.never)
         return cast(Instrument, driver(name, link, self.clock, settings))
 
     def driver(self, name: str) -> tuple[Any, dict[str, Any], Any]:

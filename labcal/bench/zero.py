@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -57,13 +56,13 @@ def _ramp_down(
     start = {axis: level for axis, s in supplies.items() if (level := _tried(axis, s.set_point, faults)) is not None}
     begun = clock.now()
     duration = max((abs(level) / rates[axis] for axis, level in start.items()), default=0.0)
-    steps = math.ceil(duration / RAMP_STEP_S)
-    for step in range(1, steps + 1):
+    left = float(duration > 0)
+    while left > 0:  # by the clock, so that a slow supply takes larger steps and not longer
+        left = max(0.0, 1 - (clock.now() + RAMP_STEP_S - begun) / duration)
         for axis, level in start.items():
             if axis not in faults and level:
-                value = level * (1 - step / steps)
-                _tried(axis, partial(supplies[axis].set_current, value), faults)
-        wait(begun + duration * step / steps)
+                _tried(axis, partial(supplies[axis].set_current, level * left), faults)
+        wait(begun + duration * (1 - left))
 
 
 def _release(axis: str, supply: CoilSupply, clock: Clock, fault: InstrumentError | None) -> AtZero:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from labcal.bench.clock import Clock
+from labcal.bench.links.deny import DenyList
 from labcal.bench.links.line import read_reply
 
 
@@ -27,10 +28,12 @@ class EmulatedLink:
 
     def __init__(self, url: str, emulator: Emulator, clock: Clock) -> None:
         self.url, self._emulator, self._clock = url, emulator, clock
+        self.never = DenyList()
         self._arrived: list[tuple[float, bytes]] = []
 
     def send(self, data: bytes) -> None:
         """Put bytes on the line."""
+        self.never.check(self.url, data)
         self._emulator.take(self._clock.now(), data)
 
     def receive(self, until_s: float) -> list[tuple[float, bytes]]:

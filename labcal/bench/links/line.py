@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from labcal.bench.clock import Clock
+from labcal.bench.links.deny import DenyList
 from labcal.errors import InstrumentError
 
 ASK_STEP_S = 0.001
@@ -15,9 +16,10 @@ class Link(Protocol):
 
     url: str
     emulated: bool
+    never: DenyList  # what this line refuses to send
 
     def send(self, data: bytes) -> None:
-        """Put bytes on the line. Raises InstrumentError (fault "link lost") when it is gone."""
+        """Put bytes on the line. Raises InstrumentError: "link lost" when it is gone, "forbidden" by `never`."""
         ...
 
     def receive(self, until_s: float) -> list[tuple[float, bytes]]:

@@ -10,7 +10,8 @@ from urllib.parse import parse_qsl, urlsplit
 import serial
 
 from labcal.bench.clock import Clock
-from labcal.bench.links.line import ASK_STEP_S, read_reply
+from labcal.bench.links.deny import DenyList
+from labcal.bench.links.line import read_reply
 from labcal.errors import InputError, InstrumentError
 
 OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms")
@@ -44,14 +45,18 @@ class WiredLink:
         self.url, self._clock = url, clock
         self._options, self._address = _split(url)
         self._gap_s = float(self._options.get("gap_ms", "0")) / 1000
+        self.never = DenyList()
         self._arrived: list[tuple[float, bytes]] = []
         self._last_s = -1e9
         self._port: Port | None = None
+        self._failure: OSError | None = None
         self.reopen()
+        clock.while_waiting(self._look)
 
     def reopen(self) -> None:
         """Open the port, again where it was lost. Who asks must then ask the instrument who it is."""
         self.close()
+        self._arrived, self._failure = [], None
         try:
             self._port = _open(self.url, self._address, self._options)
         except (OSError, ValueError) as error:
@@ -59,6 +64,7 @@ class WiredLink:
 
     def send(self, data: bytes) -> None:
         """Put bytes on the line."""
+        self.never.check(self.url, data)
         self._clock.wait_until(self._last_s + self._gap_s)
         try:
             self._open_port().write(data)
@@ -69,15 +75,12 @@ class WiredLink:
 
     def receive(self, until_s: float) -> list[tuple[float, bytes]]:
         """All that arrives up to `until_s`, in pieces stamped at their first byte."""
+        self._clock.wait_until(until_s)
+        self._look()
+        if self._port is None and not self._arrived:
+            raise self._lost(self._failure)
         pieces, self._arrived = self._arrived, []
-        while True:
-            while data := self._read():
-                now = self._clock.now()
-                pieces.append((max(now - len(data) * self._open_port().byte_s, self._last_s), data))
-                self._last_s = now
-            if self._clock.now() >= until_s:
-                return pieces
-            self._clock.wait_until(min(until_s, self._clock.now() + ASK_STEP_S))
+        return pieces
 
     def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
         """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
@@ -100,16 +103,20 @@ class WiredLink:
                 self._port.close()
         self._port = None
 
-    def _read(self) -> bytes:
+    def _look(self) -> None:
+        """Take in what has arrived. A line that is lost is told to whoever uses it next, not to who waits now."""
         try:
-            return self._open_port().read()
+            while self._port is not None and (data := self._port.read()):
+                now = self._clock.now()
+                self._arrived.append((max(now - len(data) * self._port.byte_s, self._last_s), data))
+                self._last_s = now
         except OSError as error:
+            self._failure = error
             self.close()
-            raise self._lost(error) from error
 
     def _open_port(self) -> Port:
         if self._port is None:
-            raise self._lost(None)
+            raise self._lost(self._failure)
         return self._port
 
     def _lost(self, error: Exception | None) -> InstrumentError:

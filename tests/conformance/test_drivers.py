@@ -1,0 +1,203 @@
+"""Every registered driver keeps the house's promises, on its own emulator, byte for byte."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+from datetime import UTC, datetime
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any, get_type_hints
+
+import numpy as np
+import pytest
+
+from labcal.bench.clock import VirtualClock
+from labcal.bench.instrument import quantity
+from labcal.bench.links import EmulatedLink, ModbusLink
+from labcal.bench.roles import (
+    CoilSupply,
+    DutStream,
+    Identity,
+    Instrument,
+    Magnetometer,
+    PolarityRelay,
+    RotationPlatform,
+)
+from labcal.errors import InstrumentError, LimitError
+from labcal.twin import open_twin
+
+DRIVERS = {entry.name: entry for entry in entry_points(group="labcal.drivers")}
+EMULATORS = {entry.name: entry for entry in entry_points(group="labcal.emulators")}
+ROLES: dict[str, type] = {
+    "coil": CoilSupply,
+    "polarity": PolarityRelay,
+    "platform": RotationPlatform,
+    "reference": Magnetometer,
+    "dut": DutStream,
+}
+FIRST = {"coil": "coil-x"}
+SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
+    "waveshare-relay": {"x": 0, "y": 1, "z": 2},
+    "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
+}
+FORBIDDEN = {  # a message of each driver's deny-list
+    "tti-pl": [b"*RST\n", b"*rst\n", b"SAV1 1\n", b"RCL1 1\n"],
+    "rigol-dp800": [b"*RST\n", b"*SAV 1\n", b"*RCL 1\n", b"*TST?\n"],
+    "zaber": [b"/1 1 01 move rel 5\r\n", b"/1 1 01 move vel 5\r\n", b"/1 0 01 system restore\r\n", b"/renumber\r\n"],
+    "hmr2300": [b"*00SP\r", b"*99RST\r", b"*99!BR=F\r", b"*99ID=07\r", b"*00T\r", b"*00D\r", b"*00ZN\r"],
+    "waveshare-relay": [
+        bytes.fromhex(h)
+        for h in (
+            "010500005500F29A",
+            "010500FFFF00BC0A",
+            "010602000007",
+            "01064000000 2".replace(" ", ""),
+            "010F00000008",
+        )
+    ],
+    "csv-line": [b"x"],
+}
+
+
+class Rig:
+    """One driver on its emulator, and what went over the line."""
+
+    def __init__(self, name: str) -> None:
+        self.driver_class, emulator = DRIVERS[name].load(), EMULATORS[name].load()
+        hints = get_type_hints(self.driver_class.__init__)
+        self.settings = hints["settings"](**SETTINGS.get(name, {}))
+        self.role = self.driver_class.roles[0]
+        self.lab, self.clock = open_twin({}, 1), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+        self.line = EmulatedLink(
+            "emulated://rig", emulator(self.lab, {FIRST.get(self.role, self.role): {}}, self.settings), self.clock
+        )
+        self.line.never.add(self.driver_class.never)
+        self.sent: list[bytes] = []
+        send = self.line.send
+        self.line.send = lambda data: (send(data), self.sent.append(data))[0]  # type: ignore[method-assign]
+        link: Any = ModbusLink(self.line, self.clock) if hints["link"] is ModbusLink else self.line
+        self.driver: Any = self.driver_class("rig", link, self.clock, self.settings)
+
+    def wait(self, seconds: float) -> None:
+        self.clock.wait_until(self.clock.now() + seconds)
+
+
+@pytest.fixture(params=sorted(DRIVERS))
+def rig(request: pytest.FixtureRequest) -> Rig:
+    return Rig(request.param)
+
+
+@pytest.fixture(params=sorted(name for name, entry in DRIVERS.items() if "coil" in entry.load().roles))
+def supply(request: pytest.FixtureRequest) -> Rig:
+    rig = Rig(request.param)
+    rig.driver.identify()
+    return rig
+
+
+def test_every_driver_has_an_emulator_and_a_forbidden_message_that_is_tried() -> None:
+    assert set(DRIVERS) == set(EMULATORS)
+    assert set(DRIVERS) == set(FORBIDDEN)
+
+
+def test_it_says_who_it_is(rig: Rig) -> None:
+    identity = rig.driver.identify()
+    assert isinstance(identity, Identity)
+    assert identity.model
+
+
+def test_it_has_the_methods_of_its_role(rig: Rig) -> None:
+    assert isinstance(rig.driver, Instrument)
+    assert isinstance(rig.driver, ROLES[rig.role])
+
+
+def test_make_safe_may_be_called_twice(rig: Rig) -> None:
+    rig.driver.identify()
+    rig.driver.make_safe()
+    rig.driver.make_safe()
+    rig.driver.close()
+
+
+def test_it_explains_itself(rig: Rig) -> None:
+    module = inspect.getmodule(rig.driver_class)
+    assert module is not None
+    public = [v for k, v in vars(rig.driver_class).items() if not k.startswith("_") and callable(v)]
+    for thing in (module, rig.driver_class, type(rig.settings), *public):
+        assert (inspect.getdoc(thing) or "").strip(), thing
+
+
+def test_its_numbers_have_units_and_words_and_what_is_set_has_limits(rig: Rig) -> None:
+    for name, number in vars(rig.driver_class).items():
+        if isinstance(number, quantity):
+            assert number.unit, name
+            assert number.__doc__, name
+            assert not number.set or number.limits is not None, f"{name} can be set without a limit"
+
+
+def test_its_settings_are_frozen_and_have_defaults(rig: Rig) -> None:
+    assert dataclasses.is_dataclass(rig.settings)
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        rig.settings.timeout_s = 0
+
+
+def test_a_dangerous_message_cannot_be_sent(rig: Rig) -> None:
+    name = next(n for n, entry in DRIVERS.items() if entry.load() is rig.driver_class)
+    for message in FORBIDDEN[name]:
+        with pytest.raises(InstrumentError, match="never sent") as caught:
+            rig.line.send(message)
+        assert caught.value.fault == "forbidden"
+    assert rig.sent == []
+
+
+def test_a_driver_is_short(rig: Rig) -> None:
+    lines = Path(inspect.getfile(rig.driver_class)).read_text().count("\n")
+    assert lines <= 175, f"{lines} lines: a driver has 40 to 150"
+
+
+def test_a_supply_sets_reads_back_and_measures(supply: Rig) -> None:
+    supply.driver.set_current(0.0)
+    supply.driver.output(True)
+    supply.driver.set_current(0.5)
+    supply.wait(0.5)
+    assert supply.driver.set_point() == pytest.approx(0.5, abs=0.001)
+    assert supply.driver.measure_current() == pytest.approx(0.5, abs=0.01)
+    assert supply.lab.coils["x"].current.now(supply.clock.now()) == pytest.approx(0.5, abs=0.001)
+
+
+def test_a_supply_refuses_what_is_too_much_and_sends_nothing(supply: Rig) -> None:
+    before = len(supply.sent)
+    with pytest.raises(LimitError, match=r"99 A.*nothing was sent"):
+        supply.driver.set_current(99.0)
+    if not supply.driver.bipolar:
+        with pytest.raises(LimitError):
+            supply.driver.set_current(-0.1)
+    assert len(supply.sent) == before
+
+
+def test_a_supply_made_safe_has_no_current_and_no_output(supply: Rig) -> None:
+    supply.driver.output(True)
+    supply.driver.set_current(1.0)
+    supply.wait(0.5)
+    supply.driver.make_safe()
+    supply.wait(0.5)
+    assert supply.driver.measure_current() == pytest.approx(0.0, abs=supply.driver.zero_current_A)
+    assert supply.driver.set_point() == 0.0
+
+
+def test_a_supply_ramps_its_full_current_in_time(supply: Rig) -> None:
+    assert supply.settings.max_current_A / supply.driver.ramp_A_per_s <= 1.5
+    assert 0 < supply.driver.zero_current_A < 0.1
+
+
+@pytest.mark.parametrize("name", sorted(n for n, e in DRIVERS.items() if {"reference", "dut"} & set(e.load().roles)))
+def test_a_stream_gives_finite_ordered_samples_with_their_raw_bytes(name: str) -> None:
+    rig = Rig(name)
+    rig.driver.identify()
+    rig.driver.start()
+    blocks = [b for _ in range(20) for b in rig.driver.read_until(rig.clock.now() + 0.37)]
+    rig.driver.stop()
+    main = [b for b in blocks if b.stream in ("dut", "reference")]
+    stamps = np.concatenate([b.t_s for b in main])
+    assert len(stamps) > 40
+    assert (np.diff(stamps) > 0).all()
+    assert all(np.isfinite(b.values).all() and b.raw for b in main)

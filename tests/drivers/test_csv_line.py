@@ -1,0 +1,96 @@
+"""Lines of text: the column map, cut lines, noise, and the DUT's own clock."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from drivers.csv_line import CsvLine, Settings
+from labcal.bench.clock import VirtualClock
+from labcal.bench.links import EmulatedLink
+from labcal.record.stream import Block
+
+
+class Sender:
+    """Puts given pieces on the line at given times."""
+
+    def __init__(self, pieces: list[tuple[float, bytes]]) -> None:
+        self.pieces = pieces
+
+    def take(self, t_s: float, data: bytes) -> None:
+        raise AssertionError("nothing may be sent to a DUT that is only listened to")
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        due = [p for p in self.pieces if p[0] <= until_s]
+        self.pieces = self.pieces[len(due) :]
+        return due
+
+
+def heard(pieces: list[tuple[float, bytes]], **settings: object) -> tuple[list[Block], CsvLine]:
+    clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    dut = CsvLine("dut", EmulatedLink("emulated://dut", Sender(pieces), clock), clock, Settings(**settings))  # type: ignore[arg-type]
+    dut.start()
+    return dut.read_until(10.0), dut
+
+
+def test_a_line_in_pieces_is_stamped_at_its_first_byte() -> None:
+    blocks, _ = heard([(0.5, b"cut,line\n"), (1.0, b"0.1,1,"), (1.2, b"-2,3\n0.2,4,5,6\n")])
+    np.testing.assert_array_equal(blocks[0].values, [[1, -2, 3], [4, 5, 6]])
+    np.testing.assert_array_equal(blocks[0].t_s, [1.0, 1.2])
+
+
+def test_housekeeping_goes_by_its_name_with_its_unit() -> None:
+    blocks, dut = heard(
+        [(1, b"\n1;2;3;99;25.5;0.4\r\n")], columns=("x", "y", "z", "-", "temp_dut", "i_eps"), delimiter=";", scale=2.0
+    )
+    np.testing.assert_array_equal(blocks[0].values, [[2, 4, 6]])
+    np.testing.assert_array_equal(blocks[1].values, [[25.5, 0.4]])
+    assert [(c.name, c.unit, c.quantity) for c in dut.channels] == [
+        ("temp_dut", "degC", "temperature"),
+        ("i_eps", "A", "current"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "bad", [b"0,1,2\n", b"0,1,2,nan\n", b"0,1,2,3,4\n", b"t,x,y,z\n", b"\xff\xfe\n", b"0,1,2,1e999\n"]
+)
+def test_what_is_no_good_line_is_dropped_and_counted(bad: bytes) -> None:
+    blocks, dut = heard([(1, b"\n" + bad + b"0,7,8,9\n")])
+    np.testing.assert_array_equal(blocks[0].values, [[7, 8, 9]])
+    assert dut.dropped == 1
+
+
+def test_comments_are_not_counted() -> None:
+    assert heard([(1, b"\n# boot\n\n0,7,8,9\n")])[1].dropped == 0
+
+
+def test_the_devices_own_clock_takes_out_the_lines_jitter() -> None:
+    pieces = [
+        (k * 0.1 + jitter, f"{5000 + 100 * k},1,2,3\n".encode()) for k, jitter in enumerate([0.05, 0.0, 0.03, 0.01])
+    ]
+    blocks, _ = heard([(0.01, b"\n"), *pieces], stamp="device", t_unit="ms", delay_s=0.02)
+    np.testing.assert_allclose(blocks[0].t_s, [-0.02, 0.08, 0.18, 0.28])
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"columns": ("x", "y")},
+        {"columns": ("x", "y", "z", "x")},
+        {"columns": ("x", "y", "z"), "stamp": "device"},
+        {"columns": ("x", "y", "z", "flux")},
+    ],
+)
+def test_a_column_map_that_makes_no_sense_is_refused(settings: dict[str, object]) -> None:
+    with pytest.raises(ValueError, match=r"columns|quantities"):
+        Settings(**settings)  # type: ignore[arg-type]
+
+
+@given(st.lists(st.binary(max_size=60), max_size=6))
+def test_no_bytes_crash_the_parser_and_only_finite_numbers_come_out(pieces: list[bytes]) -> None:
+    blocks, _ = heard([(float(k), data) for k, data in enumerate(pieces)])
+    assert all(np.isfinite(b.values).all() for b in blocks)

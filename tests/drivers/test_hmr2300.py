@@ -1,0 +1,85 @@
+"""HMR2300: the datasheet's own values, frames in pieces, noise, a zero byte's worth of trouble in binary."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from drivers.hmr2300 import NT_PER_COUNT, Hmr2300, Settings
+from labcal.bench.testing import scripted
+from labcal.errors import InstrumentError
+
+ESC = (b"\x1b", None)
+
+
+def started(
+    fmt: str = "ascii", answers: tuple[bytes, ...] = (b"OK\r",) * 5, **settings: object
+) -> list[tuple[bytes, object]]:
+    words = [(b"A", b"ASCII_ON\r") if fmt == "ascii" else (b"B", b"BINARY_ON\r"), (b"ZF", b"ZERO_OFF\r"),
+             (b"VF", b"AVG_OFF\r"), (b"TN", b"S/R_ON\r"), (b"R=20", b"OK\r")]  # fmt: skip
+    wire: list[tuple[bytes, object]] = [ESC]
+    for (word, reply), enabled in zip(words, answers, strict=True):
+        wire += [(b"*00WE\r", enabled), (b"*00" + word + b"\r", reply)]
+    return wire
+
+
+def reading(fmt: str, pieces: list[bytes]) -> np.ndarray:
+    with scripted(Hmr2300, [*started(fmt), (b"*00C\r", pieces)], format=fmt) as sensor:
+        sensor.start()
+        blocks = sensor.read_until(sensor._clock.now() + 1.0)
+        return np.vstack([b.values for b in blocks]) / NT_PER_COUNT if blocks else np.empty((0, 3))
+
+
+def test_ascii_of_the_datasheet_in_pieces() -> None:
+    frame = b"  1,234  - 1,234   15,000  \r"
+    np.testing.assert_allclose(reading("ascii", [frame[:5], frame[5:9], frame[9:] + frame]), [[1234, -1234, 15000]] * 2)
+
+
+def test_binary_of_the_datasheet_with_a_carriage_return_inside() -> None:
+    frames = bytes.fromhex("3A98 C568 1D4C 0D") + bytes.fromhex("0D0D E2B4 000D 0D")
+    np.testing.assert_allclose(reading("binary", [frames]), [[15000, -15000, 7500], [0x0D0D, -7500, 13]])
+
+
+def test_noise_between_ascii_frames_costs_a_frame_and_no_wrong_value() -> None:
+    good = b"  1,234  - 1,234   15,000  \r"
+    np.testing.assert_allclose(reading("ascii", [b"\xff 1,2" + good + b"Re-enter\r" + good]), [[1234, -1234, 15000]])
+
+
+def test_full_scale_is_a_fault_and_not_a_value() -> None:
+    with pytest.raises(InstrumentError) as caught:
+        reading("binary", [bytes.fromhex("7530 0000 0000 0D")])
+    assert caught.value.fault == "overloaded"
+
+
+def test_without_write_enable_the_setting_fails() -> None:
+    wire = [ESC, (b"*00WE\r", b"OK\r"), (b"*00A\r", b"WE_OFF\r")]
+    with scripted(Hmr2300, wire) as sensor, pytest.raises(InstrumentError, match="WE_OFF"):
+        sensor.start()
+
+
+@pytest.mark.parametrize(
+    ("fmt", "baud", "rate"), [("ascii", 9600, 40), ("ascii", 19200, 60), ("binary", 9600, 123), ("ascii", 9600, 21)]
+)
+def test_a_rate_that_the_line_cannot_carry_is_refused(fmt: str, baud: int, rate: int) -> None:
+    with pytest.raises(ValueError, match="rate"):
+        Settings(format=fmt, baud=baud, rate=rate)  # type: ignore[arg-type]
+
+
+def test_polled_asks_for_every_sample() -> None:
+    frame = b"  0,001    0,002  - 0,003  \r"
+    wire = [*started(), (b"*00P\r", frame), (b"*00P\r", frame)]
+    with scripted(Hmr2300, wire, mode="polled") as sensor:
+        sensor.start()
+        blocks = sensor.read_until(sensor._clock.now() + 0.06)
+    np.testing.assert_allclose(blocks[0].values / NT_PER_COUNT, [[1, 2, -3]] * 2)
+
+
+@given(st.binary(max_size=200))
+def test_no_bytes_crash_the_parser(data: bytes) -> None:
+    for fmt in ("ascii", "binary"):
+        with suppress(InstrumentError):  # overloaded
+            assert np.abs(reading(fmt, [data])).max(initial=0) < 30_000

@@ -1,0 +1,54 @@
+"""Waveshare relays: frames with the CRCs of the wiki, and contacts that do not follow."""
+
+from __future__ import annotations
+
+import pytest
+
+from drivers.waveshare_relay import WaveshareRelay
+from labcal.bench.testing import SILENT, scripted
+from labcal.errors import InstrumentError
+
+ON, OFF = bytes.fromhex("01050000FF008C3A"), bytes.fromhex("010500000000CDCA")
+VERSION = bytes.fromhex("0103800000 01ADCA")
+READ, IS_ON, IS_OFF = (bytes.fromhex(h) for h in ("010100000001FDCA", "010101019048", "010101005188"))
+
+
+def test_polarity_minus_is_relay_on_and_is_read_back() -> None:
+    with scripted(WaveshareRelay, [(ON, ON), (READ, IS_ON)], x=0) as relay:
+        relay.set_polarity("x", -1)
+
+
+def test_contacts_that_do_not_follow_are_a_fault() -> None:
+    with scripted(WaveshareRelay, [(ON, ON), (READ, IS_OFF)], x=0) as relay, pytest.raises(InstrumentError) as caught:
+        relay.set_polarity("x", -1)
+    assert caught.value.fault == "polarity not confirmed"
+
+
+def test_a_write_without_a_reply_is_not_repeated() -> None:
+    with scripted(WaveshareRelay, [(OFF, SILENT)], x=0) as relay, pytest.raises(InstrumentError) as caught:
+        relay.set_polarity("x", 1)
+    assert caught.value.fault == "silent"
+
+
+@pytest.mark.parametrize("reply", [IS_ON[:-1] + b"\x00", b"\xff" * 6, IS_ON[:3]])
+def test_a_bad_checksum_noise_and_half_a_frame_are_silence(reply: bytes) -> None:
+    with scripted(WaveshareRelay, [(READ, reply)], x=0) as relay, pytest.raises(InstrumentError) as caught:
+        relay.polarity("x")
+    assert caught.value.fault == "silent"
+
+
+def test_an_exception_of_the_device_is_said_with_its_number() -> None:
+    with (
+        scripted(WaveshareRelay, [(READ, bytes.fromhex("018102C191"))], x=0) as relay,
+        pytest.raises(InstrumentError, match="exception 2"),
+    ):
+        relay.polarity("x")
+
+
+def test_an_old_firmware_is_another_instrument() -> None:
+    with (
+        scripted(WaveshareRelay, [(VERSION, bytes.fromhex("0103020064B9AF"))]) as relay,
+        pytest.raises(InstrumentError) as caught,
+    ):
+        relay.identify()
+    assert caught.value.fault == "another instrument"
