@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
@@ -11,7 +12,12 @@ LOOK_S = 0.002
 
 
 class Clock(Protocol):
-    """Seconds since the bench was opened; never goes back."""
+    """Seconds since the bench was opened; never goes back.
+
+    `listen_s`: how often it is worth taking in what has arrived; inf where time is simulated.
+    """
+
+    listen_s: float
 
     def now(self) -> float:
         """Seconds since the bench was opened."""
@@ -32,6 +38,8 @@ class Clock(Protocol):
 
 class RealClock:
     """True time: monotonic for intervals, the system's for dates."""
+
+    listen_s = LOOK_S
 
     def __init__(self) -> None:
         self._start = time.monotonic()
@@ -61,6 +69,8 @@ class VirtualClock:
     """Simulated time: waiting moves it. Emulated instruments put on the link what they would have sent by then,
     each piece with its own stamp.
     """
+
+    listen_s = math.inf
 
     def __init__(self, start: datetime) -> None:
         self._start, self._now = start, 0.0

@@ -80,7 +80,7 @@ def test_a_bad_checksum_noise_and_a_rejection_are_faults(frame: bytes) -> None:
 
 
 def test_a_late_reply_of_an_older_request_is_passed_over() -> None:
-    wire = [(b"/1 1 01 get limit.cycle.dist\r\n", b"@01 1 95 OK IDLE -- 5\r\n" + TURN[1]),
-            (b"/1 1 02 get pos\r\n", said(2, "OK IDLE -- 768000"))]  # fmt: skip
+    wire = [(b"/1 1 01 get pos\r\n", said(95, "OK IDLE -- 5") + said(1, "OK IDLE -- 768000")),
+            (b"/1 1 02 get limit.cycle.dist\r\n", said(2, "OK IDLE -- 1536000"))]  # fmt: skip
     with scripted(ZaberStage, wire) as stage:
         assert stage.angle_deg() == 180.0
