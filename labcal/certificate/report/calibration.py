@@ -9,7 +9,7 @@ import numpy as np
 
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
-from labcal.certificate.report.style import decimals_for, number
+from labcal.certificate.report.style import decimals_for, number, sentence
 from labcal.certificate.report.unstated import not_stated
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
@@ -81,15 +81,15 @@ def _parameter_row(p: Parameter) -> tuple[str, str, str, str]:
 
 
 def _why(effect: EffectRecord) -> str:
-    said = [effect.why] if effect.why else []
-    if effect.holdout_rms_before_nT is not None and effect.holdout_rms_after_nT is not None:
-        before, after = number(effect.holdout_rms_before_nT), number(effect.holdout_rms_after_nT)
-        said.append(f"Held-out rms {before} → {after} nT.")
+    before, after = effect.holdout_rms_before_nT, effect.holdout_rms_after_nT
+    said = [sentence(effect.why)]
+    if before is not None and after is not None and "held-out" not in effect.why:
+        said.append(f"Held-out rms {number(before)} → {number(after)} nT.")
     said += [
-        f"As good: {' · '.join([r.effect, *r.channels])} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals
+        f"Rival: {' · '.join([r.effect, *r.channels])} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals
     ]
-    reference = ", ".join(f"{name} = {value:g}" for name, value in effect.reference_value.items())
-    return " ".join([*said, f"Reference value: {reference}."] if reference else said)
+    said += [f"{name} counts from {value:g}." for name, value in effect.reference_value.items()]
+    return " ".join(filter(None, said))
 
 
 def _marks(verification: Verification) -> tuple[Mark, ...]:

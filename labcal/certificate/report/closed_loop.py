@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from labcal.certificate.report.calibration import effect_tables, headline_of
 from labcal.certificate.report.figures import segment_bounds, thin
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
-from labcal.certificate.report.style import AXES, MUTED, number
+from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence
 from labcal.certificate.report.unstated import not_stated
 from labcal.loop.result import ClosedLoop, Verdict
 from labcal.model import EffectRecord
@@ -80,15 +80,19 @@ def _next(result: ClosedLoop) -> list[Block]:
 
 
 def _rejected(effects: tuple[EffectRecord, ...]) -> Table | None:
-    rows = tuple(_rejected_row(effect) for effect in effects)
+    if not effects:
+        return None
     header = ("Effect", "Held-out rms (nT)", "Gain, 95 % (nT)", "p", "Why")
-    return Table(header, rows, frozenset({1, 2, 3})) if rows else None
+    rows = [_rejected_row(effect) for effect in effects]
+    said = [i for i in range(len(header)) if any(row[i] != NOTHING for row in rows)]
+    numeric = frozenset(place for place, i in enumerate(said) if i in (1, 2, 3))
+    return Table(tuple(header[i] for i in said), tuple(tuple(row[i] for i in said) for row in rows), numeric)
 
 
 def _rejected_row(e: EffectRecord) -> tuple[str, ...]:
-    gain = "–" if e.improvement_ci95_nT is None else " to ".join(number(v) for v in e.improvement_ci95_nT)
-    p = "–" if e.p_value is None else f"{e.p_value:.2g}"
-    return " · ".join([e.effect, *e.channels]), number(e.holdout_rms_after_nT), gain, p, e.why
+    gain = NOTHING if e.improvement_ci95_nT is None else " to ".join(number(v) for v in e.improvement_ci95_nT)
+    p = NOTHING if e.p_value is None else "< 0.001" if e.p_value < 0.001 else f"{e.p_value:.3f}"
+    return " · ".join([e.effect, *e.channels]), number(e.holdout_rms_after_nT), gain, p, sentence(e.why)
 
 
 def _pictures(result: ClosedLoop, run: Run) -> list[Block]:

@@ -13,6 +13,7 @@ AXES = ("#d55e00", "#009e73", "#0072b2")  # x, y, z: vermilion, green, blue
 INKS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#57606a", "#000000")
 MARKERS = "o^sDvP<>"
 WIDTH_IN = 7.0
+NOTHING = "–"
 
 _RC: Any = {
     "font.family": "DejaVu Sans",
@@ -57,11 +58,17 @@ def ink(index: int) -> tuple[str, str]:
 def number(value: float | None, decimals: int = 1) -> str:
     """`value` with fixed decimals, a true minus and thin groups of three; a dash for None."""
     if value is None or not math.isfinite(value):
-        return "–"
+        return NOTHING
     text = f"{value:,.{decimals}f}"
     if not text.strip("-0.,"):
         text = text.lstrip("-")
     return text.replace(",", "\u202f").replace("-", "\u2212")
+
+
+def sentence(text: str) -> str:
+    """`text` with a capital and a full stop, as it stands on paper."""
+    text = text.strip()
+    return text and text[0].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
 
 
 def decimals_for(uncertainties: Iterable[float], most: int = 9) -> int:
