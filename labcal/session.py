@@ -14,6 +14,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.greet import Greeting, greet
 from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
+from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
 from labcal.files import write_bytes
@@ -216,7 +217,7 @@ def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | Non
 
 
 def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:
-    """Write the report of a calibration file or of a run, as `.html` or `.pdf`."""
+    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`."""
     if Path(source).is_file() and source.lower().endswith(".json"):
         return _report_calibration(Path(source), out, allowed_signers)
     bundle = run_bundle(source)
@@ -227,8 +228,11 @@ def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
+    run = _run_of(calibration)
+    if out.suffix.lower() == ".xml":
+        return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out)
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
-    write_report(calibration_page(calibration, verification, checked, _run_of(calibration)), out)
+    return write_report(calibration_page(calibration, verification, checked, run), out)
 
 
 def _run_of(calibration: Calibration) -> Run | None:

@@ -12,7 +12,7 @@ from labcal.cli import app
 @app.command()
 def report(
     source: str = typer.Argument(..., metavar="RUN|CAL", help="A run, or a calibration file (*.json)."),
-    out: Path = typer.Option(..., metavar="FILE", help="The report: FILE.html or FILE.pdf."),
+    out: Path = typer.Option(..., metavar="FILE", help="FILE.html or FILE.pdf; of a calibration also FILE.xml (DCC)."),
     allowed_signers: Path | None = typer.Option(None, help="Check CAL's signatures against this list, not the lab's."),
 ) -> None:
     """Write the report of a run or a calibration."""
