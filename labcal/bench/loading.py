@@ -117,6 +117,8 @@ class Loader:
         except ValidationError as error:
             first = error.errors()[0]
             self.refuse(first["msg"], ("twin", *map(str, first["loc"])))
+        except (ValueError, TypeError) as error:
+            self.refuse(str(error), ("twin",))
 
     def _load(self, group: str, name: str, keys: tuple[str, ...]) -> Any:
         found = {e.name: e for e in entry_points(group=group)}

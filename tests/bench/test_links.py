@@ -1,0 +1,233 @@
+"""Real lines: served emulators on ptys and TCP ports, the late reply of Modbus RTU, unplugging, datagrams."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import pty
+import socket
+import subprocess
+import sys
+import threading
+import time
+import tty
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pymodbus.client import ModbusTcpClient
+from pymodbus.framer import FramerType
+from pymodbus.server import ModbusTcpServer
+from pymodbus.simulator import DataType, SimData, SimDevice
+
+from labcal.bench import open_bench
+from labcal.bench.clock import RealClock
+from labcal.bench.links import ModbusLink, open_link
+from labcal.errors import InputError, InstrumentError
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
+LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
+
+
+@pytest.fixture
+def served(tmp_path: Path) -> Iterator[Path]:
+    """The example bench on real lines."""
+    out = tmp_path / "served.toml"
+    command = [*LABCAL, "bench", "serve", str(EXAMPLE), "--out", str(out)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        yield out
+        process.terminate()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+def test_a_served_bench_is_greeted_driven_streamed_and_switched_off_over_real_lines(served: Path) -> None:
+    text = served.read_text()
+    assert "tcp://127.0.0.1" in text
+    assert "modbus-rtu:///dev/pts" in text
+    assert "[twin]" not in text
+    with open_bench(served) as bench:
+        assert not bench.simulated
+        bench.start()
+        bench.cage.set_currents([0.3, -0.3, 0.1])
+        blocks = bench.stream_until(bench.clock.now() + 1.5)
+        stamps = np.concatenate([b.t_s for b in blocks if b.stream == "reference"])
+        assert np.abs(bench.cage.currents_A() - [0.3, -0.3, 0.1]).max() < 0.005
+        assert np.median(np.diff(stamps)) == pytest.approx(0.05, abs=0.005)
+        begun = bench.clock.now()
+        bench.cage.zero()
+        assert bench.clock.now() - begun < 2.0
+    off = subprocess.run([*LABCAL, "bench", "off", str(served)], capture_output=True, text=True, check=False)
+    assert off.returncode == 0
+    assert off.stdout.count("zero, open") == 3
+
+
+# late replies
+
+
+class SlowLine:
+    """A TCP line in front of a server that holds the first reply back; those after it wait behind it."""
+
+    def __init__(self, server_port: int, hold_s: float) -> None:
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.port = self._listener.getsockname()[1]
+        self._server_port, self._hold_s = server_port, hold_s
+        self._threads = [threading.Thread(target=self._there, daemon=True)]
+        self._threads[0].start()
+
+    def join(self) -> None:
+        """Wait until both ways have ended; the host has closed before."""
+        for thread in self._threads:
+            thread.join(5)
+
+    def _there(self) -> None:
+        place = ("127.0.0.1", self._server_port)
+        with self._listener, self._listener.accept()[0] as host, socket.create_connection(place) as server:
+            back = threading.Thread(target=self._back, args=(server, host), daemon=True)
+            back.start()
+            while data := host.recv(4096):
+                server.sendall(data)
+            server.shutdown(socket.SHUT_RDWR)
+            back.join(5)
+
+    def _back(self, server: socket.socket, host: socket.socket) -> None:
+        hold_s = self._hold_s
+        with suppress(OSError):
+            while data := server.recv(4096):
+                time.sleep(hold_s)
+                hold_s = 0.0
+                host.sendall(data)
+
+
+@pytest.fixture
+def registers() -> Iterator[int]:
+    """A real pymodbus RTU server on a TCP port whose register n holds n."""
+    ready, loop = threading.Event(), asyncio.new_event_loop()
+    found: list[int] = []
+
+    async def run() -> None:
+        device = SimDevice(1, [SimData(0, values=list(range(100)), datatype=DataType.REGISTERS)])
+        server = ModbusTcpServer(device, framer=FramerType.RTU, address=("127.0.0.1", 0))
+        await server.serve_forever(background=True)
+        found.append(server.transport.sockets[0].getsockname()[1])
+        ready.set()
+        await stop.wait()
+        await server.shutdown()
+
+    stop = asyncio.Event()
+    thread = threading.Thread(target=lambda: loop.run_until_complete(run()), daemon=True)
+    thread.start()
+    assert ready.wait(5)
+    yield found[0]
+    loop.call_soon_threadsafe(stop.set)
+    thread.join(5)
+    loop.close()
+
+
+def test_a_bare_client_takes_a_late_reply_for_the_next_answer(registers: int) -> None:
+    """The hazard is real: without it the test below would prove nothing."""
+    line = SlowLine(registers, 0.9)
+    client = ModbusTcpClient("127.0.0.1", port=line.port, framer=FramerType.RTU, timeout=0.6, retries=0)
+    client.connect()
+    with pytest.raises(Exception, match="No response"):
+        client.read_holding_registers(7, count=1, device_id=1)
+    answer = client.read_holding_registers(50, count=1, device_id=1).registers
+    client.close()
+    line.join()
+    assert answer == [7]
+
+
+def test_a_late_reply_is_never_taken_for_the_next_answer(registers: int) -> None:
+    line, clock = SlowLine(registers, 0.9), RealClock()
+    link = ModbusLink(
+        open_link(f"modbus-rtu://socket://127.0.0.1:{line.port}", clock), clock, timeout_s=0.6, quiet_s=0.7
+    )
+    with pytest.raises(InstrumentError) as caught:
+        link.read_holding(1, 7, 1)
+    assert caught.value.fault == "silent"
+    assert link.read_holding(1, 50, 1) == [50]
+    assert link.read_holding(1, 8, 3) == [8, 9, 10]
+    link.close()
+    line.join()
+
+
+# lost lines
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+def test_an_unplugged_line_is_lost_until_it_is_opened_again() -> None:
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    clock = RealClock()
+    link = open_link(f"serial://{os.ttyname(slave)}?baud=115200", clock)
+    os.write(master, b"here\n")
+    assert link.ask(b"", end=b"\n", timeout_s=1.0) == b"here\n"
+    os.close(slave)
+    os.close(master)
+    for _ in range(2):
+        with pytest.raises(InstrumentError) as caught:
+            link.ask(b"who\n", end=b"\n", timeout_s=0.2)
+        assert caught.value.fault == "link lost"
+    with pytest.raises(InstrumentError) as caught:
+        link.reopen()
+    assert caught.value.fault == "link lost"
+
+
+def test_a_tcp_line_is_lost_when_the_other_side_goes() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        link = open_link(f"tcp://127.0.0.1:{listener.getsockname()[1]}", RealClock())
+        listener.accept()[0].close()
+        with pytest.raises(InstrumentError) as caught:
+            link.ask(b"*IDN?\n", end=b"\n", timeout_s=0.5)
+        assert caught.value.fault == "link lost"
+        link.reopen()
+        host = listener.accept()[0]
+        host.sendall(b"again\n")
+        assert link.ask(b"*IDN?\n", end=b"\n", timeout_s=1.0) == b"again\n"
+        host.close()
+        link.close()
+
+
+def test_datagrams_come_whole_and_in_order() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as finder:
+        finder.bind(("127.0.0.1", 0))
+        port = finder.getsockname()[1]
+    clock = RealClock()
+    link = open_link(f"udp://127.0.0.1:{port}", clock)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        for number in range(5):
+            sender.sendto(b"packet %d" % number, ("127.0.0.1", port))
+        pieces = link.receive(clock.now() + 0.1)
+    link.close()
+    assert [data for _, data in pieces] == [b"packet %d" % n for n in range(5)]
+
+
+def test_bytes_are_stamped_when_they_come_even_while_somebody_else_waits() -> None:
+    clock = RealClock()
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        link = open_link(f"tcp://127.0.0.1:{listener.getsockname()[1]}", clock)
+        host = listener.accept()[0]
+        threading.Timer(0.1, host.sendall, [b"now"]).start()
+        begun = clock.now()
+        clock.wait_until(begun + 0.4)  # somebody else's waiting
+        [(stamp, data)] = link.receive(clock.now())
+        host.close()
+        link.close()
+    assert data == b"now"
+    assert stamp - begun == pytest.approx(0.1, abs=0.05)
+
+
+@pytest.mark.parametrize("url", ["telnet://x:1", "gpib://3"])
+def test_a_scheme_that_is_not_known_is_refused(url: str) -> None:
+    with pytest.raises(InputError, match="none of serial://"):
+        open_link(url, RealClock())
+
+
+def test_a_port_that_is_not_there_is_a_lost_link_with_a_remedy() -> None:
+    with pytest.raises(InstrumentError) as caught:
+        open_link("serial:///dev/no-such-port", RealClock())
+    assert caught.value.fault == "link lost"
+    assert caught.value.remedy
