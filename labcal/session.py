@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import closing
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
@@ -51,7 +52,7 @@ def run(
     Without `answer`, prompts are answered as far as `--yes` may. The clock is virtual where all links are emulated.
     """
     found = find(procedure)
-    with open_bench(bench, clock=clock, seed=seed) as lab, Store.open(store) as kept:
+    with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
         return run_procedure(
             lab, found, given or {}, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), run_id=run_id, control=control, tell=tell,
@@ -69,7 +70,7 @@ def resume(
     tell: Callable[[Item], None] = lambda item: None,
 ) -> Outcome:
     """Go on with an interrupted run of the local store after its last finished step."""
-    with open_bench(bench, clock=clock, seed=seed) as lab, Store.open() as kept:
+    with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(kept.header(run).procedure), answer or yes_to_all(lab.simulated)
         return resume_run(lab, found, run, store=kept, answer=ask, control=control, tell=tell)
 

@@ -148,6 +148,7 @@ def _mounted(bench: Bench, axis: str, resume: Resume | None) -> Work[None]:
         text = f"Is the DUT still mounted with body {axis.upper()} up, exactly as it was when the run broke off?"
         drawing = {"body_from_cage": attitude(bench, axis).tolist()}
         if (yield Prompt(bench.clock.now(), "mounting-stands", text, ("yes", "no"), True, drawing)) == "yes":
+            yield from to_angle(bench, 0.0)
             return
     yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -81,9 +82,15 @@ class Cage:
         A failure of one axis does not skip the others; the first failure is raised at the end.
         """
         self._closed = False
-        ended = to_zero(self.supplies, self._rates(), self._clock, self._wait)
+        ended = to_zero(self.supplies, self._rates(), self._clock, self._wait_whatever_fails)
         if faults := [end.fault for end in ended.values() if end.fault is not None]:
             raise faults[0]
+
+    def _wait_whatever_fails(self, t_s: float) -> None:
+        """A stream that has died is told elsewhere; it does not keep the coils from zero."""
+        with suppress(InstrumentError):
+            self._wait(t_s)
+        self._clock.wait_until(t_s)
 
     def _rates(self) -> dict[str, float]:
         limits = zip(AXES, self.limits.ramp_A_per_s, strict=True)

@@ -111,11 +111,10 @@ def _clock(choice: ClockChoice | None) -> Clock | None:
 
 @contextmanager
 def _stop_on_interrupt(control: Control) -> Iterator[None]:
-    """Ctrl-C stops the run in order; the second one breaks off where it is."""
+    """Ctrl-C stops the run in order, a second one aborts it; none breaks off the way to zero."""
 
     def interrupted(_: int, __: FrameType | None) -> None:
-        control.stop()
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        (control.abort if control.stopping() else control.stop)()
 
     before = signal.signal(signal.SIGINT, interrupted)
     try:

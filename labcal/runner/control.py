@@ -37,6 +37,10 @@ class Control:
         """Whether a pause is wanted."""
         return self._pause.is_set()
 
+    def stopping(self) -> bool:
+        """Whether a stop was asked for."""
+        return self._stop.is_set()
+
     def check(self) -> None:
         """Raise Aborted or Stopped where that is wanted."""
         if self._abort.is_set():

@@ -41,6 +41,7 @@ class Drive:
     tell: Tell = lambda item: None
     offset_s: float = 0.0
     _reply: str | None = field(default=None, init=False)
+    _at_zero: bool = field(default=False, init=False)
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -91,12 +92,15 @@ class Drive:
         return given
 
     def _answer_while_listening(self, prompt: Prompt) -> str:
-        if isinstance(self.bench.clock, VirtualClock):
-            return self.answer(prompt)
         answers: queue.Queue[str | BaseException] = queue.Queue()
-        threading.Thread(target=_put_answer, args=(self.answer, prompt, answers), daemon=True).start()
+        asking = threading.Thread(target=_put_answer, args=(self.answer, prompt, answers), daemon=True)
+        asking.start()
         while answers.empty():
-            self._listen()
+            self.control.check()
+            if isinstance(self.bench.clock, VirtualClock):
+                asking.join(LISTEN_S)
+            else:
+                self._listen()
         given = answers.get()
         if isinstance(given, BaseException):
             raise given
@@ -128,23 +132,29 @@ class Drive:
     def _at_rest(self, ending: Ending) -> Ending:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
         bench, faults = self.bench, list[Exception]()
-        for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop, lambda: self._keep(self._read_back(faults))):
+        for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop):
             try:
                 come_to_rest()
             except Exception as fault:
                 faults.append(fault)
-        if not faults or ending.fault is not None:
-            return ending
-        return Ending(f"failed: {_sentence(faults[0])}", faults[0])
+        try:
+            self._keep(self._read_back(faults))
+        except Exception as fault:
+            return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
+        return (
+            ending
+            if self._at_zero
+            else Ending(f"failed: coils NOT confirmed at zero: {_sentence(faults[0])}", faults[0])
+        )
 
     def _read_back(self, faults: list[Exception]) -> Event:
-        data: dict[str, Any] = {"faults": [_sentence(f) for f in faults]}
-        try:
-            data["current_A"] = self.bench.cage.currents_A().tolist()
-        except InstrumentError as fault:
-            data["faults"].append(_sentence(fault))
-        text = "coils NOT confirmed at zero" if data["faults"] else "coils at zero"
-        return self._event("read-back", text, **data)
+        """The currents as read back, an axis that does not answer as None, and what went wrong on the way."""
+        axes = self.bench.cage.supplies
+        currents = {axis: _tried(supply.measure_current, faults) for axis, supply in axes.items()}
+        self._at_zero = all(i is not None and abs(i) < axes[axis].zero_current_A for axis, i in currents.items())
+        text = "coils at zero" if self._at_zero else "coils NOT confirmed at zero"
+        said = {"current_A": list(currents.values()), "faults": [_sentence(f) for f in faults]}
+        return self._event("read-back", text, **said)
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)
@@ -161,6 +171,14 @@ def _put_answer(answer: Answer, prompt: Prompt, answers: queue.Queue[str | BaseE
         answers.put(answer(prompt))
     except BaseException as fault:
         answers.put(fault)
+
+
+def _tried(measure: Callable[[], float], faults: list[Exception]) -> float | None:
+    try:
+        return measure()
+    except InstrumentError as fault:
+        faults.append(fault)
+        return None
 
 
 def _sentence(fault: BaseException) -> str:

@@ -1,0 +1,139 @@
+"""However a preflight ends, at whatever step: the coils are at zero, that was read back, and the status is true."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import closing
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from labcal.bench import Bench, open_bench
+from labcal.bench.clock import VirtualClock
+from labcal.errors import InstrumentError
+from labcal.record.stream import Event, Item, Step
+from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
+from labcal.store import Store
+
+BenchFile = Callable[..., Path]
+SHORT = {
+    "axes": "z",
+    "modes": "nominal",
+    "magnitudes_nT": "20000",
+    "reverse": "no",
+    "rate_deg_per_s": "20",
+    "zero_s": "3",
+    "dwell_s": "1",
+}
+STEPS = ("zero", "axes-check", "sync-check", "mount-z", "z+20uT-nominal", "closure-z", "closing")
+
+
+class Lab:
+    """One short preflight to which something happens when the step `at` begins."""
+
+    def __init__(self, bench: Bench, at: str, happens: Callable[[Lab], None]) -> None:
+        self.bench, self.at, self.happens, self.control = bench, at, happens, Control()
+
+    def run(self) -> tuple[Outcome, list[Item]]:
+        with Store.open() as store:
+            outcome = run_procedure(
+                self.bench,
+                find("preflight"),
+                SHORT,
+                store=store,
+                answer=yes_to_all(True),
+                control=self.control,
+                tell=self.notice,
+            )
+            return outcome, list(store.items(outcome.run_id))
+
+    def notice(self, item: Item) -> None:
+        if isinstance(item, Step) and item.name == self.at:
+            self.happens(self)
+
+    def true_currents_A(self) -> list[float]:
+        """What flows in the twin's coils, asked of the physics and not of any instrument."""
+        twin: Any = self.bench.hands._lab  # type: ignore[union-attr]
+        return [float(coil.at([self.bench.clock.now()])[0]) for coil in twin.coils.values()]
+
+
+def stop(lab: Lab) -> None:
+    lab.control.stop()
+
+
+def abort(lab: Lab) -> None:
+    lab.control.abort()
+
+
+def exception(lab: Lab) -> None:
+    """A fault of the procedure's own, once the coils carry current."""
+    listen, clock, begun = lab.bench.stream_until, lab.bench.clock, lab.bench.clock.now()
+
+    def faulty(t_s: float) -> Any:
+        if clock.now() > begun + 2.0:
+            raise ZeroDivisionError("a fault in the procedure")
+        return listen(t_s)
+
+    lab.bench.stream_until = faulty  # type: ignore[method-assign]
+
+
+def unplug(name: str) -> Callable[[Lab], None]:
+    def pull(lab: Lab) -> None:
+        link: Any = lab.bench.instruments()[name]._link  # type: ignore[attr-defined]
+
+        def gone(*_: Any, **__: Any) -> Any:
+            raise InstrumentError(f"{name}: the link is gone.", fault="link lost", remedy="Check its plug.")
+
+        link.send = link.receive = link.ask = gone
+
+    pull.__name__ = f"unplugged-{name}"
+    return pull
+
+
+def failing_clean_up(lab: Lab) -> None:
+    """Stopped, and the procedure's own undo fails the first time."""
+    lab.control.stop()
+    supply, failures = lab.bench.cage.supplies["x"], iter(range(2))
+    set_current = supply.set_current
+
+    def failing(current_A: float) -> None:
+        if next(failures, None) is not None:
+            raise InstrumentError("coil x: no answer.", fault="silent")
+        set_current(current_A)
+
+    supply.set_current = failing  # type: ignore[method-assign]
+
+
+EVERYWHERE = [
+    (stop, "stopped"),
+    (exception, "failed: a fault in the procedure"),
+    (unplug("reference"), "failed: reference: the link is gone"),
+    (failing_clean_up, "failed: coil x: no answer"),
+]
+ONCE = [
+    (abort, "failed: aborted by the operator"),
+    (unplug("dut"), "failed: dut: the link is gone"),
+    (unplug("stage"), "failed: stage: the link is gone"),
+]
+
+
+@pytest.mark.parametrize(
+    ("at", "happens", "status"),
+    [(at, *case) for at in STEPS for case in EVERYWHERE] + [("z+20uT-nominal", *case) for case in ONCE],
+    ids=lambda value: value.__name__ if callable(value) else "",
+)
+def test_the_coils_are_at_zero_and_that_is_recorded(
+    bench_file: BenchFile, at: str, happens: Callable[[Lab], None], status: str
+) -> None:
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
+        lab = Lab(bench, at, happens)
+        outcome, items = lab.run()
+        assert outcome.status.startswith(status)
+        assert max(map(abs, lab.true_currents_A())) < 1e-3
+    last = items[-1]
+    assert isinstance(last, Event)
+    assert (last.kind, last.text) == ("read-back", "coils at zero")
+    assert max(map(abs, last.data["current_A"])) < 0.002
+    assert [i.name for i in items if isinstance(i, Step)][-1] == at
