@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.pso_loci import Loci, loci_of, reading_noise_nT
 from labcal.fit.pso_objectives import Planes, cofactor
-from labcal.fit.pso_polish import Polished, polish, singular_values, worst_uncertainty_nT
+from labcal.fit.pso_polish import Polished, noise_bias_in_sigma, polish, singular_values, worst_uncertainty_nT
 from labcal.fit.pso_search import PUBLISHED, Options, search
 from labcal.fit.result import Fit
 from labcal.model import AffineMap
@@ -24,6 +24,7 @@ METHOD = "pso-axis"
 LEAST_SINGULAR_VALUE = 1e-3
 LARGEST_UNCERTAINTY = 0.1  # of the mean field
 LARGEST_TILT_DEG = 30.0
+LARGEST_BIAS = 0.15  # of an uncertainty; beyond it no covariance is given
 
 
 def pso_axis(run: Run, *, seed: int = 0, options: Options | None = None) -> Fit:
@@ -53,7 +54,10 @@ def refused(method: str, why_not: str) -> Fit:
 
 
 def polished_fit(method: str, run: Run, loci: Loci, theta: Array, basis: Array | None) -> Fit:
-    """The most likely map near `theta`, with covariance; refused where its uncertainty leaves the field open."""
+    """The most likely map near `theta`; refused where its uncertainty leaves the field open.
+
+    It has a covariance unless the noise, white in the readings, would bias it by a part of its uncertainty.
+    """
     try:
         found = polish(loci, theta, basis=basis, reference_noise_nT=run.reference.noise_nT or 0.0)
     except np.linalg.LinAlgError:
@@ -61,11 +65,12 @@ def polished_fit(method: str, run: Run, loci: Loci, theta: Array, basis: Array |
     if why_not := _vague(found, loci):
         return refused(method, why_not)
     unit = np.concatenate([np.full(9, run.dut.nominal_nT_per_unit), np.ones(3)])
+    honest = noise_bias_in_sigma(loci, found) < LARGEST_BIAS
     return Fit(
         method,
         ok=True,
         affine=map_of(run, found.theta),
-        covariance=found.covariance * np.outer(unit, unit),
+        covariance=found.covariance * np.outer(unit, unit) if honest else None,
         frame_known=basis is None,
         noise_nT=found.noise_nT,
     )

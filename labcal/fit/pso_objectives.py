@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 SignRule = Literal["two-samples", "sequence"]
 
 _CACHE_VALUES = 12_000  # particles times samples of one block: a block of doubles that stays in the processor's cache
+_TINY = float(np.finfo(float).tiny)
 _FIRST, _SECOND = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])  # the six entries of a symmetric matrix
 
 
@@ -30,6 +31,7 @@ class Magnitudes:
     centre: Array  # (3,) of the readings: the quadratic form is expanded there, far from cancellation
     monomials: Array  # (10, n)
     magnitude: Array  # (n,) [nT]
+    scratch: Array  # one block, reused: fresh memory costs more than the arithmetic. Not for two threads at once
 
     @classmethod
     def of(cls, reading: ArrayLike, magnitude: ArrayLike) -> Magnitudes:
@@ -38,18 +40,20 @@ class Magnitudes:
         centre = reading.mean(axis=0)
         x, y, z = (reading - centre).T
         rows = np.stack([x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z, x, y, z, np.ones_like(x)])
-        return cls(centre, rows, np.asarray(magnitude, dtype=float))
+        return cls(centre, rows, np.asarray(magnitude, dtype=float), np.empty(_CACHE_VALUES))
 
     def squares(self, K: Array, k: Array) -> Array:
         """F1 (p,) [nT²] for K (3, 3, p) and k (3, p)."""
         form = self._form(K, k)
         total, step = np.zeros(len(form)), max(1, _CACHE_VALUES // len(form))
+        scratch = self.scratch if len(form) <= _CACHE_VALUES else np.empty(len(form))
         for first in range(0, len(self.magnitude), step):
-            block = slice(first, first + step)
-            length = form @ self.monomials[:, block]
+            known = self.magnitude[first : first + step]
+            length = scratch[: len(form) * len(known)].reshape(len(form), -1)
+            np.matmul(form, self.monomials[:, first : first + step], out=length)
             np.sqrt(np.maximum(length, 0.0, out=length), out=length)
-            length -= self.magnitude[block]
-            total += np.einsum("ps,ps->p", length, length)
+            length -= known
+            total += np.vecdot(length, length)
         return total
 
     def _form(self, K: Array, k: Array) -> Array:
@@ -104,14 +108,14 @@ class Planes:
         products = K[_FIRST][:, :, None] * K[_SECOND][:, None, :]
         moments = self.moments @ products.reshape(6, 9, -1)  # (6, l, p): K M Kᵀ
         along = _onto_least_spread(moments, self.axes.T[:, :, None])
-        size = np.sqrt(np.maximum(np.sum(self.axes.T[:, :, None] * along, axis=0), 0.0))
-        return np.asarray(np.copysign(size, -np.sum(along * self._sense(K, k, cofactor), axis=0)))
+        size = np.sqrt(np.maximum(np.einsum("li,ilp->lp", self.axes, along), 0.0))
+        return np.asarray(np.copysign(size, -np.einsum("ilp,ilp->lp", along, self._sense(K, k, cofactor))))
 
     def _sense(self, K: Array, k: Array, cofactor: Array) -> Array:
         if self.sign == "sequence":
             return np.asarray(self.turn @ cofactor)
         first, second = (self.pair @ K[:, None]).swapaxes(0, 1) - k[:, None]
-        return np.cross(first, second, axis=0)
+        return _cross(first, second)
 
     def squares(self, K: Array, k: Array, cofactor: Array) -> Array:
         """F2 (p,)."""
@@ -125,19 +129,23 @@ def _onto_least_spread(moments: Array, v: Array) -> Array:
     root of the characteristic cubic (Smith, Commun. ACM 4, 168, 1961), and N = adj(C − λ) / tr adj(C − λ); applied
     twice, what rounding left of the next eigenvector in it is squared away.
     """
-    diagonal, off = moments[:3], moments[3:]
-    mean = diagonal.sum(axis=0) / 3
-    deviation = diagonal - mean
-    spread = np.sqrt((np.sum(deviation**2, axis=0) + 2 * np.sum(off**2, axis=0)) / 6) + np.finfo(float).tiny
-    a, b = deviation / spread, off / spread
-    half_det = (a[0] * a[1] * a[2] + 2 * b[0] * b[1] * b[2] - np.sum(a * b[::-1] ** 2, axis=0)) / 2
-    angle = np.arccos(np.minimum(np.maximum(half_det, -1.0), 1.0)) / 3
-    a -= 2 * np.cos(angle + 2 * np.pi / 3)
-    own = a[[1, 0, 0]] * a[[2, 2, 1]] - b[::-1] ** 2
-    adjugate = np.concatenate([own, b[[1, 0, 0]] * b[[2, 2, 1]] - b * a[::-1]]) / (
-        own.sum(axis=0) + np.finfo(float).tiny
-    )
+    xx, yy, zz, xy, xz, yz = moments
+    mean = (xx + yy + zz) / 3
+    x, y, z = xx - mean, yy - mean, zz - mean
+    xy2, xz2, yz2 = xy * xy, xz * xz, yz * yz
+    spread = np.sqrt((x * x + y * y + z * z) / 6 + (xy2 + xz2 + yz2) / 3) + _TINY
+    cosine = (x * y * z + 2 * xy * xz * yz - x * yz2 - y * xz2 - z * xy2) / (2 * spread * spread * spread)
+    angle = np.arccos(np.minimum(np.maximum(cosine, -1.0), 1.0)) / 3
+    smallest = 2 * spread * np.cos(angle + 2 * np.pi / 3)  # λ less the mean
+    x, y, z = x - smallest, y - smallest, z - smallest
+    own = y * z - yz2, x * z - xz2, x * y - xy2
+    adjugate = np.stack([*own, xz * yz - xy * z, xy * yz - xz * y, xy * xz - yz * x]) / (sum(own) + _TINY)
     return _times(adjugate, _times(adjugate, v))
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """A × b along the first axis; numpy's own takes five times as long on arrays so small."""
+    return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
 def _times(symmetric: Array, v: Array) -> Array:
@@ -171,7 +179,7 @@ class RotationAxisObjective:
             loci = len(self.planes.axes)
             value += self.weight_axis_nT / loci * np.sqrt(self.planes.squares(K, k, of_K))
         if self.weight_det_nT:
-            determinant = np.abs(np.sum(K[0] * of_K[0], axis=0)) + np.finfo(float).tiny
+            determinant = np.abs(np.sum(K[0] * of_K[0], axis=0)) + _TINY
             value -= self.weight_det_nT * np.log(determinant)
         return np.asarray(value)
 

@@ -115,6 +115,18 @@ def singular_values(loci: Loci, theta: Array, basis: Array | None = None) -> Arr
     return np.asarray(values / np.sqrt(len(loci)))
 
 
+def noise_bias_in_sigma(loci: Loci, found: Polished) -> float:
+    """How far the fit may be off, in standard uncertainties, where the noise is white in the readings and not in b.
+
+    The noise biases a gain by (σ / |b|)² times what K Kᵀ differs from a multiple of the identity, against an
+    uncertainty of σ / |b| √n.
+    """
+    K = found.theta[:9].reshape(3, 3)
+    size = np.linalg.eigvalsh(K @ K.T)
+    uneven = float(np.max(np.abs(size / np.mean(size) - 1)))
+    return float(found.noise_nT * np.sqrt(np.mean(loci.magnitude**-2.0)) * np.sqrt(len(loci)) * uneven)
+
+
 def worst_uncertainty_nT(loci: Loci, found: Polished) -> float:
     """The largest standard uncertainty of K m − k along a line of parameters, a gain counted by the mean field."""
     width = np.concatenate([np.full(9, np.mean(loci.magnitude)), np.ones(3)])
