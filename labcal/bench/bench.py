@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from labcal.bench.cage import Cage
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.links import Link
 from labcal.bench.roles import (
     ChannelSpec,
     CoilSupply,
@@ -26,6 +27,8 @@ from labcal.bench.roles import (
     RotationPlatform,
 )
 from labcal.bench.samples import merged
+from labcal.bench.watch import StreamWatch, TemperatureLimit
+from labcal.errors import InstrumentError
 from labcal.record.stream import Block
 
 COIL_POLL_S = 1.0
@@ -56,12 +59,16 @@ class Bench:
         reference: Magnetometer,
         dut: DutStream,
         hands: Hands | None = None,
+        links: Mapping[str, Link] | None = None,
     ) -> None:
         self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated
         self.platform, self.reference, self.dut = platform, reference, dut
         self.cage = Cage(config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until)
         self._instruments, self.hands = dict(instruments), hands
+        self._links, self._known = links or {}, dict[str, Identity]()
         self._pending: list[Block] = []
+        self._watches: list[StreamWatch] = []
+        self._temperature = self._temperature_limit()
         self._streaming = False
         self._next_angle_s = self._next_coils_s = math.inf
 
@@ -71,7 +78,20 @@ class Bench:
 
     def identities(self) -> dict[str, Identity]:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another."""
-        return {name: instrument.identify() for name, instrument in self._instruments.items()}
+        self._known = {name: instrument.identify() for name, instrument in self._instruments.items()}
+        return dict(self._known)
+
+    def reconnect(self, name: str) -> Identity:
+        """Open the lost link of an instrument again. Raises InstrumentError where another one answers than before."""
+        self._links[name].reopen()
+        who, before = self._instruments[name].identify(), self._known.get(name)
+        if before is not None and who != before:
+            raise InstrumentError(
+                f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
+                fault="another instrument",
+                remedy="Coils stay at zero; plug the instruments in as bench.toml says, and begin again.",
+            )
+        return who
 
     @property
     def channels(self) -> tuple[ChannelSpec, ...]:
@@ -82,7 +102,11 @@ class Bench:
         """Begin all streams; from here on nothing that arrives is lost, ramps included."""
         self.reference.start()
         self.dut.start()
-        self._next_angle_s = self._next_coils_s = self.clock.now()
+        self._next_angle_s = self._next_coils_s = now = self.clock.now()
+        self._watches = [
+            StreamWatch(sensor.name, stated.silent_s, stated.stuck_s, now)
+            for sensor, stated in ((self.dut, self.config.dut), (self.reference, self.config.reference))
+        ]
         self._streaming = True
 
     def stream_until(self, t_s: float) -> list[Block]:
@@ -127,10 +151,19 @@ class Bench:
         if self._streaming:
             self._listen()
 
+    def _temperature_limit(self) -> TemperatureLimit | None:
+        allowed = self.config.dut.limits.temperature_C
+        channels = tuple(c.name for c in self.dut.channels if c.quantity == "temperature")
+        return TemperatureLimit(allowed, channels) if allowed and channels else None
+
     def _listen(self) -> None:
         now = self.clock.now()
-        self._pending += self.dut.read_until(now)
-        self._pending += [self._into_cage(block) for block in self.reference.read_until(now)]
+        readings = self.dut.read_until(now), [self._into_cage(block) for block in self.reference.read_until(now)]
+        for watch, blocks in zip(self._watches, readings, strict=True):
+            self._pending += blocks
+            watch.see(blocks, now)
+        if self._temperature is not None:
+            self._temperature.see(readings[0])
 
     def _into_cage(self, block: Block) -> Block:
         """The reference's reading, zero taken off, from its own axes into C."""

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
 from labcal.bench.roles import CoilSupply
+from labcal.bench.watch import Windings
 from labcal.bench.zero import RAMP_STEP_S, to_zero
 from labcal.errors import InstrumentError, LimitError
 
@@ -45,6 +46,8 @@ class Cage:
         self._clock = clock
         self._wait = wait or clock.wait_until
         self._closed = False
+        limits = config.limits
+        self._windings = Windings(limits.rms_current_A or (math.inf,) * 3, limits.rms_window_s)
         self._refuse_slow_supplies()
 
     def set_field(self, b_nT: ArrayLike) -> None:
@@ -69,8 +72,10 @@ class Cage:
         return np.asarray(self.matrix_nT_per_A @ self.currents_A() + self.ambient_nT)
 
     def currents_A(self) -> Array:
-        """Measured signed currents (3,)."""
-        return np.array([supply.measure_current() for supply in self.supplies.values()])
+        """Measured signed currents (3,). Raises InstrumentError (limit reached) where a winding has had enough."""
+        currents = np.array([supply.measure_current() for supply in self.supplies.values()])
+        self._windings.see(currents, self._clock.now())
+        return currents
 
     def set_points_A(self) -> Array:
         """Signed set-points (3,), read back."""
@@ -125,6 +130,7 @@ class Cage:
         for axis, value, limit in zip(AXES, target, self.limits.current_A, strict=True):
             if not abs(value) <= limit:
                 raise LimitError(f"coil {axis}: {value:.4g} A is beyond its limit of {limit:g} A; nothing was set.")
+        self._windings.refuse(target)
         field = float(np.linalg.norm(self.matrix_nT_per_A @ target + self.ambient_nT))
         for owner, limit_nT in (("the cage", self.limits.field_nT), ("the DUT", self._dut_field_nT)):
             if limit_nT is not None and field > limit_nT:

@@ -46,7 +46,6 @@ class CageLimits(_Table):
     field_nT: Positive  # of the field at the centre
     rms_current_A: PerAxis | None = None  # root mean square over `rms_window_s`: what the wire bears for ever
     rms_window_s: Positive = 600.0
-    temperature_C: Finite = 60.0
 
 
 class CageConfig(_Table):
@@ -98,6 +97,8 @@ class ReferenceConfig(_Table):
     u_align_deg: Positive | None = None
     u_time_s: Positive | None = None
     calibration: str | None = None
+    silent_s: Positive = 3.0  # without a sample so long, it is silent
+    stuck_s: Positive = 60.0  # with the same reading so long, it is stuck
 
 
 class DutLimits(_Table):
@@ -123,6 +124,8 @@ class DutConfig(_Table):
     unit: Literal["nT", "count"] = "nT"
     nominal_nT_per_unit: Positive = 1.0
     noise_nT: Positive | None = None  # of one axis of one sample
+    silent_s: Positive = 30.0
+    stuck_s: Positive = 120.0
     limits: DutLimits = DutLimits()
 
 

@@ -157,6 +157,7 @@ def _in_roles(loader: Loader, instruments: Mapping[str, Instrument]) -> Bench:
             roles["reference"],
             roles["dut"],
             SimulatedHands(loader.twin, loader.clock) if config.simulated else None,
+            {name: loader.links[loader.line_of(name)] for name in instruments},
         )
     except LimitError as error:
         loader.refuse(str(error), ("cage", "limits"))

@@ -140,10 +140,10 @@ def test_every_effect_does_something_and_does_not_mind_how_time_is_cut(name: str
     def read(cuts: int) -> np.ndarray:
         lab = open_twin({"effects": {name: {}}}, 5)
         lab.mount(0.0, TURN_UP)
-        lab.switch_mode(300.0, "safe")
+        lab.switch_mode(200.0, "safe")
         lab.coils["x"].drive(10.0, 1.0, 20.0, True)
-        lab.platform.move(100.0, 350.0, 1.0)
-        parts = np.array_split(times(900.0), cuts)
+        lab.platform.move(50.0, 350.0, 2.0)
+        parts = np.array_split(times(800.0, 2.0), cuts)
         return np.vstack([np.hstack([lab.dut_reading(p)[0], lab.reference_nT(p)]) for p in parts])
 
     whole = read(1)
@@ -151,8 +151,8 @@ def test_every_effect_does_something_and_does_not_mind_how_time_is_cut(name: str
     other = open_twin({}, 5)
     other.mount(0.0, TURN_UP)
     other.coils["x"].drive(10.0, 1.0, 20.0, True)
-    other.platform.move(100.0, 350.0, 1.0)
-    t = times(900.0)
+    other.platform.move(50.0, 350.0, 2.0)
+    t = times(800.0, 2.0)
     same = np.hstack([other.dut_reading(t)[0], other.reference_nT(t)])
     assert np.abs(whole - same).max() > 5.0
 

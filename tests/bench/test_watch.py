@@ -1,0 +1,71 @@
+"""Silence, a stuck sensor, a hot winding: each has its name and its remedy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from labcal.bench.watch import StreamWatch, TemperatureLimit, Windings
+from labcal.errors import InstrumentError, LimitError
+from labcal.record.stream import Block
+
+
+def reference(t: np.ndarray, values: np.ndarray) -> Block:
+    return Block("reference", "ref", ("ref_x", "ref_y", "ref_z"), t, values)
+
+
+def test_a_silent_stream_is_noticed_and_a_slow_one_is_not() -> None:
+    watch = StreamWatch("ref", 3.0, 60.0, 0.0)
+    watch.see([reference(np.array([1.0]), np.ones((1, 3)))], 3.9)
+    with pytest.raises(InstrumentError) as caught:
+        watch.see([], 4.1)
+    assert caught.value.fault == "silent"
+
+
+def test_a_stuck_stream_is_noticed_however_it_is_cut() -> None:
+    t = np.arange(0, 90, 0.1)
+    values = np.where(t[:, None] < 20, np.sin(t)[:, None], 0.5) * np.ones(3)
+    for cuts in (1, 9, 300):
+        watch, noticed = StreamWatch("ref", 3.0, 60.0, 0.0), None
+        for part in np.array_split(np.arange(len(t)), cuts):
+            try:
+                watch.see([reference(t[part], values[part])], float(t[part[-1]]))
+            except InstrumentError as error:
+                noticed = error
+                break
+        assert noticed is not None
+        assert noticed.fault == "stuck"
+        assert t[part[-1]] > 80.0
+
+
+def test_a_sensor_that_changes_now_and_then_is_not_stuck() -> None:
+    t = np.arange(0, 300, 0.1)
+    values = np.floor(t / 50)[:, None] * np.ones(3)
+    StreamWatch("ref", 3.0, 60.0, 0.0).see([reference(t, values)], 300.0)
+
+
+def test_a_winding_bears_its_rms_current_for_ever_and_twice_that_for_a_while() -> None:
+    windings = Windings((1.0, 1.0, 1.0), 600.0)
+    for t in range(7200):
+        windings.see(np.array([0.999, 0.0, 0.0]), float(t))
+    hot = Windings((1.0, 1.0, 1.0), 600.0)
+    hot.refuse(np.array([0.0, 2.0, 0.0]))
+    enough = 600 * np.log(4 / 3)
+    for t in range(int(enough)):
+        hot.see(np.array([0.0, 2.0, 0.0]), float(t))
+    with pytest.raises(InstrumentError, match="coil y") as caught:
+        hot.see(np.array([0.0, 2.0, 0.0]), enough + 1)
+    assert caught.value.fault == "limit reached"
+    with pytest.raises(LimitError, match="nothing was set"):
+        hot.refuse(np.array([0.0, 2.0, 0.0]))
+    hot.refuse(np.array([0.0, 0.5, 0.0]))
+
+
+def test_a_dut_too_warm_is_a_limit_reached() -> None:
+    warm = Block("channel", "dut", ("i_eps", "temp_dut"), np.array([1.0, 2.0]), np.array([[0.4, 59.0], [0.4, np.nan]]))
+    limit = TemperatureLimit((-20.0, 60.0), ("temp_dut",))
+    limit.see([warm])
+    hot = Block("channel", "dut", ("i_eps", "temp_dut"), np.array([3.0]), np.array([[99.0, 60.5]]))
+    with pytest.raises(InstrumentError, match=r"temp_dut is 60\.5 degC.*60 degC") as caught:
+        limit.see([hot])
+    assert caught.value.fault == "limit reached"
