@@ -98,6 +98,8 @@ def check_principal(name: str) -> None:
 
 
 def _signer(line: str) -> Signer:
+    if not line.replace("\t", " ").isprintable():
+        raise ValueError("holds a control character")
     fields = _fields(line)
     if _is_key_type(fields[0]):
         raise ValueError("begins with a key: put the person it belongs to before it")

@@ -7,6 +7,7 @@ reader that skips it would still call the file valid. A new meaning is a new `fo
 from __future__ import annotations
 
 import json
+import re
 import stat
 from collections.abc import Mapping
 from datetime import date
@@ -26,6 +27,8 @@ from labcal.record import Dut
 FORMAT: Literal["labcal-calibration/1"] = "labcal-calibration/1"
 LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
 WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other
+# What a terminal obeys, what turns the direction of reading, and what XML or UTF-8 cannot write.
+_CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]")
 ROUNDING = 1e-6  # of a covariance scaled to unit variances
 
 
@@ -55,8 +58,9 @@ def _covariance(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...],
     return rows
 
 
-def _unicode(text: str) -> str:
-    text.encode()  # a lone surrogate has no UTF-8
+def _plain(text: str) -> str:
+    if found := _CONTROL.search(text):
+        raise ValueError(f"holds the control character U+{ord(found[0]):04X}")
     return text
 
 
@@ -66,7 +70,7 @@ def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
     return names
 
 
-Text = Annotated[str, Field(max_length=10_000), AfterValidator(_unicode)]
+Text = Annotated[str, Field(max_length=10_000), AfterValidator(_plain)]
 Name = Annotated[Text, Field(min_length=1)]
 Names = Annotated[tuple[Name, ...], AfterValidator(_distinct)]
 Span = Annotated[tuple[float, float], AfterValidator(_range)]
@@ -233,9 +237,13 @@ def _finite_only(constant: str) -> float:
 
 def _first_fault(error: ValidationError) -> str:
     fault = error.errors(include_url=False, include_context=False)[0]
-    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in fault["loc"])
+    steps = (f"[{step}]" if isinstance(step, int) else f".{_printable(step)}" for step in fault["loc"])
     message = fault["msg"].removeprefix("Value error, ")
     return f"{''.join(steps).lstrip('.') or 'the file'}: {message[:1].lower()}{message[1:]}"
+
+
+def _printable(name: str) -> str:
+    return name if name.isprintable() else repr(name)
 
 
 def _fields(c: Calibration) -> Mapping[str, object]:

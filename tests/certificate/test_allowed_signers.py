@@ -57,6 +57,7 @@ def test_options_are_honoured(tmp_path: Path, options: str, objection: str | Non
     [
         (KEY, "person it belongs to"),
         ("ada", "person, options, key type, key"),
+        (f"ada\x1b[2J {KEY}", "control character"),
         ("ada ssh-ed25519", "person, options, key type, key"),
         ("ada ssh-ed25519 AAAA", "not whole"),
         (f"ada {KEY[:-4]}", "not whole"),

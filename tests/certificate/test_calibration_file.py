@@ -79,6 +79,7 @@ def put(*steps: Any, value: Any) -> Callable[[dict[str, Any]], None]:
     [
         (put("format", value="labcal-calibration/2"), "format"),
         (put("novelty", value=1), "novelty"),
+        (put("\x1b[2J", value=1), r"'\\x1b\[2J'"),
         (put("effects", 0, "parameters", 1, "u", value=-1), r"effects\[0\]\.parameters\[1\]\.u"),
         (put("effects", 0, "novelty", value=1), r"effects\[0\]\.novelty"),
         (put("K", 1, value=[0, 0, 0]), "K: is not invertible"),
@@ -99,6 +100,8 @@ def put(*steps: Any, value: Any) -> Callable[[dict[str, Any]], None]:
         (put("run_sha256", value="ab" * 32 + "\n"), "run_sha256"),
         (put("dut", "unit", value="gauss"), "dut.unit"),
         (put("approvers", value=["Ada", "Ada"]), "approvers"),
+        (put("approvers", value=["\x1b[2JAda"]), r"approvers\[0\]: .*U\+001B"),
+        (put("dut", "serial", value="FM\u202e70"), r"dut\.serial: .*U\+202E"),
     ],
 )
 def test_a_fault_is_named_with_its_path(
