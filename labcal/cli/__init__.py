@@ -48,6 +48,25 @@ def _run(arguments: list[str]) -> int:
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         return _say(f"{place}{error.strerror or error}", WRONG_INPUT)
+    except Exception as error:
+        return _say(_report_of(error), WRONG_INPUT)
+
+
+def _report_of(error: Exception) -> str:
+    """Keep the details of a fault of ours in a file, and say what happened and where they are."""
+    from traceback import format_exception
+
+    from labcal.files import write_text
+    from labcal.home import home
+
+    what = f"a fault of labcal's own: {type(error).__name__}: {error}"
+    report = home() / "last-fault.txt"
+    try:
+        report.parent.mkdir(parents=True, exist_ok=True)
+        write_text(report, f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}")
+    except OSError:
+        return what
+    return f"{what}; please report it with the file {report}"
 
 
 def _say(sentence: str, code: int) -> int:

@@ -8,6 +8,7 @@ import labcal
 from labcal.cli import (  # noqa: F401  each registers its commands
     app,
     bench,
+    demo,
     fitting,
     keys,
     loop,

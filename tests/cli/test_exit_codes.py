@@ -1,19 +1,60 @@
-from __future__ import annotations
-
 import pytest
 
-from labcal.cli import _run
+from labcal import cli
+from labcal.cli import app
+from labcal.errors import InputError, InstrumentError, LimitError, Stopped
 
 
-@pytest.mark.parametrize("words", [["no-such-command"], ["--no-such-option"], ["keys", "new"], ["verify"]])
-def test_a_wrong_word_is_a_sentence_and_exit_2(words: list[str], capsys: pytest.CaptureFixture[str]):
-    assert _run(words) == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert "Traceback" not in said.err
-    assert said.err
+@pytest.fixture(autouse=True)
+def commands_registered(capsys):
+    cli._run(["--version"])
+    capsys.readouterr()
 
 
-def test_help_is_no_fault(capsys: pytest.CaptureFixture[str]):
-    assert _run(["--help"]) == 0
-    assert "verify" in capsys.readouterr().out
+@pytest.mark.parametrize(
+    ("fault", "code", "words"),
+    [
+        (InputError("is no bundle", file="run.zip", line=3, column="dut_x"), 2, "run.zip, line 3, column dut_x: is no"),
+        (InstrumentError("supply x is silent.", remedy="Check its plug."), 3, "supply x is silent. Check its plug."),
+        (LimitError("3 A is beyond 2 A"), 3, "3 A is beyond 2 A"),
+        (Stopped("by the operator"), 130, "stopped"),
+        (KeyboardInterrupt(), 130, "stopped"),
+        (FileNotFoundError(2, "No such file or directory", "nowhere.csv"), 2, "nowhere.csv: No such file"),
+    ],
+)
+def test_every_fault_ends_in_one_sentence_and_its_code(monkeypatch, capsys, fault, code, words):
+    monkeypatch.setattr(cli, "app", raiser(fault))
+    assert cli._run([]) == code
+    said = capsys.readouterr().err
+    assert words in said
+    assert said.count("\n") == 1
+
+
+def test_a_fault_of_our_own_is_a_sentence_and_a_file_with_the_details(monkeypatch, capsys, home_of_its_own):
+    monkeypatch.setattr(cli, "app", raiser(ZeroDivisionError("division by zero")))
+    assert cli._run([]) == 2
+    said = capsys.readouterr().err
+    assert "Traceback" not in said
+    assert "last-fault.txt" in said
+    assert "ZeroDivisionError" in (home_of_its_own / "last-fault.txt").read_text()
+
+
+def test_an_unknown_command_is_a_wrong_request():
+    assert cli._run(["calibrat"]) == 2
+
+
+def test_help_is_quick_to_load(monkeypatch):
+    import subprocess
+    import sys
+
+    code = "import sys, labcal.cli.commands; print(*sorted({m.split('.')[0] for m in sys.modules}))"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"scipy", "matplotlib", "h5py", "magpylib", "pandas", "PySide6", "numpy"} & set(loaded)
+    assert app.registered_commands
+
+
+def raiser(fault):
+    def call(*_, **__):
+        raise fault
+
+    return call
