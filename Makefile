@@ -1,5 +1,6 @@
 # Two commands matter: `make demo` (set up and run the simulated preflight) and `make test` (set up and run every check).
 PYTHON ?= python3
+SEED ?= 0
 VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
@@ -18,7 +19,7 @@ $(VENV)/.dev: pyproject.toml $(VENV)/.run
 	@touch $@
 
 demo: $(VENV)/.run
-	@$(BIN)/labcal demo --out demo-out
+	@$(BIN)/labcal demo --out demo-out --seed $(SEED)
 
 gui: $(VENV)/.run
 	@$(BIN)/labcal gui
