@@ -12,6 +12,7 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import Signer, sign, verify
 from labcal.certificate.report import calibration_page, run_page, write_report
+from labcal.certificate.report.calibration import name_of
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.figures import coverage
 from labcal.certificate.report.html import html
@@ -145,6 +146,10 @@ def test_what_a_run_states_of_its_reference_is_not_listed(run: Run):
         "All that the run states of its reference and mounting is covered.",
     )
     assert "alignment" in not_stated(replace(run, reference=replace(whole, kind="vector")))[0]
+
+
+def test_a_sensor_is_not_named_twice():
+    assert [name_of(Dut(*d)) for d in (("7", "M3"), ("HMC", "HMC"), ("7",))] == ["7 M3", "HMC", "7"]
 
 
 def test_coverage_of_one_great_circle_is_the_band_around_it():

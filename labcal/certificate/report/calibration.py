@@ -13,7 +13,7 @@ from labcal.certificate.report.style import decimals_for, number, sentence
 from labcal.certificate.report.unstated import not_stated
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
-from labcal.record import Run
+from labcal.record import Dut, Run
 
 COVERAGE = 2.0  # coverage factor k of U
 _UNKNOWN_RUN = (
@@ -54,6 +54,11 @@ def calibration_page(
         ),
         footer=f"b = K m − k − Σ effects, in nT of the sensor's own axes. Made by {calibration.software or 'labcal'}.",
     )
+
+
+def name_of(dut: Dut) -> str:
+    """Serial and model, once where they are the same."""
+    return dut.serial if dut.model in ("", dut.serial) else f"{dut.serial} {dut.model}"
 
 
 def effect_tables(effects: Sequence[EffectRecord]) -> list[Table]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.certificate.report.calibration import effect_tables, headline_of
+from labcal.certificate.report.calibration import effect_tables, headline_of, name_of
 from labcal.certificate.report.figures import segment_bounds, thin
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
 from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence
@@ -35,7 +35,7 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
     floor = f"noise alone would leave {number(result.noise_floor_nT)} nT ({result.noise_floor_source})"
     return Page(
         kind="Closed loop",
-        title=f"{run.dut.serial} {run.dut.model}".strip(),
+        title=name_of(run.dut),
         subtitle=f"run {run.run_id}",
         simulated=run.simulated,
         marks=(Mark(result.verdict.upper().replace("-", " "), TONES[result.verdict]),),

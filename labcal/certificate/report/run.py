@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.certificate.report.calibration import headline_of
+from labcal.certificate.report.calibration import headline_of, name_of
 from labcal.certificate.report.figures import (
     MOST_POINTS,
     NEAR_DEG,
@@ -31,7 +31,7 @@ def run_page(run: Run, run_sha256: str, fit: Fit) -> Page:
     return Page(
         kind="Run",
         title=run.run_id,
-        subtitle=f"{run.dut.serial} {run.dut.model}".strip(),
+        subtitle=name_of(run.dut),
         simulated=run.simulated,
         summary="" if fit.ok else f"No fit: {fit.why_not}.",
         headline=_headline(run, residual, labels),
@@ -101,7 +101,7 @@ def _facts(run: Run, run_sha256: str) -> Facts:
         (
             ("Started (UTC)", run.started_utc),
             ("Operator", run.operator or "–"),
-            ("Sensor", f"{run.dut.serial} {run.dut.model}".strip()),
+            ("Sensor", name_of(run.dut)),
             ("Reads in", run.dut.unit if run.dut.unit == "nT" else f"counts, {run.dut.nominal_nT_per_unit:g} nT each"),
             ("Noise", noise),
             ("Reference", f"{run.reference.kind} {run.reference.serial}".strip()),
