@@ -10,6 +10,7 @@ import labcal
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
+from labcal.model.wary import rails
 from labcal.record import Run
 
 TEMPERATURE = ("offset-temperature", "gain-temperature")
@@ -31,7 +32,7 @@ def draft_calibration(
     """
     if not found.ok or found.affine is None:
         raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
-    own = _metrics(run, found)
+    own, rail = _metrics(run, found), rails(run.reading, run.dut.unit)
     return Calibration(
         run_id=run.run_id,
         simulated=run.simulated,
@@ -43,7 +44,7 @@ def draft_calibration(
         span_s=(float(run.t_s[0]), float(run.t_s[-1])),
         run_sha256=run_sha256,
         effects=tuple(e for e in found.effects if e.belongs_to == "sensor"),
-        findings=(*(e for e in found.effects if e.belongs_to != "sensor"), *findings),
+        findings=(*(e for e in found.effects if e.belongs_to != "sensor"), *findings, *([rail] if rail else [])),
         metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
         instruments=_instruments(run),
         cage_sha256=cage_sha256,

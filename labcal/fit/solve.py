@@ -73,6 +73,7 @@ class Loss:
         return weight, np.where(d <= a, cost / 2, a**2 / 2 + fall)
 
 
+TOLERANCE = 1e-8  # of a step's squared length in standard uncertainties
 LEAST_SQUARES = Loss(knee=np.inf, reach=np.inf)
 ROBUST = Loss()
 
@@ -111,16 +112,15 @@ def solve(
     for _ in range(iterations):
         step = _step(here.normal, here.gradient, damping)
         there = _assemble(seen, noise, allowed, y + step, B, loss, correction)
-        if there.loss <= here.loss * (1 + 1e-12):
-            expected = float(step @ here.normal @ step)
+        expected = float(step @ here.normal @ step)
+        if there.loss <= here.loss + expected:  # the normal equations decide, not the last digits of the loss
             y, here, damping = y + step, there, max(damping / 10, 1e-12)
-            if expected < 1e-10 * max(1.0, here.loss / len(seen)):
+            if expected < TOLERANCE * max(1.0, here.loss / len(seen)):
                 converged = True
                 break
         else:
             damping = max(damping, 1e-6) * 10
             if damping > 1e8:
-                converged = True  # no step helps: at the minimum as far as the numbers reach
                 break
     theta, phase = _split(allowed, y)
     return Solution(theta, phase, here.normal, here.loss, converged, here.cost, here.weight)

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time")
 TEMPERATURE = frozenset({"offset-temperature", "gain-temperature"})
+MATERIAL = 1.15  # held-out residuals beyond this many times the noise are more than noise
 REMEMBERING = frozenset({"lag", "hysteresis"})  # and whatever has a time constant
 
 
@@ -93,6 +94,18 @@ def reading_noise(calibration: Calibration) -> float:
     return float(calibration.metrics.get("after", {}).get("noise_nT", 0.0))
 
 
+def misfit_variance(calibration: Calibration, noise: float) -> float:
+    """What the run's held-out residuals keep beyond the noise, as a variance of one component [nT²].
+
+    `noise` is that of the field's three components together (rms). Residuals within 1.15 of it count as noise alone.
+    """
+    held_out = calibration.metrics.get("after", {}).get("holdout_rms_nT", 0.0)
+    expected = noise if calibration.frame_known else noise / np.sqrt(3)
+    if held_out <= MATERIAL * expected:
+        return 0.0
+    return float((held_out**2 - expected**2) / (3 if calibration.frame_known else 1))
+
+
 def temperature_channel(calibration: Calibration, names: Mapping[str, Array]) -> str | None:
     """The column that the calibration's temperature range speaks of."""
     used = [r.channels[0] for r in calibration.effects if r.effect in TEMPERATURE and r.channels]
@@ -103,11 +116,11 @@ def _base_variance(calibration: Calibration, reading: Array) -> Array:
     """Variance of each component (n, 3) [nT²] from the covariance of (K, k) and from the reading's noise."""
     per_unit = calibration.affine.K / calibration.dut.nominal_nT_per_unit
     noise = reading_noise(calibration) ** 2 * np.sum(per_unit**2, axis=1)
-    variance = np.broadcast_to(noise, reading.shape).copy()
+    variance = noise + np.full(reading.shape, misfit_variance(calibration, float(np.sqrt(noise.sum()))))
     if calibration.covariance is not None:
         J = jacobian(reading)
         variance += np.einsum("nap,pq,naq->na", J, calibration.covariance, J, optimize=True)
-    return variance
+    return np.asarray(variance)
 
 
 def _effect(

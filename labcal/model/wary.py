@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.calibration import Calibration
+from labcal.model.calibration import Calibration, EffectRecord, Parameter
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -14,17 +14,33 @@ MOVES = 1e-3  # of the largest reading: what counts as moving
 OUT_OF_LINE = 10.0  # standard deviations from the line through the neighbours
 
 
+def rails(reading: Array, unit: str) -> EffectRecord | None:
+    """The finding `saturation` of a run's readings (n, 3): the values that an axis stops at; None where it never does.
+
+    Its parameters are `upper_x`, `lower_x` …, in the DUT's unit.
+    """
+    limits = []
+    for axis, name in enumerate("xyz"):
+        stuck = np.unique(reading[_plateau(reading, axis), axis])
+        for side, extreme in (("lower", np.nanmin), ("upper", np.nanmax)):
+            if (end := float(extreme(reading[:, axis]))) in stuck:
+                limits.append(Parameter(f"{side}_{name}", end, 0.0, unit))
+    if not limits:
+        return None
+    where = ", ".join(f"{p.name} at {p.value:g} {p.unit}" for p in limits)
+    return EffectRecord(
+        "saturation", (), {}, "data", tuple(limits), why=f"readings stop at the end of the range: {where}"
+    )
+
+
 def saturated(calibration: Calibration, reading: Array) -> Mask:
     """Rows (n,) beyond the limits of the calibration's finding `saturation`, or on a plateau at an axis' extreme."""
     out = np.zeros(len(reading), dtype=bool)
     for record in calibration.findings:
-        if record.effect == "saturation":
-            for parameter in record.parameters:
-                axis = "xyz".find(parameter.name[-1:])
-                if parameter.name.startswith("upper_") and axis >= 0:
-                    out |= reading[:, axis] >= parameter.value
-                if parameter.name.startswith("lower_") and axis >= 0:
-                    out |= reading[:, axis] <= parameter.value
+        for limit in record.parameters if record.effect == "saturation" else ():
+            side, _, name = limit.name.partition("_")
+            values = reading[:, "xyz".index(name)]
+            out |= values >= limit.value if side == "upper" else values <= limit.value
     for axis in range(3):
         out |= _plateau(reading, axis)
     return out

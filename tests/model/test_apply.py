@@ -8,6 +8,7 @@ import pytest
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.apply import Readings, apply, needed_columns
+from labcal.model.wary import rails
 from labcal.record import Dut
 
 K = np.array([[1.1, 0.1, 0.0], [0.0, 0.9, -0.1], [0.05, 0.0, 1.0]])
@@ -166,6 +167,23 @@ def test_the_runs_own_saturation_limit_is_used() -> None:
     found = apply(calibration(findings=(limit,)), measured)
     expected = np.flatnonzero(measured.reading[:, 1] >= 20e3)
     assert [i for i, flag in enumerate(found.flags) if "saturated" in flag] == expected.tolist()
+
+
+def test_rails_of_a_run_become_limits_that_flag_single_readings() -> None:
+    clipped = readings().reading.copy()
+    clipped[:, 0] = np.minimum(clipped[:, 0], 24e3)
+    finding = rails(clipped, "nT")
+    assert [(p.name, p.value) for p in finding.parameters] == [("upper_x", 24e3)]
+    assert rails(readings().reading, "nT") is None
+    found = apply(calibration(findings=(finding,)), Readings(np.array([[24e3, 0.0, 0.0], [0.0, 0.0, 24e3]])))
+    assert ["saturated" in flag for flag in found.flags] == [True, False]
+
+
+def test_what_the_run_left_unexplained_is_part_of_the_uncertainty() -> None:
+    explained = calibration(metrics={"before": {}, "after": {"noise_nT": NOISE_NT, "holdout_rms_nT": 17.5}})
+    left = calibration(metrics={"before": {}, "after": {"noise_nT": NOISE_NT, "holdout_rms_nT": 60.0}})
+    assert apply(explained, readings()).u_nT[0] == pytest.approx(NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3))
+    assert apply(left, readings()).u_nT[0] == pytest.approx(60.0 / np.sqrt(3))
 
 
 def test_a_row_without_a_reading_stays_empty() -> None:
