@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from labcal.bench.clock import Clock
-from labcal.bench.links import ModbusLink
+from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 

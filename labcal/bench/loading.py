@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields
 from datetime import UTC, datetime
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar, cast, get_type_hints
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -16,7 +16,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
 from labcal.bench.hands import SimulatedHands
-from labcal.bench.links import EmulatedLink, Emulator, Link, ModbusLink, modbus_link, open_link
+from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
 from labcal.bench.roles import CoilSupply, Instrument, PolarityRelay
@@ -24,6 +24,9 @@ from labcal.errors import InputError, LimitError
 
 DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"
 T = TypeVar("T")
+
+if TYPE_CHECKING:
+    from labcal.bench.links.modbus import ModbusLink
 
 
 @dataclass
@@ -44,7 +47,7 @@ class Loader:
         driver, hints, settings = self.driver(name)
         if entry.role.split("-")[0] not in driver.roles:
             self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
-        link = self.modbus(name, entry, settings) if hints["link"] is ModbusLink else self.link(name, entry, settings)
+        link = self.modbus(name, entry, settings) if speaks_modbus(hints) else self.link(name, entry, settings)
         self.links[self.line_of(name)].never.add(driver.never)
         return cast(Instrument, driver(name, link, self.clock, settings))
 
@@ -91,6 +94,8 @@ class Loader:
     def modbus(self, name: str, entry: InstrumentConfig, settings: Any) -> ModbusLink:
         """The Modbus master on the line of one instrument; devices on one line share it."""
         line = self.link(name, entry, settings)
+        from labcal.bench.links.modbus import modbus_link  # slow to import, and seldom needed
+
         if line.url not in self.masters:
             self.masters[line.url] = modbus_link(line, self.clock)
         return self.masters[line.url]
@@ -126,6 +131,11 @@ class Loader:
             what = "driver" if group == DRIVERS else "emulator" if group == EMULATORS else "twin"
             self.refuse(f"there is no {what} {name!r}; there are {', '.join(sorted(found))}", keys)
         return found[name].load()
+
+
+def speaks_modbus(hints: Mapping[str, Any]) -> bool:
+    """Whether a driver with these type hints of `__init__` wants registers instead of bytes."""
+    return bool(hints["link"].__name__ == "ModbusLink")
 
 
 def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:

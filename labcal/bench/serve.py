@@ -13,8 +13,8 @@ from typing import Any, Protocol
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import read_config
-from labcal.bench.links import Emulator, ModbusLink
-from labcal.bench.loading import Loader
+from labcal.bench.links import Emulator
+from labcal.bench.loading import Loader, speaks_modbus
 from labcal.files import write_text
 
 STEP_S = 0.002
@@ -113,7 +113,7 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
             if entry.link.startswith("emulated://") and loader.line_of(name) not in lines:
                 _, hints, settings = loader.driver(name)
                 emulator = loader.emulator(name, settings)
-                outlet = _outlet(emulator, hints["link"] is ModbusLink)
+                outlet = _outlet(emulator, speaks_modbus(hints))
                 afterwards.callback(outlet.close)
                 lines[loader.line_of(name)] = (outlet, emulator)
         table = config.model_dump(mode="json", exclude_defaults=True)

@@ -8,7 +8,8 @@ from datetime import UTC, datetime
 from typing import Any, get_type_hints
 
 from labcal.bench.clock import VirtualClock
-from labcal.bench.links import EmulatedLink, ModbusLink
+from labcal.bench.links import EmulatedLink
+from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InstrumentError
 
 SILENT, UNPLUGGED = None, "unplugged"

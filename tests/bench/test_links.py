@@ -24,7 +24,8 @@ from pymodbus.simulator import DataType, SimData, SimDevice
 
 from labcal.bench import open_bench
 from labcal.bench.clock import RealClock
-from labcal.bench.links import ModbusLink, open_link
+from labcal.bench.links import open_link
+from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InputError, InstrumentError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"

@@ -14,7 +14,8 @@ import pytest
 
 from labcal.bench.clock import VirtualClock
 from labcal.bench.instrument import quantity
-from labcal.bench.links import EmulatedLink, ModbusLink
+from labcal.bench.links import EmulatedLink
+from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.roles import (
     CoilSupply,
     DutStream,

@@ -1,15 +1,14 @@
-"""Links: how bytes reach an instrument. The only place that imports serial and pymodbus."""
+"""Links: how bytes reach an instrument. The only place that imports serial and pymodbus (the latter in `modbus`)."""
 
 from __future__ import annotations
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.emulated import EmulatedLink, Emulator
 from labcal.bench.links.line import Link, read_reply
-from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.links.wired import WiredLink
 from labcal.errors import InputError
 
-__all__ = ["EmulatedLink", "Emulator", "Link", "ModbusLink", "WiredLink", "modbus_link", "open_link", "read_reply"]
+__all__ = ["EmulatedLink", "Emulator", "Link", "WiredLink", "open_link", "read_reply"]
 
 SCHEMES = ("serial", "tcp", "udp", "modbus-rtu", "modbus-tcp")
 
@@ -20,8 +19,3 @@ def open_link(url: str, clock: Clock) -> Link:
     if scheme not in SCHEMES:
         raise InputError(f"link {url!r}: {scheme}:// is none of {', '.join(f'{s}://' for s in (*SCHEMES, 'emulated'))}")
     return WiredLink(url, clock)
-
-
-def modbus_link(line: Link, clock: Clock) -> ModbusLink:
-    """The Modbus master on an open line: RTU frames, but for modbus-tcp://."""
-    return ModbusLink(line, clock, framer="socket" if line.url.startswith("modbus-tcp://") else "rtu")

@@ -118,3 +118,8 @@ class _LineClient(ModbusBaseSyncClient):
             if pieces := self._line.receive(min(self._deadline_s, self._clock.now() + 0.001)):
                 return b"".join(data for _, data in pieces)
         return b""
+
+
+def modbus_link(line: Link, clock: Clock) -> ModbusLink:
+    """The Modbus master on an open line: RTU frames, but for modbus-tcp://."""
+    return ModbusLink(line, clock, framer="socket" if line.url.startswith("modbus-tcp://") else "rtu")
