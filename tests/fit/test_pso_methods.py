@@ -7,10 +7,11 @@ import pytest
 from riwanto import MODELS, TRUTH, simulate
 
 from labcal.fit import fit
-from labcal.fit.pso_axis import PUBLISHED, pso_axis
+from labcal.fit.pso_axis import PUBLISHED, Options, pso_axis
 from labcal.fit.pso_loci import loci_of
 from labcal.fit.pso_polish import polish, singular_values, symmetric_basis
 from labcal.fit.pso_scalar import positive_definite, pso_scalar
+from labcal.fit.swarm import SwarmSettings
 from labcal.geometry import rotate, rotation, unit
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store.bundle import read_bundle
@@ -293,14 +294,14 @@ def test_measured_runs_are_answered_or_refused_without_a_traceback(shared):
     for folder in folders:
         run = read_bundle(folder.parent if folder.name == "run.json" else folder)
         for method in ("pso-axis", "pso-scalar"):
-            found = fit(run, method, holdout=False)
+            found = fit(run, method, holdout=False, options=Options(SwarmSettings(iterations=40)))
             assert found.ok == (found.affine is not None)
             assert found.ok or found.why_not
 
 
 def test_practice_run_without_an_effect_agrees_with_maximum_likelihood(shared):
     run = read_bundle(shared / "data" / "practice" / "p01" / "bundle")
-    swarm, ml = fit(run, "pso-axis"), fit(run, "ml")
+    swarm, ml = fit(run, "pso-axis", options=Options(SwarmSettings(iterations=60))), fit(run, "ml")
     u = np.sqrt(np.diag(swarm.covariance))
     assert np.max(np.abs(swarm.affine.parameters - ml.affine.parameters) / u) < 3
     assert swarm.holdout_rms_scalar_nT == pytest.approx(ml.holdout_rms_scalar_nT, rel=0.02)

