@@ -52,7 +52,7 @@ class Loss:
     """The loss of a row by its normalised length d: ½ d² up to the knee, then falling influence.
 
     `reach` is where the influence ends, in knees (Hampel's two-part redescender); infinite is Huber's loss. With the
-    knee at 99.9 % and a reach of 4 the efficiency at the normal distribution is above 0.998 (one number a row).
+    knee at 99.9 % and a reach of 4 the efficiency at the normal distribution is 0.997 (one number a row).
     """
 
     knee: float = 1.0  # in units of KNEE
