@@ -77,14 +77,14 @@ class Lab:
 
     # what there is
 
-    def moment(self, t_s: Array) -> Moment:
-        """The lab at the times `t_s` (n,)."""
+    def moment(self, t_s: Array, channels: Mapping[str, Array] | None = None) -> Moment:
+        """The lab at the times `t_s` (n,); `channels` where the housekeeping of these times is known already."""
         currents = self._currents(t_s)
         angle = self.platform.at(t_s)
         attitude = self._attitude(t_s, angle)
         mode = np.asarray(self.mode.values, dtype=np.str_)[self.mode.index(t_s)]
         field = self.ambient.slow(t_s) + self.coil_field.at(currents, np.zeros(3))
-        channels = self.housekeeping.true(t_s)
+        channels = channels or self.housekeeping.true(t_s)
         return Moment(t_s, angle, field, attitude, currents, self.platform.busy(t_s), channels, mode)
 
     def reference_nT(self, t_s: Array) -> Array:
@@ -98,8 +98,9 @@ class Lab:
 
     def dut_reading(self, t_s: Array) -> tuple[Array, dict[str, Array]]:
         """Readings (n, 3) of the DUT in its own unit, and the housekeeping (n,) that it sends with them."""
-        told = self.housekeeping.told(self.housekeeping.true(t_s))
-        moment = self.moment(t_s - sum(f.late_s for f in self._faults))
+        true, late_s = self.housekeeping.true(t_s), sum(f.late_s for f in self._faults)
+        told = self.housekeeping.told(true)
+        moment = self.moment(t_s - late_s) if late_s else self.moment(t_s, true)
         field = moment.field_cage + self.ambient.mains(moment.t_s, self._dut.bandwidth_hz)
         for rig in self._rig_effects:
             field = field + rig(moment)

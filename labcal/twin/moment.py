@@ -25,12 +25,8 @@ class Moment:
     mode: NDArray[np.str_]
 
     def into_body(self, v_cage: Array) -> Array:
-        """Vectors (n, 3) or (3,) of C in the DUT's axes (n, 3)."""
-        return (
-            np.asarray(np.einsum("nij,...j->ni", self.body_from_cage, v_cage))
-            if v_cage.ndim == 1
-            else np.asarray(np.einsum("nij,nj->ni", self.body_from_cage, v_cage))
-        )
+        """Vectors (n, 3) of C in the DUT's axes (n, 3)."""
+        return np.asarray(np.einsum("nij,nj->ni", self.body_from_cage, v_cage))
 
     def into_cage(self, v_body: Array) -> Array:
         """A vector (3,) fixed in the DUT, in C (n, 3)."""
