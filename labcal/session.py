@@ -51,10 +51,12 @@ def run(
 
     Without `answer`, prompts are answered as far as `--yes` may. The clock is virtual where all links are emulated.
     """
-    found = find(procedure)
+    found, texts, filled = find(procedure), dict(given or {}), dict[str, Any]()
+    if found.takes("calibration") and "calibration" in texts:
+        filled["calibration"] = load_calibration(Path(texts.pop("calibration")))
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
         return run_procedure(
-            lab, found, given or {}, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
+            lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), run_id=run_id, control=control, tell=tell,
         )  # fmt: skip
 

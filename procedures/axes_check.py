@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, across, attitude, how_to_mount
+from labcal.bench.mounting import AXES, across, attitude, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.samples import samples
 from labcal.bench.steps import (
@@ -19,10 +19,7 @@ from labcal.bench.steps import (
     coils_off,
     drive,
     dut_nT,
-    measure_ambient,
     measured,
-    mount,
-    ready,
     record,
     turn,
 )
@@ -46,9 +43,7 @@ def axes_check(
     """Check sign, order and handedness of cage, reference and DUT, and the sense of the angle."""
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
-        yield from measure_ambient(bench, 2 * dwell_s)
-        yield from ready(bench, f"The coils step by {step_nT / 1000:g} µT and the platform turns. Hands off?")
+        yield from set_up(bench, axis, 2 * dwell_s, f"The coils step by {step_nT / 1000:g} µT and the platform turns.")
         yield from check_axes(bench, axis, step_nT, dwell_s, turn_deg, limit_deg)
 
 

@@ -6,10 +6,10 @@ from contextlib import ExitStack
 from typing import Annotated, Literal
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
+from labcal.bench.mounting import AXES, inclined_field, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, fastest_rate, rotate_once
-from labcal.bench.steps import Procedure, coils_off, energise, measure_ambient, measured, mount, ready
+from labcal.bench.steps import Procedure, coils_off, energise, measured, switch_mode
 
 
 def rotate_axis(
@@ -30,10 +30,9 @@ def rotate_axis(
     rate = rate_deg_per_s or allowed
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
         yield from measured(bench, "rotation rate", rate, 0.0, "deg/s")
-        yield from measure_ambient(bench, zero_s)
-        yield from ready(bench, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns. Hands off?")
+        yield from set_up(bench, axis, zero_s, f"The coils go to {magnitude_nT / 1000:g} µT and the platform turns.")
+        yield from switch_mode(bench, mode)
         yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
         for turn in range(turns):
             name = f"{axis}-{magnitude_nT / 1000:g}uT" + (f"-{turn + 1}" if turns > 1 else "")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, across, attitude, how_to_mount
+from labcal.bench.mounting import AXES, across, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import (
@@ -19,10 +19,7 @@ from labcal.bench.steps import (
     coils_off,
     drive,
     dut_nT,
-    measure_ambient,
     measured,
-    mount,
-    ready,
     record,
     turn,
 )
@@ -43,9 +40,7 @@ def sync_check(
     """Measure the delay of DUT, reference and angle against the set-point and each other."""
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
-        yield from measure_ambient(bench, 4.0)
-        yield from ready(bench, f"A square wave of {step_nT / 1000:g} µT follows. Hands off?")
+        yield from set_up(bench, axis, 4.0, f"A square wave of {step_nT / 1000:g} µT follows.")
         yield from check_sync(bench, axis, step_nT, chips, chip_s, turn_deg, limit_s)
 
 

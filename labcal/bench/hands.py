@@ -28,9 +28,17 @@ class SimulatedLab(Protocol):
         """Switch a load of the spacecraft."""
         ...
 
+    def move_reference(self, place_m: Sequence[float]) -> None:
+        """Put the reference there, from the DUT's place in C."""
+        ...
+
+    def turn_reference(self, sensor_from_home: Sequence[Sequence[float]]) -> None:
+        """Turn the reference (3, 3) from how it stands at home."""
+        ...
+
 
 class SimulatedHands:
-    """Does what a prompt's `drawing` says: mount, switch the mode, turn the dial, switch a load."""
+    """Does what a prompt's `drawing` says: mount, switch the mode, turn the dial, switch a load, move the reference."""
 
     def __init__(self, lab: SimulatedLab, clock: Clock) -> None:
         self._lab, self._clock = lab, clock
@@ -46,3 +54,7 @@ class SimulatedHands:
             self._lab.turn_dial(t, asked["angle_deg"])
         if "load" in asked:
             self._lab.switch_load(t, asked["load"], bool(asked["on"]))
+        if "reference_m" in asked:
+            self._lab.move_reference(asked["reference_m"])
+        if "reference_turned" in asked:
+            self._lab.turn_reference(asked["reference_turned"])

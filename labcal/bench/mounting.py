@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
+from labcal.bench.steps import Work, measure_ambient, mount, ready
 from labcal.geometry import rotate, shortest_rotation, unit
 from labcal.record.run import Vector
 
@@ -40,3 +41,10 @@ def inclined_field(bench: Bench, magnitude_nT: float, inclination_deg: float, az
     tilt = np.radians(inclination_deg)
     sideways = rotate(axis, np.radians([azimuth_deg]), across(bench))[0]
     return np.asarray(magnitude_nT * (np.cos(tilt) * axis + np.sin(tilt) * sideways))
+
+
+def set_up(bench: Bench, axis: str, zero_s: float, question: str) -> Work[None]:
+    """How most procedures begin: mount, measure the ambient field with the coils off, ask before energising."""
+    yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
+    yield from measure_ambient(bench, zero_s)
+    yield from ready(bench, f"{question} Hands off?")

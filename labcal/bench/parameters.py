@@ -113,7 +113,7 @@ def parameters_of(procedure: Callable[..., Any]) -> tuple[ParameterSpec, ...]:
     return tuple(_spec(p, hints[p.name]) for p in keywords if p.name in hints and p.name not in RUNNER_GIVES)
 
 
-RUNNER_GIVES = ("resume",)  # keywords that the runner fills, not a person
+RUNNER_GIVES = ("resume", "calibration")  # keywords that are filled for the procedure: what was done, a file read
 
 
 def settings(specs: Iterable[ParameterSpec], given: Mapping[str, str]) -> dict[str, Value]:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from labcal.bench.bench import Bench
 from labcal.bench.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
-from labcal.record.run import Segment
+from labcal.record.run import Matrix, Segment
 from labcal.record.stream import (
     Block,
     Event,
@@ -119,11 +119,18 @@ def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:
 
 
 def rest(
-    bench: Bench, name: str, seconds: float, *, mode: str | None = None, mounting: str | None = None
+    bench: Bench, name: str, seconds: float, *, mode: str | None = None, body_from_cage: ArrayLike | None = None
 ) -> Work[Blocks]:
-    """Record a standstill of `seconds` as a segment."""
-    segment = Segment(name, "static", mode=mode, mounting=mounting)
+    """Record a standstill of `seconds` as a segment; `body_from_cage` (3, 3) where the attitude is stated."""
+    stated = None if body_from_cage is None else matrix_of(body_from_cage)
+    segment = Segment(name, "static", mode=mode, body_from_cage=stated)
     return (yield from recorded(bench, segment, record(bench, seconds)))
+
+
+def matrix_of(rows: ArrayLike) -> Matrix:
+    """A (3, 3) array as the tuples that a segment holds."""
+    x, y, z = ((float(a), float(b), float(c)) for a, b, c in np.asarray(rows, dtype=float))
+    return x, y, z
 
 
 def measure_ambient(bench: Bench, seconds: float, *, name: str = "zero") -> Work[Blocks]:

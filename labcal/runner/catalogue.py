@@ -42,7 +42,16 @@ class Found:
     @property
     def resumable(self) -> bool:
         """Whether it can go on after its last finished step."""
-        return "resume" in inspect.signature(self.function).parameters
+        return self.takes("resume")
+
+    def takes(self, keyword: str) -> bool:
+        """Whether it declares `keyword`."""
+        return keyword in inspect.signature(self.function).parameters
+
+    @property
+    def separates(self) -> tuple[tuple[str, str], ...]:
+        """Pairs of effect ids that its run tells apart: `SEPARATES` of its module."""
+        return tuple(getattr(inspect.getmodule(self.function), "SEPARATES", ()))
 
 
 def procedures() -> dict[str, Found]:

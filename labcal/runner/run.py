@@ -54,11 +54,13 @@ def run_procedure(
     dut_serial: str | None = None,
     bench_file: str = "",
     run_id: str | None = None,
+    filled: Mapping[str, Any] | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
 ) -> Outcome:
     """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
 
+    `filled` are keywords that no text can state, such as a calibration that was read from its file.
     Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
     wrong later is in the Outcome, and the coils are at zero.
     """
@@ -80,7 +82,7 @@ def run_procedure(
         software=f"labcal {labcal.__version__}",
     )
     writer = store.begin(header)
-    return _drive(bench, procedure, values, writer, answer, control, tell, 0.0)
+    return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, 0.0)
 
 
 def resume_run(

@@ -49,7 +49,7 @@ class Lab:
         self._reference_effects = switched_on(REFERENCE, wanted, lots[6])
         self._faults = switched_on(DATA, wanted, lots[7])
         self._reference, self._dut = _sensor(truth.reference), _sensor(truth.dut)
-        self._reference_place = np.array(truth.reference_place_m)
+        self._reference_place, self._reference_turned = np.array(truth.reference_place_m), np.eye(3)
         tilt = sum((np.array(f.tilt_cage_deg) for f in self._faults), np.zeros(3))
         self._axis = rotation_vector(np.radians(tilt)) @ unit(truth.platform.axis_cage)
         self._across = np.cross(self._axis, [0.36, 0.48, 0.8])
@@ -75,6 +75,14 @@ class Lab:
         """Switch a load of the spacecraft: the channel "i_<load>"."""
         self.housekeeping.force(t_s, load if load.startswith("i_") else f"i_{load}", on)
 
+    def move_reference(self, place_m: Sequence[float]) -> None:
+        """Put the reference there, from the DUT's place in C."""
+        self._reference_place = np.asarray(place_m, dtype=float)
+
+    def turn_reference(self, sensor_from_home: Sequence[Sequence[float]]) -> None:
+        """Turn the reference (3, 3) from how it stands at home."""
+        self._reference_turned = np.asarray(sensor_from_home, dtype=float)
+
     # what there is
 
     def moment(self, t_s: Array, channels: Mapping[str, Array] | None = None) -> Moment:
@@ -94,7 +102,7 @@ class Lab:
         field = field + self.ambient.mains(t_s, sensor.bandwidth_hz)
         for effect in self._reference_effects:
             field = field + effect(self.moment(t_s), self._reference_place)
-        return sensor.read(field, self._rng_reference)
+        return sensor.read(field @ self._reference_turned.T, self._rng_reference)
 
     def dut_reading(self, t_s: Array) -> tuple[Array, dict[str, Array]]:
         """Readings (n, 3) of the DUT in its own unit, and the housekeeping (n,) that it sends with them."""

@@ -1,0 +1,69 @@
+"""A set-point held by feedback on the reference: the ambient field is tracked while it runs."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.bench import Bench
+from labcal.bench.parameters import Limits
+from labcal.bench.samples import samples
+from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measure_ambient, measured, ready, rest
+from labcal.errors import InputError
+from labcal.record.stream import Event
+
+Array = NDArray[np.float64]
+
+
+def field_hold(
+    bench: Bench,
+    *,
+    field_nT: Annotated[tuple[float, ...], Limits(-1e5, 1e5, unit="nT"), "total field x, y, z in C"] = (0.0, 0.0, 30e3),
+    duration_s: Annotated[float, Limits(10, 86_400, unit="s"), "how long it is held"] = 120.0,
+    period_s: Annotated[float, Limits(0.5, 60, unit="s"), "of the feedback"] = 2.0,
+    gain: Annotated[float, Limits(0.01, 1), "part of the error taken back each time"] = 0.5,
+    dead_nT: Annotated[float, Limits(0, 1e4, unit="nT"), "errors below this are left: the supplies' own step"] = 25.0,
+    limit_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "rms error that passes"] = 60.0,
+) -> Procedure:
+    """Hold a field by feedback on the reference, taken over from the open-loop set-point without a bump."""
+    if bench.config.reference.kind != "vector" or len(field_nT) != 3:
+        raise InputError("field-hold needs a vector reference and three numbers, --set field_nT=0,0,30000")
+    target, rounds = np.array(field_nT), round(duration_s / period_s)
+    plan = Plan((("open loop", 3 * period_s), ("held", duration_s)))
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield from measure_ambient(bench, 5.0)
+        yield from ready(bench, f"The field goes to {np.linalg.norm(target) / 1000:g} µT and stays. Hands off?")
+        yield plan.begin(bench, "open loop")
+        yield from energise(bench, target)
+        open_loop = yield from _error(bench, target, "open-loop", 3 * period_s)
+        yield from measured(bench, "open-loop error", float(np.linalg.norm(open_loop)), 0.0, "nT")
+        yield plan.begin(bench, "held")
+        yield from _held(bench, target, rounds, period_s, gain, dead_nT, limit_nT)
+        yield from coils_off(bench)
+
+
+def _held(
+    bench: Bench, target: Array, rounds: int, period_s: float, gain: float, dead_nT: float, limit_nT: float
+) -> Work[None]:
+    """An integrator alone: it starts from the ambient field as it was assumed, so the hand-over moves nothing."""
+    errors: list[Array] = []
+    for number in range(rounds):
+        error = yield from _error(bench, target, f"held-{number + 1}", period_s)
+        errors.append(error)
+        if np.linalg.norm(error) > dead_nT:
+            bench.cage.ambient_nT = bench.cage.ambient_nT + gain * error
+            yield from energise(bench, target)
+    settled = np.array(errors[rounds // 4 :])
+    rms = float(np.sqrt(np.mean(np.sum(settled**2, axis=1))))
+    yield from measured(bench, "rms error while held", rms, rms / np.sqrt(2 * len(settled)), "nT", limit_nT)
+    ambient = bench.cage.ambient_nT.tolist()
+    yield Event(bench.clock.now(), "ambient", "the ambient field as tracked", {"ambient_nT": ambient})
+
+
+def _error(bench: Bench, target: Array, name: str, seconds: float) -> Work[Array]:
+    blocks = yield from rest(bench, name, seconds)
+    return np.asarray(samples(blocks, "reference").mean - target)

@@ -1,0 +1,70 @@
+"""The field stepped up, down and up again along one direction: does the DUT follow in a straight line."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.bench import Bench
+from labcal.bench.mounting import AXES, attitude, set_up
+from labcal.bench.parameters import Limits
+from labcal.bench.samples import samples
+from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, rest, switch_mode
+from labcal.geometry import unit
+from labcal.record.stream import Event
+
+Array = NDArray[np.float64]
+SEPARATES = (
+    ("nonlinearity", "cross-field"),
+    ("nonlinearity", "hysteresis"),
+    ("offset-temperature", "gain-temperature"),
+)
+
+
+def linearity(
+    bench: Bench,
+    *,
+    axis: Annotated[Literal["x", "y", "z"], "body axis along the platform axis and the field"] = "z",
+    second_axis: Annotated[Literal["none", "x", "y", "z"], "body axis stepped together with it"] = "none",
+    field_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "largest field"] = 50_000.0,
+    steps: Annotated[int, Limits(2, 50), "steps of one sign"] = 5,
+    dwell_s: Annotated[float, Limits(0.5, 600, unit="s"), "recorded at each step"] = 4.0,
+    mode: Annotated[str, "the DUT's power mode"] = "nominal",
+    limit_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "largest departure that passes"] = 200.0,
+) -> Procedure:
+    """Step the field along a body axis (or two together) and measure the departure from a straight line."""
+    at_zero = attitude(bench, axis)
+    direction = np.asarray(AXES[axis]) + (np.zeros(3) if second_axis == "none" else np.asarray(AXES[second_axis]))
+    along_B = unit(direction)
+    up = list(np.linspace(-1, 1, 2 * steps + 1))
+    ladder = [*up, *reversed(up), *up]
+    plan = Plan((("field steps", len(ladder) * (dwell_s + 1.0)),))
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield from set_up(bench, axis, 10.0, f"The field steps up to ±{field_nT / 1000:g} µT.")
+        yield from switch_mode(bench, mode)
+        yield plan.begin(bench, "field steps")
+        seen: list[tuple[float, float]] = []
+        for number, fraction in enumerate(ladder):
+            yield from energise(bench, fraction * field_nT * (along_B @ at_zero))
+            name = f"step-{number}-{fraction * field_nT / 1000:+.3g}uT"
+            blocks = yield from rest(bench, name, dwell_s, mode=mode, body_from_cage=at_zero)
+            true = at_zero @ samples(blocks, "reference").mean
+            seen.append((float(along_B @ true), float(along_B @ dut_nT(bench, blocks).mean)))
+        yield from coils_off(bench)
+    slope, worst, u = straightness(*np.array(seen).T)
+    yield from measured(bench, "slope", slope, u / field_nT, "")
+    yield from measured(bench, "departure from a straight line", worst, u, "nT", limit_nT)
+    yield Event(bench.clock.now(), "linearity", "field and reading along the direction", {"field_reading_nT": seen})
+
+
+def straightness(field_nT: Array, reading_nT: Array) -> tuple[float, float, float]:
+    """Slope, largest departure (signed) from the line, and the departure's standard uncertainty from repeats."""
+    slope, offset = np.polyfit(field_nT, reading_nT, 1)
+    left = reading_nT - slope * field_nT - offset
+    third = len(left) // 3
+    repeats = (left[:third] - left[-third:]) / np.sqrt(2)
+    return float(slope), float(left[np.argmax(np.abs(left))]), float(np.sqrt(np.mean(repeats**2)))

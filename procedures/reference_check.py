@@ -1,0 +1,100 @@
+"""The reference itself: due date, its zero by half turns, and one magnitude in every direction."""
+
+from __future__ import annotations
+
+import re
+from contextlib import ExitStack
+from datetime import date
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.bench import Bench
+from labcal.bench.parameters import Limits
+from labcal.bench.samples import samples
+from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measured, ready, record
+from labcal.errors import InputError, LimitNotMet
+from labcal.geometry import rotation
+from labcal.record.stream import Prompt
+
+Array = NDArray[np.float64]
+HALF_TURNS = {name: rotation(axis, np.pi) for name, axis in zip("xyz", np.eye(3), strict=True)}
+
+
+def reference_check(
+    bench: Bench,
+    *,
+    due_days: Annotated[int, Limits(1, 3_650), "age of its calibration that passes"] = 365,
+    dwell_s: Annotated[float, Limits(1, 600, unit="s"), "recorded in each attitude and field"] = 10.0,
+    magnitude_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "of the field in six directions"] = 50_000.0,
+    zero_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "largest zero that passes"] = 50.0,
+    scale_ppm: Annotated[float, Limits(1, 1e6, unit="ppm"), "largest spread of the magnitude that passes"] = 5_000.0,
+    standard_nT: Annotated[float, Limits(0, 1e5, unit="nT"), "ambient magnitude by a standard; 0: none"] = 0.0,
+) -> Procedure:
+    """Check the reference's due date, its zero by 180° turns, and its magnitude against direction and a standard."""
+    if bench.config.reference.kind != "vector":
+        raise InputError("reference-check needs a vector reference")
+    _enforce_due_date(bench, due_days)
+    plan = Plan((("zero by half turns", 4 * (dwell_s + 20)), ("six directions", 6 * (dwell_s + 2))))
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield plan.begin(bench, "zero by half turns")
+        yield from coils_off(bench)
+        ambient = yield from _zero(bench, dwell_s, zero_nT)
+        if standard_nT:
+            off = float(np.linalg.norm(ambient)) - standard_nT
+            yield from measured(bench, "magnitude less the standard's", off, 0.0, "nT", zero_nT)
+        yield plan.begin(bench, "six directions")
+        bench.cage.ambient_nT = ambient
+        yield from ready(bench, f"The field goes to {magnitude_nT / 1000:g} µT in six directions. Hands off?")
+        yield from _six_directions(bench, dwell_s, magnitude_nT, scale_ppm)
+        yield from coils_off(bench)
+
+
+def _enforce_due_date(bench: Bench, due_days: int) -> None:
+    """Raise LimitNotMet where the calibration that bench.toml states is older than `due_days`."""
+    stated = re.search(r"\d{4}-\d{2}-\d{2}", bench.config.reference.calibration or "")
+    if stated is None:
+        return
+    age = (bench.clock.utc().date() - date.fromisoformat(stated.group())).days
+    if age > due_days:
+        raise LimitNotMet(f"the reference's calibration of {stated.group()} is {age} days old, beyond {due_days}")
+
+
+def _zero(bench: Bench, dwell_s: float, limit_nT: float) -> Work[Array]:
+    """Four attitudes that add up to nothing: the mean reading is the zero. Returns the ambient field without it."""
+    turned = np.asarray(bench.config.reference.cage_from_sensor)
+    first = yield from _standing(bench, "as it always stands", np.eye(3), dwell_s)
+    readings = [turned.T @ first]
+    for name, half in HALF_TURNS.items():
+        seen = yield from _standing(bench, f"turned by 180° about its own {name}", half, dwell_s)
+        readings.append(turned.T @ seen)
+    yield from _ask_to_turn(bench, "as it always stands", np.eye(3))
+    zero = np.mean(readings, axis=0)
+    for name, value in zip("xyz", zero, strict=True):
+        yield from measured(bench, f"zero {name}", value, 0.0, "nT", limit_nT)
+    return np.asarray(first - turned @ zero)
+
+
+def _standing(bench: Bench, how: str, half: Array, dwell_s: float) -> Work[Array]:
+    yield from _ask_to_turn(bench, how, half)
+    blocks = yield from record(bench, dwell_s)
+    return samples(blocks, "reference").mean
+
+
+def _ask_to_turn(bench: Bench, how: str, half: Array) -> Work[None]:
+    drawing = {"reference_turned": half.tolist()}
+    yield Prompt(bench.clock.now(), "turn-reference", f"Put the reference {how}.", acts=True, drawing=drawing)
+
+
+def _six_directions(bench: Bench, dwell_s: float, magnitude_nT: float, limit_ppm: float) -> Work[None]:
+    """One applied field in six directions: what the magnitude departs from its mean is scale and orthogonality."""
+    ratios: list[float] = []
+    for direction in (*np.eye(3), *-np.eye(3)):
+        yield from energise(bench, magnitude_nT * direction)
+        blocks = yield from record(bench, dwell_s)
+        applied = float(np.linalg.norm(bench.cage.field_nT()))
+        ratios.append(float(np.linalg.norm(samples(blocks, "reference").mean)) / applied)
+    spread_ppm = float(1e6 * (max(ratios) - min(ratios)) / 2)
+    yield from measured(bench, "magnitude against direction", spread_ppm, 0.0, "ppm", limit_ppm)

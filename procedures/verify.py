@@ -1,0 +1,132 @@
+"""Positions that no fit has seen: heading and magnitude error before and after the calibration, against limits."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.bench import Bench
+from labcal.bench.mounting import AXES, set_up
+from labcal.bench.parameters import Limits
+from labcal.bench.rotation import Rotation
+from labcal.bench.samples import samples
+from labcal.bench.steps import (
+    Plan,
+    Procedure,
+    Work,
+    coils_off,
+    energise,
+    measured,
+    record,
+    recorded,
+    switch_mode,
+    turn,
+)
+from labcal.geometry import rotate, shortest_rotation
+from labcal.model import Calibration
+from labcal.model.apply import Readings, apply
+from labcal.record.stream import Block
+
+Array = NDArray[np.float64]
+GOLDEN = (np.sqrt(5) - 1) / 2
+ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitted
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Seen:
+    """Means at each position: `reading` (n, 3) [DUT unit], `true` (n, 3) [nT, B but for one phase], channels (n,)."""
+
+    t_s: Array
+    reading: Array
+    true: Array
+    channels: dict[str, Array]
+
+
+def verify(
+    bench: Bench,
+    *,
+    axis: Annotated[Literal["x", "y", "z"], "body axis mounted along the platform axis"] = "z",
+    positions: Annotated[int, Limits(4, 500), "fields and angles"] = 24,
+    magnitude_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "of the field"] = 35_000.0,
+    dwell_s: Annotated[float, Limits(0.5, 60, unit="s"), "recorded at each position"] = 3.0,
+    rate_deg_per_s: Annotated[float, Limits(0.1, 60, unit="deg/s"), "between positions"] = 15.0,
+    mode: Annotated[str, "the DUT's power mode"] = "nominal",
+    heading_deg: Annotated[float, Limits(0.001, 180, unit="deg"), "rms heading error that passes"] = 0.3,
+    error_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "rms magnitude error that passes"] = 50.0,
+    calibration: Calibration | None = None,
+) -> Procedure:
+    """Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file."""
+    angles, fields = spread(bench, positions, magnitude_nT)
+    plan = Plan(tuple((f"position {n + 1}", dwell_s + 4.0) for n in range(positions)))
+    found: list[list[Block]] = []
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
+        yield from set_up(bench, axis, 10.0, f"The field goes to {magnitude_nT / 1000:g} µT, the platform turns.")
+        yield from switch_mode(bench, mode)
+        for (step, _), angle, field_nT in zip(plan.steps, angles, fields, strict=True):
+            yield plan.begin(bench, step)
+            yield from turn(bench, float(angle), rate_deg_per_s)
+            yield from energise(bench, field_nT)
+            still = Rotation(step.replace(" ", "-"), AXES[axis], mode, rate_deg_per_s, mounting=axis).segment(bench)
+            found.append((yield from recorded(bench, still, record(bench, dwell_s))))
+        yield from coils_off(bench)
+    seen = _seen(bench, found, axis)
+    yield from _judge(bench, "before", seen.reading * bench.config.dut.nominal_nT_per_unit, seen, axis)
+    if calibration is not None:
+        names, modes = np.full(positions, "verify"), np.full(positions, mode)
+        after = apply(calibration, Readings(seen.reading, seen.t_s + ANOTHER_CLOCK_S, names, modes, seen.channels))
+        yield from _judge(bench, "after", after.field_nT, seen, axis, heading_deg, error_nT)
+
+
+def spread(bench: Bench, count: int, magnitude_nT: float) -> tuple[Array, Array]:
+    """Angles (count,) [deg] and fields (count, 3) [nT, C]: directions all over but the poles, angles unlike them."""
+    n = np.arange(count)
+    up = 0.8 * (1 - (2 * n + 1) / count)  # not along the axis, where there is no heading
+    around = 2 * np.pi * GOLDEN * n
+    level = np.sqrt(1 - up**2)
+    directions = np.column_stack([level * np.cos(around), level * np.sin(around), up])
+    return 360 * np.mod(n * GOLDEN**2 + 0.13, 1.0), magnitude_nT * directions
+
+
+def _seen(bench: Bench, found: list[list[Block]], axis: str) -> Seen:
+    platform_axis = bench.config.platform.axis_cage
+    at_zero = shortest_rotation(platform_axis, AXES[axis])
+    dut = [samples(blocks, "dut") for blocks in found]
+    angle = np.array([samples(blocks, "angle", "angle_deg").mean[0] for blocks in found])
+    reference = np.array([samples(blocks, "reference").mean for blocks in found])
+    true = rotate(np.asarray(AXES[axis]), -np.radians(angle), reference @ at_zero.T)
+    names = [channel.name for channel in bench.dut.channels]
+    channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}
+    return Seen(np.array([s.t_s.mean() for s in dut]), np.array([s.mean for s in dut]), true, channels)
+
+
+def _judge(
+    bench: Bench,
+    when: str,
+    field_nT: Array,
+    seen: Seen,
+    axis: str,
+    heading_deg: float | None = None,
+    error_nT: float | None = None,
+) -> Work[None]:
+    heading, magnitude = errors(field_nT, seen.true, np.asarray(AXES[axis]))
+    for name, values, unit, limit in (
+        ("heading", heading, "deg", heading_deg),
+        ("magnitude", magnitude, "nT", error_nT),
+    ):
+        rms = float(np.sqrt(np.mean(values**2)))
+        yield from measured(bench, f"{when}: rms {name} error", rms, rms / np.sqrt(2 * len(values)), unit, limit)
+        yield from measured(bench, f"{when}: largest {name} error", float(np.abs(values).max()), 0.0, unit)
+
+
+def errors(field_nT: Array, true_nT: Array, axis: Array) -> tuple[Array, Array]:
+    """Heading error (n,) [deg] about `axis`, free of the mounting's one phase, and magnitude error (n,) [nT]."""
+    across = np.linalg.svd(axis[None, :])[2][1:]
+    seen, true = (np.exp(1j * np.arctan2(*(b @ across.T).T[::-1])) for b in (field_nT, true_nT))
+    turned = seen * np.conj(true)
+    heading = np.degrees(np.angle(turned * np.conj(turned.mean())))
+    return heading, np.linalg.norm(field_nT, axis=1) - np.linalg.norm(true_nT, axis=1)
