@@ -40,7 +40,7 @@ def test_an_answer_stands_in_the_record_and_one_that_is_none_of_the_choices_is_r
         answers = {
             i.data["key"]: i.text for i in store.items(outcome.run_id) if isinstance(i, Event) and i.kind == "answer"
         }
-    assert answers == {"mount-z": "done", "ready": "done"}
+    assert answers == {"mount-z": "done", "ready": "done", "mode-nominal": "done"}
 
 
 def test_a_run_without_a_serial_number_does_not_start(bench_file: BenchFile) -> None:
