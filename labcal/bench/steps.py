@@ -47,9 +47,10 @@ class Plan:
 
     def begin(self, bench: Bench, name: str) -> Step:
         """The item that opens the step `name`."""
-        number = [n for n, _ in self.steps].index(name)
+        names = tuple(n for n, _ in self.steps)
+        number = names.index(name)
         left = sum(seconds for _, seconds in self.steps[number:])
-        return Step(bench.clock.now(), number + 1, len(self.steps), name, left)
+        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, names if number == 0 else ())
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import hypot
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -12,6 +13,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QLineEdit,
     QMainWindow,
     QPushButton,
     QStackedWidget,
@@ -37,11 +39,16 @@ class TopBar(QFrame):
         row = QHBoxLayout(self)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         row.setSpacing(GRID)
-        self.dut, self.operator, self.bench = label(), label(), label()
+        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), label()
+        self.dut.setToolTip(self.tr("Serial number of the device under test: type it, or scan it at any moment"))
+        self.operator.setToolTip(self.tr("Who works here now; stands in the record and in the calibration"))
         for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):
+            value.setAccessibleName(caption)
+            value.setFixedWidth(18 * GRID)
+            value.setPlaceholderText(self.tr("needed"))
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
-            row.addSpacing(3 * GRID)
+            row.addSpacing(2 * GRID)
         row.addWidget(label(self.tr("Bench"), "caption"))
         row.addWidget(self.bench)
         row.addStretch()
@@ -56,8 +63,10 @@ class TopBar(QFrame):
 
     def show_state(self, state: LabState) -> None:
         """Write the state."""
-        for value, text in ((self.dut, state.dut_serial), (self.operator, state.operator), (self.bench, state.bench)):
-            value.setText(text or "–")
+        for entry, text in ((self.dut, state.dut_serial), (self.operator, state.operator)):
+            if entry.text() != text and not (entry.hasFocus() and entry.isModified()):
+                entry.setText(text)
+        self.bench.setText(state.bench or "–")
         self.simulated.setVisible(state.simulated)
 
 
@@ -146,6 +155,7 @@ class Frame(QMainWindow):
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
         self.message, self.waiting = label(), label()
+        self.hearers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self._rail_buttons = QButtonGroup(self)
         self._names = tuple(pages)
         middle = QHBoxLayout()
@@ -211,12 +221,14 @@ class Frame(QMainWindow):
         self.waiting.setText(state.waiting)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take F12 before anything else can, whatever has the focus and whatever card is open."""
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_F12:
+        """Take F12 before anything else can, whatever has the focus and whatever card is open; then ask `hearers`."""
+        if not isinstance(event, QKeyEvent):
+            return False
+        if event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_F12:
             if not event.isAutoRepeat():
                 self.coils_off.emit()
             return True
-        return super().eventFilter(watched, event)
+        return isinstance(watched, QWidget) and any(hear(watched, event) for hear in self.hearers)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Coils off before the window goes."""

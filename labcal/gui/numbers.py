@@ -12,6 +12,7 @@ FIGURE_SPACE, NARROW_SPACE, MINUS = "\u2007", "\u202f", "\u2212"
 
 def number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
     """`value` with a true minus sign and groups of three: +19 998.7 or −3.2."""
+    value = round(value, decimals) + 0.0  # no negative zero
     text = f"{value:+,.{decimals}f}" if signed else f"{value:,.{decimals}f}"
     return text.replace(",", NARROW_SPACE).replace("-", MINUS)
 

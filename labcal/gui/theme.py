@@ -114,7 +114,21 @@ QHeaderView::section { background: $page; color: $muted; border: 0; border-botto
 QProgressBar { background: $sunken; border: 1px solid $line; border-radius: 4px; height: 14px; text-align: center; }
 QProgressBar::chunk { background: $accent; border-radius: 3px; }
 QToolTip { background: $surface; color: $text; border: 1px solid $line; padding: 4px; }
-QScrollArea { border: 0; background: transparent; } QSplitter::handle { background: $line; }
+QScrollArea, QScrollArea > QWidget > QWidget { border: 0; background: transparent; }
+QSplitter::handle { background: transparent; }
+QListWidget { outline: 0; padding: 4px; } QListWidget::item { padding: 4px 6px; border-radius: 4px; }
+QListWidget::item:selected { background: $accent; color: $on_accent; }
+QTableView { outline: 0; } QTableView::item { padding: 0 8px; }
+QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
+QScrollBar::handle { background: $line; border-radius: 5px; min-height: 24px; min-width: 24px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QComboBox::drop-down { border: 0; width: 24px; }
+QFrame#fault { background: $surface; border: 2px solid $bad; border-radius: 6px; }
+QFrame#good { background: $surface; border: 2px solid $good; border-radius: 6px; }
+QLabel#ask { font-size: ${ask_pt}pt; font-weight: 600; }
+QLabel#huge { font-size: ${huge_pt}pt; font-weight: 600; }
 QCheckBox:focus, QRadioButton:focus { color: $accent; }
 """
 )
@@ -127,6 +141,8 @@ def style_sheet(theme: Theme, scale: float = 1.0) -> str:
         "text_pt": f"{TEXT * scale:.1f}",
         "small_pt": f"{SMALL * scale:.1f}",
         "title_pt": f"{TEXT * 1.35 * scale:.1f}",
+        "ask_pt": f"{TEXT * 1.7 * scale:.1f}",
+        "huge_pt": f"{LARGE * 1.6 * scale:.1f}",
         "large_pt": f"{LARGE * scale:.1f}",
     }
     return _SHEET.substitute(colours | sizes)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont, QFontDatabase
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.theme import GRID
@@ -70,8 +70,8 @@ class Card(QFrame):
 
 def tabular() -> QFont:
     """The interface's font with figures of one width, so that nothing jumps when a digit changes."""
-    font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-    font.setStyleHint(QFont.StyleHint.Monospace)
+    font = QFont()
+    font.setFeature(QFont.Tag("tnum"), 1)
     return font
 
 

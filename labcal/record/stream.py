@@ -62,13 +62,17 @@ class ModeChanged:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """Step `number` of `total` begins; `left_s` is the lab time expected until the procedure's end."""
+    """Step `number` of `total` begins; `left_s` is the lab time expected until the procedure's end.
+
+    The first step states the names of all, in order.
+    """
 
     t_s: float
     number: int
     total: int
     name: str
     left_s: float
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from queue import Empty, SimpleQueue
 from threading import Event
 
 from labcal.errors import Stopped
@@ -16,6 +17,7 @@ class Control:
 
     def __init__(self) -> None:
         self._pause, self._stop, self._abort = Event(), Event(), Event()
+        self._notes: SimpleQueue[str] = SimpleQueue()
 
     def pause(self) -> None:
         """Wait where the next step begins, with the coils at zero, until `resume`."""
@@ -32,6 +34,19 @@ class Control:
     def abort(self) -> None:
         """End now: the coils go to zero before anything else is done. The run is `failed: aborted by the operator`."""
         self._abort.set()
+
+    def note(self, text: str) -> None:
+        """Put a remark into the record ("lift moved"), stamped when the next item is written."""
+        self._notes.put(text)
+
+    def notes(self) -> list[str]:
+        """The remarks that are not in the record yet; each is given once."""
+        said = list[str]()
+        while True:
+            try:
+                said.append(self._notes.get_nowait())
+            except Empty:
+                return said
 
     def paused(self) -> bool:
         """Whether a pause is wanted."""

@@ -83,6 +83,8 @@ class Drive:
         item = _later(item, self.offset_s) if self.offset_s else item
         self.write(item)
         self.tell(item)
+        for text in self.control.notes():
+            self._keep(self._event("note", text))
 
     def _ask(self, prompt: Prompt) -> str:
         given = checked(prompt, self._answer_while_listening(prompt))

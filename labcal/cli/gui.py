@@ -1,0 +1,18 @@
+"""`labcal gui`: starts the technician's window as a process of its own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import typer
+
+from labcal.cli import app
+
+
+@app.command("gui")
+def gui(bench: Path | None = typer.Option(None, help="The bench file; else the last one that was used.")) -> int:
+    """Open the technician's window."""
+    named = ["--bench", str(bench)] if bench is not None else []
+    return subprocess.run([sys.executable, "-m", "labcal.gui", *named], check=False).returncode

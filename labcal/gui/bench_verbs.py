@@ -1,0 +1,107 @@
+"""What the worker does with a bench: look at it, greet it, run a procedure on it, switch it off."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from labcal.gui.pace import paced
+from labcal.gui.talk import Talk
+from labcal.gui.wire import fault_of
+from labcal.runner import Outcome
+
+
+def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
+    """What a bench file states: names, roles, limits, the cage's matrix, what is known of the reference."""
+    from labcal.bench.config import read_config
+
+    config = read_config(Path(bench))
+    instruments = {name: {"role": i.role, "link": i.link, "driver": i.driver} for name, i in config.instruments.items()}
+    return {
+        "name": config.name,
+        "simulated": config.simulated,
+        "dut": config.dut.model_dump(mode="json"),
+        "reference": config.reference.model_dump(mode="json"),
+        "cage": config.cage.model_dump(mode="json") | {"matrix": config.cage.matrix.tolist()},
+        "axis_cage": list(config.platform.axis_cage),
+        "instruments": instruments,
+    }
+
+
+def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
+    """Ask every instrument who it is."""
+    from labcal import session
+
+    def words(greeting: Any) -> dict[str, Any]:
+        fault = None if greeting.fault is None else asdict(fault_of(greeting.fault))
+        said = ("name", "role", "link", "identity")
+        return {name: getattr(greeting, name) for name in said} | {"fault": fault}
+
+    return [words(greeting) for greeting in session.greetings(Path(bench))]
+
+
+def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
+    """Every coil to zero and open, one report an axis."""
+    from labcal import session
+
+    ended = session.coils_off(Path(bench))
+    return [{"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None} for a in ended]
+
+
+def run(
+    talk: Talk, procedure: str, bench: str, given: Mapping[str, str], dut: str, operator: str,
+    pace: str = "at once", seed: int | None = None,
+) -> dict[str, Any]:  # fmt: skip
+    """Run a procedure; answers, stop and all else come in by `talk` meanwhile."""
+    from labcal import session
+
+    def work(**common: Any) -> Outcome:
+        return session.run(procedure, Path(bench), given, dut=dut, operator=operator, **common)
+
+    return _on_bench(talk, bench, pace, seed, work)
+
+
+def resume(talk: Talk, run: str, bench: str, pace: str = "at once", seed: int | None = None) -> dict[str, Any]:
+    """Go on with an interrupted run."""
+    from labcal import session
+
+    return _on_bench(talk, bench, pace, seed, lambda **common: session.resume(run, Path(bench), **common))
+
+
+def _on_bench(talk: Talk, bench: str, pace: str, seed: int | None, work: Callable[..., Outcome]) -> dict[str, Any]:
+    from labcal.bench.config import read_config
+
+    simulated = read_config(Path(bench)).simulated
+    talk.on_bench(simulated)
+    try:
+        clock = paced(simulated, pace)
+        ended = work(answer=talk.answer, clock=clock, seed=seed, control=talk.control, tell=talk.tell)
+    finally:
+        talk.off_bench()
+    fault = None
+    if ended.fault is not None:
+        fault = asdict(fault_of(ended.fault, "".join(traceback.format_exception(ended.fault))))
+    return {"run_id": ended.run_id, "status": ended.status, "fault": fault, "failed": [m.name for m in ended.failed]}
+
+
+def procedures(talk: Talk) -> list[dict[str, Any]]:
+    """What there is to run, with what each may be told."""
+    from labcal.runner import procedures as installed
+
+    return [
+        {"name": name, "title": found.title, "resumable": found.resumable, "parameters": [asdict(p) for p in found.parameters]}
+        for name, found in installed().items()
+    ]  # fmt: skip
+
+
+VERBS: dict[str, Callable[..., Any]] = {
+    "bench": bench_facts,
+    "greet": greet,
+    "off": off,
+    "run": run,
+    "resume": resume,
+    "procedures": procedures,
+}

@@ -1,0 +1,187 @@
+"""What the pages share: the workers, the choices made, the lab's state, the run that goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, QSettings, QTimer, Signal
+
+from labcal.gui.client import Client
+from labcal.gui.lab_vm import LabViewModel, Light
+from labcal.gui.run_vm import Order, RunViewModel
+from labcal.gui.wire import Fault
+from labcal.home import home
+
+SILENT_S = 2.0
+OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
+
+
+class Desk(QObject):
+    """Three workers: `clerk` for what is short, `bench` for the run, `study` for fits and the loop."""
+
+    fault = Signal(object)  # of anything that has no card of its own
+    bench_changed = Signal()
+    went = Signal(str)  # a page is asked for, by name
+    study_asked = Signal(str)  # a run to fit
+    report_asked = Signal(object)  # a Fault, for a problem report
+
+    def __init__(self, settings: QSettings | None = None) -> None:
+        super().__init__()
+        self.settings = settings or QSettings(str(home() / "window.ini"), QSettings.Format.IniFormat)
+        self.clerk, self.bench_worker, self.study, self.switch = Client(self), Client(self), Client(self), Client(self)
+        self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
+        self.facts: dict[str, Any] = {}
+        self.bench = ""
+        self._pulse = QTimer(self, interval=200)
+        self._pulse.timeout.connect(self._look)
+        self.run.changed.connect(self._look)
+        self.run.ended.connect(self._ended)
+        self.lab.update(operator=str(self.settings.value("operator", "")))
+
+    def ask(self, do: str, then: Callable[[Any], None], **what: Any) -> None:
+        """Ask the clerk; a fault comes up as a card."""
+        self.clerk.ask(do, then, self.fault.emit, **what)
+
+    def open_bench(self, bench: str) -> None:
+        """Take `bench` as the bench from here on."""
+        self.bench = str(Path(bench).resolve())
+        self.settings.setValue("bench", self.bench)
+        self.ask("bench", self._bench_known, bench=self.bench)
+
+    def _bench_known(self, facts: dict[str, Any]) -> None:
+        self.facts = facts
+        self.run.nominal_nT_per_unit = facts["dut"]["nominal_nT_per_unit"]
+        lights: tuple[tuple[str, Light, str], ...] = tuple((name, "absent", "") for name in facts["instruments"])
+        serial = self.lab.state.dut_serial or facts["dut"]["serial"]
+        self.lab.update(bench=facts["name"], simulated=facts["simulated"], dut_serial=serial, lights=lights)
+        self.bench_changed.emit()
+
+    def who(self, *, dut: str | None = None, operator: str | None = None) -> None:
+        """Take the DUT's serial or the operator's name."""
+        if dut is not None:
+            self.lab.update(dut_serial=dut.strip())
+        if operator is not None:
+            self.lab.update(operator=operator.strip())
+            self.settings.setValue("operator", operator.strip())
+
+    def scan(self, serial: str) -> None:
+        """A scanner read this: the DUT's serial, unless a run goes on."""
+        if self.run.alive:
+            self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
+        else:
+            self.who(dut=serial)
+            self.lab.update(message=self.tr("Scanned: DUT {0}").format(serial))
+
+    def objection(self) -> str:
+        """What is missing before a run may start; "" where nothing is."""
+        state = self.lab.state
+        if not self.facts:
+            return self.tr("Choose a bench on the Bench page first.")
+        if not state.dut_serial:
+            return self.tr("Scan or type the DUT's serial at the top.")
+        return "" if state.operator else self.tr("Type the operator's name at the top.")
+
+    def start(self, procedure: str, given: dict[str, str]) -> None:
+        """Run a procedure for the DUT and the operator above."""
+        self._pulse.start()
+        self.run.start(self._order(procedure, given))
+
+    def resume(self, run_id: str, procedure: str) -> None:
+        """Go on with an interrupted run."""
+        self._pulse.start()
+        self.run.resume(run_id, self._order(procedure, {}))
+
+    def _order(self, procedure: str, given: dict[str, str]) -> Order:
+        state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))
+        seed = self.settings.value("seed")
+        return Order(
+            procedure, self.bench, given, state.dut_serial, state.operator, pace, int(str(seed)) if seed else None
+        )
+
+    def coils_off(self) -> None:
+        """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
+        if self.run.alive:
+            self.run.abort()
+            QTimer.singleShot(OFF_WAITS_MS, self, self._off_by_force)
+        elif self.bench:
+            self._switch_off()
+
+    def _off_by_force(self) -> None:
+        if self.run.alive:
+            self.bench_worker.kill()
+            self._switch_off()
+
+    def _ended(self) -> None:
+        """Where the worker died, its coils are whatever they were: to zero with them."""
+        if self.run.fault is not None and self.run.fault.kind == "crash":
+            self._switch_off()
+
+    def _switch_off(self) -> None:
+        self.lab.update(message=self.tr("Coils off: reading them back …"))
+        self.switch.ask("off", self._off_known, self._off_failed, bench=self.bench)
+
+    def _off_known(self, axes: list[dict[str, Any]]) -> None:
+        good = all(axis["ok"] for axis in axes)
+        words = "; ".join(f"{axis['axis']}: {axis['words']}" for axis in axes)
+        first, second, third = (float(axis["current_A"] or 0.0) for axis in axes)
+        self.lab.update(coils_at_zero=good, coil_A=(first, second, third), field_set_nT=None, message=words)
+        if not good:
+            self._off_failed(Fault("instrument", words))
+
+    def _off_failed(self, fault: Fault) -> None:
+        remedy = self.tr("The coils are NOT confirmed at zero. Switch the supplies off at their mains switches.")
+        self.lab.update(coils_at_zero=None, message=fault.text)
+        self.fault.emit(Fault(fault.kind, fault.text, remedy, fault.details))
+
+    def _look(self) -> None:
+        """What the run knows, for the frame."""
+        run = self.run
+        if run.state == "idle":
+            return
+        rows = run.reference.rows()[-20:]
+        measured = tuple(float(v) for v in rows[:, 1:].mean(axis=0)) if len(rows) else None
+        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused")}
+        if run.segment is not None:
+            waits["running"] = self.tr("hands off, measuring")
+        self.lab.update(
+            field_set_nT=run.field_set_nT,
+            field_measured_nT=measured,
+            field_U_nT=self._U(measured),
+            coil_A=run.coil_A,
+            coils_at_zero=run.coils_at_zero,
+            lights=self._lights(),
+            message=run.message,
+            waiting=waits.get(run.state, ""),
+        )
+        if not run.alive:
+            self._pulse.stop()
+
+    def _U(self, measured: tuple[float, ...] | None) -> float | None:
+        """Of the reference, k = 2, from what the bench file states."""
+        said = self.facts.get("reference", {})
+        if measured is None or said.get("u_offset_nT") is None:
+            return None
+        size = sum(v * v for v in measured) ** 0.5
+        return 2.0 * float((said["u_offset_nT"] ** 2 + (size * 1e-6 * (said.get("u_scale_ppm") or 0.0)) ** 2) ** 0.5)
+
+    def _lights(self) -> tuple[tuple[str, Light, str], ...]:
+        def light(name: str, role: str) -> tuple[str, Light, str]:
+            source = "cage" if role.startswith("coil") or role == "polarity" else name
+            if name in (self.run.fault.text if self.run.fault else ""):
+                return name, "fault", self.tr("failed")
+            if source not in self.run.heard_s:
+                return name, "waiting", ""
+            silent = self.run.silent_s(source)
+            if self.run.alive and silent > SILENT_S:
+                return name, "fault", self.tr("silent {0:.0f} s").format(silent)
+            return name, "ok", ""
+
+        return tuple(light(name, one["role"]) for name, one in self.facts.get("instruments", {}).items())
+
+    def close(self) -> None:
+        """Hang up everywhere: a run aborts, its coils go to zero."""
+        self.bench_worker.hang_up(8000)
+        for worker in (self.clerk, self.study, self.switch):
+            worker.hang_up(500)

@@ -1,0 +1,75 @@
+"""What went wrong, in words for the person at the bench, with the details behind a fold."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit
+
+from labcal.gui.widgets import Card, button, label, named, set_state
+from labcal.gui.wire import Fault
+
+TITLES = {
+    "input": "✕ This cannot be done as asked",
+    "instrument": "✕ An instrument failed",
+    "limit": "✕ A limit is not met",
+    "stopped": "■ Stopped",
+    "crash": "✕ Something in labcal broke",
+}
+COILS = "The coils are at zero."
+
+
+class FaultCard(Card):
+    """Words, state of the coils where that matters, what to do, details and "save a problem report"."""
+
+    report_asked = Signal(object)  # Fault
+    closed = Signal()
+
+    def __init__(self, closable: bool = True) -> None:
+        super().__init__(" ")
+        named(self, "fault")
+        self.fault: Fault | None = None
+        self.text, self.remedy = label("", wrap=True), label("", wrap=True)
+        self.details = QPlainTextEdit()
+        self.details.setReadOnly(True)
+        self.details.setMinimumHeight(160)
+        self.fold = button(self.tr("Details"), self.tr("Show what labcal itself says about it"))
+        self.fold.setCheckable(True)
+        self.fold.toggled.connect(self.details.setVisible)
+        save = button(
+            self.tr("Save a problem report …"), self.tr("A .zip with the details, settings and versions, no keys")
+        )
+        save.clicked.connect(lambda: self.report_asked.emit(self.fault))
+        close = button(self.tr("Close"), self.tr("Put this card away"))
+        close.setVisible(closable)
+        close.clicked.connect(self._close)
+        row = QHBoxLayout()
+        for widget in (self.fold, save):
+            row.addWidget(widget)
+        row.addStretch()
+        row.addWidget(close)
+        for part in (self.text, self.remedy, self.details):
+            self.body.addWidget(part)
+        self.body.addLayout(row)
+        self.hide()
+
+    def show_fault(self, fault: Fault | None) -> None:
+        """Show `fault`, or nothing."""
+        if fault is self.fault:
+            return
+        self.fault = fault
+        self.setVisible(fault is not None)
+        if fault is None:
+            return
+        self.heading.setText(self.tr(TITLES[fault.kind]))
+        set_state(self.heading, "" if fault.kind == "stopped" else "bad")
+        self.text.setText(fault.text)
+        self.remedy.setText(fault.remedy)
+        self.remedy.setVisible(bool(fault.remedy))
+        self.details.setPlainText(fault.details)
+        self.fold.setVisible(bool(fault.details))
+        self.fold.setChecked(False)
+        self.details.hide()
+
+    def _close(self) -> None:
+        self.hide()
+        self.closed.emit()

@@ -1,0 +1,5 @@
+"""Fits, the loop."""
+
+from typing import Any
+
+VERBS: dict[str, Any] = {}

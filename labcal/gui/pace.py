@@ -1,0 +1,33 @@
+"""Simulated time at a pace that eyes can follow."""
+
+from __future__ import annotations
+
+import time
+from datetime import UTC, datetime
+
+from labcal.bench.clock import Clock, VirtualClock
+
+PACES = {"true": 1.0, "20 times": 20.0, "100 times": 100.0, "at once": 0.0}
+
+
+class PacedClock(VirtualClock):
+    """Virtual time that passes `speed` times as fast as true time; it stands still while a person is asked."""
+
+    listen_s = 0.2
+
+    def __init__(self, start: datetime, speed: float) -> None:
+        super().__init__(start)
+        self._speed = speed
+
+    def wait_until(self, t_s: float) -> None:
+        """Return when as much time has passed as `t_s` is ahead, divided by the speed."""
+        time.sleep(max(0.0, t_s - self.now()) / self._speed)
+        super().wait_until(t_s)
+
+
+def paced(simulated: bool, pace: str) -> Clock | None:
+    """The clock for a bench: a real bench takes its own, whatever the pace."""
+    if not simulated:
+        return None
+    start, speed = datetime.now(UTC), PACES[pace]
+    return PacedClock(start, speed) if speed else VirtualClock(start)

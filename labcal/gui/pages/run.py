@@ -1,0 +1,32 @@
+"""Run: choose a procedure and its settings; then the step, the question or the live picture, and what was measured."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+
+from labcal.gui.desk import Desk
+from labcal.gui.pages.run_choose import Choose
+from labcal.gui.pages.run_live import Live
+from labcal.gui.theme import GRID, Theme
+
+
+class RunPage(QWidget):
+    """Two faces: `choose` while nothing runs, `live` from the start of a run until it is put away."""
+
+    def __init__(self, desk: Desk, theme: Theme) -> None:
+        super().__init__()
+        self._desk = desk
+        self.choose, self.live = Choose(desk), Live(desk, theme)
+        self.faces = QStackedWidget()
+        self.faces.addWidget(self.choose)
+        self.faces.addWidget(self.live)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.addWidget(self.faces)
+        self.live.put_away.connect(lambda: self.faces.setCurrentWidget(self.choose))
+        desk.run.changed.connect(self._show)
+        self._show()
+
+    def _show(self) -> None:
+        if self._desk.run.alive or self._desk.run.state == "ended":
+            self.faces.setCurrentWidget(self.live)

@@ -1,0 +1,103 @@
+"""What to run: the procedures on the left, the form of the chosen one beside it, one button."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QScrollArea, QWidget
+
+from labcal.gui.desk import Desk
+from labcal.gui.form import Form, spec_of
+from labcal.gui.pace import PACES
+from labcal.gui.theme import GRID
+from labcal.gui.widgets import Card, button, label, named
+
+
+class Choose(QWidget):
+    """Procedures with what they do, and the settings of the one that is chosen."""
+
+    def __init__(self, desk: Desk) -> None:
+        super().__init__()
+        self._desk = desk
+        self._procedures: dict[str, dict[str, Any]] = {}
+        self.form: Form | None = None
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(2 * GRID)
+        row.addWidget(self._list_card(), 1)
+        row.addWidget(self._form_card(), 3)
+        desk.lab.changed.connect(self._check)
+        desk.bench_changed.connect(self._check)
+        desk.ask("procedures", self._known)
+
+    def _list_card(self) -> Card:
+        card = Card(self.tr("Procedures"))
+        self.list = QListWidget()
+        self.list.setAccessibleName(self.tr("Procedures"))
+        self.list.currentTextChanged.connect(self._chosen)
+        card.body.addWidget(self.list)
+        return card
+
+    def _form_card(self) -> Card:
+        card = Card(self.tr("Settings"))
+        self._heading, self.title = card.heading, label("", wrap=True)
+        self._area = QScrollArea()
+        self._area.setWidgetResizable(True)
+        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        card.body.addWidget(self.title)
+        card.body.addWidget(self._area, 1)
+        self.objection = label("", "caption")
+        self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
+        self.pace.addItems(list(PACES))
+        self.pace.setCurrentText(str(self._desk.settings.value("pace", "20 times")))
+        self.pace.setToolTip(
+            self.tr("How fast simulated time passes: true speed, faster, or as fast as the computer goes")
+        )
+        self.pace.currentTextChanged.connect(lambda pace: self._desk.settings.setValue("pace", pace))
+        tip = self.tr("Asks every instrument who it is, then begins. Nothing is energised before you are asked.")
+        self.start = button(self.tr("Start"), tip, primary=True)
+        self.start.clicked.connect(self._start)
+        row = QHBoxLayout()
+        for widget in (self.pace_label, self.pace):
+            row.addWidget(widget)
+        row.addStretch()
+        row.addWidget(self.objection)
+        row.addWidget(self.start)
+        card.body.addLayout(row)
+        return card
+
+    def _known(self, procedures: list[dict[str, Any]]) -> None:
+        self._procedures = {one["name"]: one for one in procedures}
+        self.list.addItems(list(self._procedures))
+        wanted = self.list.findItems("preflight", Qt.MatchFlag.MatchExactly)
+        self.list.setCurrentItem(wanted[0] if wanted else self.list.item(0))
+
+    def choose(self, name: str) -> None:
+        """Choose a procedure by its name."""
+        found = self.list.findItems(name, Qt.MatchFlag.MatchExactly)
+        if found:
+            self.list.setCurrentItem(found[0])
+
+    def _chosen(self, name: str) -> None:
+        one = self._procedures[name]
+        self._heading.setText(name)
+        self.title.setText(one["title"])
+        self.form = Form([spec_of(p) for p in one["parameters"]])
+        self.form.changed.connect(self._check)
+        self._area.setWidget(named(self.form, "form"))
+        self._check()
+
+    def _check(self) -> None:
+        simulated = bool(self._desk.facts.get("simulated"))
+        for widget in (self.pace, self.pace_label):
+            widget.setVisible(simulated)
+        objection = self._desk.objection()
+        if not objection and self.form is not None and not self.form.valid():
+            objection = self.tr("A setting is not accepted: see above.")
+        self.objection.setText(objection)
+        self.start.setEnabled(not objection and self.form is not None and not self._desk.run.alive)
+
+    def _start(self) -> None:
+        if self.form is not None:
+            self._desk.start(self.list.currentItem().text(), self.form.given())

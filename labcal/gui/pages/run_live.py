@@ -1,0 +1,244 @@
+"""The run as it goes: steps at the left; the question or the live picture in the middle; what was measured below."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QProgressBar,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from labcal.gui.desk import Desk
+from labcal.gui.fault_card import FaultCard
+from labcal.gui.measurement_table import Measurements
+from labcal.gui.numbers import duration
+from labcal.gui.plots import Loci, Traces
+from labcal.gui.prompt_card import PromptCard
+from labcal.gui.theme import GRID, STATES, Theme
+from labcal.gui.widgets import Card, button, label, set_state
+from labcal.gui.wire import Fault
+
+FRAME_MS = 40
+SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
+SHOWN_S = 120.0  # of the traces
+
+
+class Live(QWidget):
+    """Shows `desk.run`; `put_away` says the person has seen how it ended."""
+
+    put_away = Signal()
+
+    def __init__(self, desk: Desk, theme: Theme) -> None:
+        super().__init__()
+        self._desk, self._run, self._theme = desk, desk.run, theme
+        self._asked: object = None
+        self._drawn = -1
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(2 * GRID)
+        row.addWidget(self._left())
+        right = QSplitter()
+        right.setOrientation(Qt.Orientation.Vertical)
+        right.setChildrenCollapsible(False)
+        right.setHandleWidth(2 * GRID)
+        right.addWidget(self._middle())
+        right.addWidget(self._below())
+        right.setStretchFactor(0, 3)
+        right.setStretchFactor(1, 1)
+        row.addWidget(right, 1)
+        self._frame = QTimer(self, interval=FRAME_MS)
+        self._frame.timeout.connect(self._draw)
+        self._run.changed.connect(self._show)
+        self._show()
+
+    def _left(self) -> QWidget:
+        card = Card()
+        card.setFixedWidth(32 * GRID)
+        self.title = label("", "title", wrap=True)
+        self.progress = QProgressBar()
+        self.progress.setTextVisible(False)
+        self.left = label("", "caption", wrap=True)
+        self.steps = QListWidget()
+        self.steps.setAccessibleName(self.tr("Steps"))
+        self.note = QLineEdit()
+        self.note.setPlaceholderText(self.tr("Note for the record, Enter"))
+        self.note.setToolTip(self.tr('Put a remark with its time into the record: "lift moved"'))
+        self.note.returnPressed.connect(self._note)
+        for widget in (self.title, self.progress, self.left):
+            card.body.addWidget(widget)
+        card.body.addWidget(self.steps, 1)
+        card.body.addWidget(self.note)
+        card.body.addLayout(self._buttons())
+        return card
+
+    def _buttons(self) -> QHBoxLayout:
+        self.pause = button(self.tr("Pause"), self.tr("Wait where the next step begins, with the coils at zero"))
+        self.pause.clicked.connect(self._pause_or_go_on)
+        self.stop = button(
+            self.tr("Stop"), self.tr("End this run now, in order. The coils go to zero; what was measured is kept.")
+        )
+        self.stop.clicked.connect(self._run.stop)
+        self.close_run = button(self.tr("Put away"), self.tr("Back to the procedures; the run is in the History"))
+        self.close_run.clicked.connect(self.put_away)
+        self.fit = button(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
+        self.fit.clicked.connect(lambda: self._desk.study_asked.emit(self._run.run_id))
+        row = QHBoxLayout()
+        for widget in (self.pause, self.stop, self.close_run, self.fit):
+            row.addWidget(widget)
+        return row
+
+    def _middle(self) -> QWidget:
+        self.prompt, self.fault = PromptCard(self._theme), FaultCard(closable=False)
+        self.prompt.answered.connect(self._run.answer)
+        self.fault.report_asked.connect(self._desk.report_asked)
+        self.middle = QStackedWidget()
+        self._picture = self._live_card()
+        for widget in (self._picture, self.prompt):
+            self.middle.addWidget(widget)
+        holder = QWidget()
+        column = QVBoxLayout(holder)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2 * GRID)
+        column.addWidget(self.fault)
+        column.addWidget(self.middle, 1)
+        return holder
+
+    def _live_card(self) -> Card:
+        card = Card(self.tr("DUT, as it reads"), "nT nominal")
+        self.headline = card.heading
+        self.loci, self.traces = Loci(self._theme), Traces(self._theme, "DUT  nT")
+        self.coverage = QProgressBar()
+        self.coverage.setFormat(self.tr("%p % of the circle"))
+        self.coverage.setToolTip(self.tr("How much of the turn this segment has seen, in sectors of 15°"))
+        self.lights = {axis: label("") for axis in "xyz"}
+        row = QHBoxLayout()
+        row.addWidget(self.coverage, 1)
+        for light in self.lights.values():
+            row.addSpacing(2 * GRID)
+            row.addWidget(light)
+        card.body.addWidget(self.loci, 3)
+        card.body.addLayout(row)
+        card.body.addWidget(self.traces, 2)
+        return card
+
+    def _below(self) -> Card:
+        card = Card()
+        self.table = Measurements(self._theme)
+        self.table.setMinimumHeight(20 * GRID)
+        card.body.addWidget(self.table)
+        return card
+
+    def _note(self) -> None:
+        self._run.note(self.note.text())
+        self.note.clear()
+
+    def _pause_or_go_on(self) -> None:
+        if self._run.state == "paused":
+            self._run.go_on()
+        else:
+            self._run.pause()
+
+    def _show(self) -> None:
+        run = self._run
+        ended = run.state == "ended"
+        self.title.setText(run.order.procedure if run.order else "")
+        self._show_steps()
+        self.pause.setText(self.tr("Go on") if run.state == "paused" else self.tr("Pause"))
+        self.pause.setEnabled(run.state in ("running", "asking", "paused"))
+        self.stop.setEnabled(run.alive and run.state != "stopping")
+        for widget, shown in (
+            (self.pause, not ended),
+            (self.stop, not ended),
+            (self.close_run, ended),
+            (self.fit, ended),
+        ):
+            widget.setVisible(shown)
+        self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
+        self.note.setEnabled(run.alive)
+        self.table.show_measurements(run.measurements.values())
+        self._show_lights()
+        self._show_fault(run.fault)
+        self._ask()
+        self._frame.start() if run.alive else self._draw_last()
+
+    def _draw_last(self) -> None:
+        self._frame.stop()
+        self._draw()
+
+    def _show_fault(self, fault: Fault | None) -> None:
+        self.fault.show_fault(fault)
+        if fault is None:
+            self.fault.hide()
+
+    def _ask(self) -> None:
+        prompt = self._run.prompt
+        self.prompt.show_prompt(prompt)
+        self.middle.setCurrentWidget(self.prompt if prompt is not None else self._picture)
+        if prompt is not None and prompt is not self._asked:
+            QApplication.beep()
+            QApplication.alert(self)
+        self._asked = prompt
+
+    def _show_steps(self) -> None:
+        run, steps = self._run, self._run.steps()
+        if self.steps.count() != len(steps):
+            self.steps.clear()
+            self.steps.addItems([name for name, _ in steps])
+        for row, (name, mark) in enumerate(steps):
+            self._show_step(self.steps.item(row), f"{SHAPES[mark]}  {name}", mark)
+            if mark in ("now", "broken"):
+                self.steps.setCurrentRow(row)
+                self.steps.scrollToItem(self.steps.item(row))
+        if run.step is not None:
+            self.progress.setMaximum(run.step.total)
+            self.progress.setValue(run.step.total if run.status == "finished" else run.step.number - 1)
+
+    def _show_step(self, item: QListWidgetItem, text: str, mark: str) -> None:
+        if item.text() != text:
+            item.setText(text)
+            colour = {"next": self._theme.muted, "broken": self._theme.bad}.get(mark, self._theme.text)
+            item.setForeground(QColor(colour))
+
+    def _show_lights(self) -> None:
+        for axis, light in self.lights.items():
+            verdict = self._run.axis_light(axis)
+            shape, state = STATES.get(verdict, ("○", ""))
+            light.setText(f"{axis.upper()} {shape} {verdict}".strip())
+            set_state(light, state)
+            light.setToolTip(self.tr("Worst verdict of what was measured about body {0}").format(axis.upper()))
+
+    def _draw(self) -> None:
+        run = self._run
+        self._show_left()
+        self.headline.setText(
+            run.message
+            if run.state in ("starting", "stopping", "ended")
+            else run.segment or self.tr("Between segments")
+        )
+        self.coverage.setValue(round(100 * run.coverage()))
+        rows = run.dut.rows()
+        if len(rows) == self._drawn and run.alive and len(rows) < 10_000:
+            return
+        self._drawn = len(rows)
+        self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
+        self.loci.show_field(run.field_rows())
+
+    def _show_left(self) -> None:
+        run, left = self._run, self._run.left_s()
+        if run.step is None:
+            self.left.setText(run.message if run.alive else "")
+        elif left is None:
+            self.left.setText(self.tr("{0} · run {1}").format(run.status.partition(":")[0], run.run_id))
+        else:
+            self.left.setText(
+                self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, duration(left))
+            )

@@ -1,0 +1,105 @@
+"""The card of a question: large words, a drawing of the mounting, and buttons that no scanner and no Enter presses."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout
+
+from labcal.gui.drawing import Mounting
+from labcal.gui.hold import HoldButton
+from labcal.gui.theme import GRID, Theme
+from labcal.gui.widgets import Card, button, label
+from labcal.record.stream import Prompt
+
+HOLD_KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)
+WORDS = {
+    "done": "Done",
+    "yes": "Yes",
+    "no": "No",
+    "stop": "Stop the run",
+    "retry": "Try again",
+    "skip": "Skip this step",
+}
+
+
+def acting(prompt: Prompt, choice: str) -> bool:
+    """Whether this answer mounts, energises, moves or switches something."""
+    return choice != "no" and (prompt.acts or choice == "retry")
+
+
+class PromptCard(Card):
+    """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices."""
+
+    answered = Signal(str)
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Question to you"))
+        self._prompt: Prompt | None = None
+        self.text, self.hint, self.drawing = (
+            label("", "ask", wrap=True),
+            label("", "caption", wrap=True),
+            Mounting(theme),
+        )
+        words = QVBoxLayout()
+        words.setSpacing(2 * GRID)
+        words.addWidget(label(self.tr("YOUR TURN"), "caption"))
+        words.addWidget(self.text)
+        self.entry = QLineEdit()
+        self.entry.setPlaceholderText(self.tr("Write it here"))
+        self.entry.returnPressed.connect(self._send_text)
+        words.addWidget(self.entry)
+        words.addStretch()
+        words.addWidget(self.hint)
+        self._buttons = QHBoxLayout()
+        words.addLayout(self._buttons)
+        row = QHBoxLayout()
+        row.setSpacing(2 * GRID)
+        row.addLayout(words, 1)
+        row.addWidget(self.drawing, 1)
+        self.body.addLayout(row, 1)
+        self.choices: dict[str, QPushButton] = {}
+
+    def show_prompt(self, prompt: Prompt | None) -> None:
+        """Ask `prompt`; the same one again changes nothing."""
+        if prompt is self._prompt:
+            return
+        self._prompt = prompt
+        if prompt is None:
+            return
+        self.text.setText(prompt.text)
+        self.drawing.show_drawing(prompt.drawing)
+        self.entry.clear()
+        self.entry.setVisible(not prompt.choices)
+        self._make_buttons(prompt)
+
+    def _make_buttons(self, prompt: Prompt) -> None:
+        while (old := self._buttons.takeAt(0)) is not None:
+            if (widget := old.widget()) is not None:
+                widget.deleteLater()
+        self.choices = {}
+        keys = iter(HOLD_KEYS)
+        for choice in prompt.choices:
+            made = self._button(choice, next(keys, HOLD_KEYS[-1]) if acting(prompt, choice) else None)
+            made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
+            self.choices[choice] = made
+            self._buttons.addWidget(made)
+        if not prompt.choices:
+            send = button(self.tr("Send"), self.tr("Put this into the record"), primary=True)
+            send.clicked.connect(self._send_text)
+            self._buttons.addWidget(send)
+        self._buttons.addStretch()
+        held = [b for b in self.choices.values() if isinstance(b, HoldButton)]
+        self.hint.setText(self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else "")
+
+    def _button(self, choice: str, key: Qt.Key | None) -> QPushButton:
+        words = self.tr(WORDS.get(choice, choice))
+        if key is None:
+            return button(words, self.tr("Answer: {0}").format(words))
+        made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
+        made.setToolTip(self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_")))
+        return made
+
+    def _send_text(self) -> None:
+        if self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
+            self.answered.emit(self.entry.text().strip())

@@ -1,0 +1,67 @@
+"""Tells a barcode scanner from a person: more than 30 characters a second are a scan, and go to the serial field."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication, QWidget
+
+FASTEST_TYPIST_S = 1 / 30  # between two characters
+SHORTEST = 4  # characters of a scan
+ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+
+
+class Scanner(QObject):
+    """A hearer of all keys (see `Frame.hearers`) that holds keys back for the blink in which a burst shows itself.
+
+    A single key is handed on 40 ms later, exactly as it came; a burst is emitted whole as `scanned` and reaches
+    neither a field nor a button.
+    """
+
+    scanned = Signal(str)
+
+    def __init__(self, parent: QObject, now: Callable[[], float] = time.monotonic) -> None:
+        super().__init__(parent)
+        self._now = now
+        self._last_s = 0.0
+        self._kept: list[tuple[QWidget, QKeyEvent]] = []
+        self._replaying = False
+        self._wait = QTimer(self, interval=int(FASTEST_TYPIST_S * 1000) + 7, singleShot=True)
+        self._wait.timeout.connect(self.flush)
+
+    def hear(self, watched: QWidget, event: QKeyEvent) -> bool:
+        """Hold characters back until it is known who types."""
+        if self._replaying or event.type() != QEvent.Type.KeyPress or not self._counts(event):
+            return False
+        if watched is not (QApplication.focusWidget() or watched.window()):
+            return False
+        if self._kept and self._now() - self._last_s > FASTEST_TYPIST_S:
+            self.flush()
+        self._last_s = self._now()
+        self._kept.append((watched, event.clone()))
+        self._wait.start()
+        return True
+
+    def _counts(self, event: QKeyEvent) -> bool:
+        command = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
+        if command or event.isAutoRepeat():
+            return False
+        return (event.text().isprintable() and bool(event.text())) or (event.key() in ENTER and bool(self._kept))
+
+    def flush(self) -> None:
+        """Decide about what is held: a scan, or keys of a person."""
+        kept, self._kept = self._kept, []
+        self._wait.stop()
+        text = "".join(event.text() for _, event in kept if event.key() not in ENTER)
+        if len(text) >= SHORTEST:
+            self.scanned.emit(text.strip())
+            return
+        self._replaying = True
+        try:
+            for widget, event in kept:
+                QCoreApplication.sendEvent(widget, event)
+        finally:
+            self._replaying = False

@@ -1,0 +1,42 @@
+"""What goes between the window and its workers: one JSON object a line; items of the timeline in compact form."""
+
+from __future__ import annotations
+
+from base64 import b64decode, b64encode
+from dataclasses import dataclass
+from typing import Any
+
+from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
+from labcal.record.stream import Item
+from labcal.store.items import Row, from_row, to_row
+
+
+def item_to_json(item: Item) -> list[Any]:
+    """An item as the store writes it, samples in base64; the raw frames stay behind."""
+    row = to_row(item)
+    return [row.kind, row.t_s, row.content, *(b64encode(part or b"").decode() for part in (row.stamps, row.samples))]
+
+
+def item_from_json(said: list[Any]) -> Item:
+    """The item that `item_to_json` wrote."""
+    kind, t_s, content, stamps, samples = said
+    return from_row(Row(kind, t_s, content, b64decode(stamps), b64decode(samples)))
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """What went wrong, for a card: `kind` is input, instrument, limit, stopped or crash."""
+
+    kind: str
+    text: str
+    remedy: str = ""
+    details: str = ""
+
+
+def fault_of(error: BaseException, details: str = "") -> Fault:
+    """The fault that an exception of labcal's (or any other) stands for."""
+    if isinstance(error, InstrumentError):
+        return Fault("instrument", error.what, error.remedy, details)
+    kinds = ((InputError, "input"), (LimitNotMet, "limit"), ((Stopped, KeyboardInterrupt), "stopped"))
+    kind = next((name for types, name in kinds if isinstance(error, types)), "crash")
+    return Fault(kind, str(error) or type(error).__name__, "", details)
