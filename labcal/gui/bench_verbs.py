@@ -11,7 +11,7 @@ from typing import Any
 from labcal.gui.pace import paced
 from labcal.gui.talk import Talk
 from labcal.gui.wire import fault_of
-from labcal.runner import Outcome
+from labcal.runner import Found, Outcome
 
 
 def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
@@ -91,10 +91,11 @@ def procedures(talk: Talk) -> list[dict[str, Any]]:
     """What there is to run, with what each may be told."""
     from labcal.runner import procedures as installed
 
-    return [
-        {"name": name, "title": found.title, "resumable": found.resumable, "parameters": [asdict(p) for p in found.parameters]}
-        for name, found in installed().items()
-    ]  # fmt: skip
+    def words(found: Found) -> dict[str, Any]:
+        parameters = [asdict(p) for p in found.parameters]
+        return {"name": found.name, "title": found.title, "resumable": found.resumable, "parameters": parameters}
+
+    return [words(found) for found in installed().values()]
 
 
 VERBS: dict[str, Callable[..., Any]] = {
