@@ -59,6 +59,8 @@ def ml(run: Run, *, robust: bool = True) -> Fit:
         if found.identified.why_not and (found.seen.kind != SCALAR).any():
             scalar = estimate(run, as_scalar=True, robust=robust)
             found = scalar if scalar.identified.why_not is None else found
+    except (np.linalg.LinAlgError, ArithmeticError):
+        return _refused("no map comes near these readings: they do not follow the reference at all")
     except ValueError as error:
         return _refused(str(error))
     if found.identified.why_not:
@@ -78,17 +80,30 @@ def ml(run: Run, *, robust: bool = True) -> Fit:
 def estimate(run: Run, *, allowed: FormName | None = None, as_scalar: bool = False, robust: bool = True) -> Estimate:
     """Fit the form `allowed` (affine, or symmetric where all rows are magnitudes) to the usable rows of `run`.
 
-    Raises ValueError where no row can be used. Look at `identified.why_not` before using the numbers.
+    Raises ValueError where the rows are too few, or the sensor or the reference is dead.
+    Look at `identified.why_not` before using the numbers.
     """
     seen = observe(run, as_scalar=as_scalar)
     nominal = seen.scale * run.dut.nominal_nT_per_unit
     name = allowed or ("symmetric" if (seen.kind == SCALAR).all() else "affine")
     shape = form(name, nominal)
+    _require_life(seen, shape)
     noise = _declared(run, seen)
     start = _best_start(seen, noise, shape, nominal)
     found, noise, loss, scale = _settle(run, seen, noise, shape, start, robust=robust)
     identified = identify(seen, noise, shape, found, loss, scale)
     return Estimate(seen, noise, shape, found, identified, scale)
+
+
+def _require_life(seen: Observations, shape: Form) -> None:
+    free, given = shape.basis.shape[1] + len(seen.phase_names), int(seen.kind.sum())
+    if given <= free:
+        raise ValueError(f"{len(seen)} usable rows give {given} numbers; the map needs more than {free}")
+    if not seen.magnitude.any():
+        raise ValueError("the reference is zero throughout")
+    for name, column in zip(("dut_x", "dut_y", "dut_z"), seen.reading.T, strict=True):
+        if shape.name in ("affine", "symmetric") and np.ptp(column) == 0:
+            raise ValueError(f"{name} never changes: nothing determines its scale; turn the sensor or look at the axis")
 
 
 def _refused(why: str) -> Fit:

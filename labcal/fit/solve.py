@@ -159,6 +159,8 @@ def _split(allowed: Form, y: Array) -> tuple[Array, Array]:
 
 def _step(N: Array, g: Array, damping: float) -> Array:
     """Marquardt's step: the diagonal is raised by `damping`; directions without information do not move."""
+    if not (np.isfinite(N).all() and np.isfinite(g).all()):
+        raise np.linalg.LinAlgError("the normal equations are not finite")
     scale = np.sqrt(np.maximum(np.diag(N), 1e-300))
     A = N / np.outer(scale, scale) + damping * np.eye(len(N))
     return np.asarray(-np.linalg.lstsq(A, g / scale, rcond=1e-13)[0] / scale)

@@ -127,3 +127,19 @@ def test_least_squares_leaves_what_is_known_of_the_measured_sensor(shared: Path)
     assert lengths[0] == pytest.approx(4310, rel=0.001)
     assert lengths[1] == pytest.approx(965, rel=0.01)
     assert lengths[2] < 1000
+
+
+@pytest.mark.parametrize("offers", ["vector", "axis", "scalar"])
+def test_hopeless_runs_get_a_reason(bench, offers: str) -> None:
+    run, _, _ = bench(offers=offers, rows=20)
+    dead = run.reading.copy()
+    dead[:, 2] = 7.0
+    wild = np.random.default_rng(0).normal(size=run.reading.shape) * 3e4
+    hopeless = [run.select(np.arange(n)) for n in (1, 2, 3, 5, 13)]
+    hopeless += [replace(run, reading=r) for r in (dead, wild, np.full_like(dead, np.nan), np.zeros_like(dead))]
+    for case in hopeless:
+        found = fit(case)
+        assert not found.ok
+        assert len(found.why_not) > 20
+    assert "dut_z never changes" in fit(hopeless[5]).why_not
+    assert "numbers; the map needs" in fit(hopeless[0]).why_not
