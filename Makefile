@@ -33,5 +33,8 @@ lint: $(VENV)/.dev
 slow: $(VENV)/.dev
 	$(BIN)/pytest -m slow
 
+papers: $(VENV)/.dev
+	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/papers:tests/fit $(BIN)/python tests/papers/tables.py docs/papers.md
+
 clean:
 	rm -rf $(VENV) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -25,7 +25,7 @@ from labcal.model.effects.regressors import middle, per_axis
 from labcal.record import Channel, Run
 
 Array = NDArray[np.float64]
-STEPS, SETTLED = 60, 1e-9
+STEPS, SETTLED = 60, 1e-8
 DEPENDENT = 1e-6  # of a current's own spread: what must be left of it beside the others
 
 
@@ -160,12 +160,12 @@ class Rows:
         return square - self.magnitude**2 - mean, variance
 
     def slopes(self, K: Array, field: Array) -> tuple[Array, Array]:
-        """d|B|²/dq (n, p), and its derivative by each component of the reading (n, p, 3)."""
+        """d|B|²/dq (n, p), and its derivative by each component of the reading (3, n, p)."""
         slope = self._by_parameters(field, self.reading)
-        by_reading = np.empty((*slope.shape, 3))
+        by_reading = np.empty((3, *slope.shape))
         for axis in range(3):
-            by_reading[:, :, axis] = self._by_parameters(np.broadcast_to(K[axis], field.shape), self.reading)
-            by_reading[:, 3:9, axis] += symmetric(field, np.broadcast_to(np.eye(3)[axis], field.shape))
+            by_reading[axis] = self._by_parameters(np.broadcast_to(K[axis], field.shape), self.reading)
+            by_reading[axis, :, 3:9] += symmetric(field, np.broadcast_to(np.eye(3)[axis], field.shape))
         return slope, by_reading
 
     def _by_parameters(self, field: Array, reading: Array) -> Array:
@@ -190,7 +190,7 @@ def first_guess(rows: Rows) -> Array:
 
 def descend(rows: Rows, q: Array, *, unbiased: bool) -> tuple[Array, Array]:
     """Parameters (p,) at the minimum and their covariance (p, p), by damped Gauss-Newton. Raises ArithmeticError."""
-    damping, loss, before = 1e-3, np.inf, q
+    damping, loss, before = 1e-6, np.inf, q
     for _ in range(STEPS):
         K, field = rows.field(q)
         v, variance = rows.excess(K, field)
@@ -203,9 +203,10 @@ def descend(rows: Rows, q: Array, *, unbiased: bool) -> tuple[Array, Array]:
         information, gradient = weighted @ slope, -weighted @ v
         share = np.zeros_like(information)
         if unbiased:
-            q_shared = by_reading @ rows.noise
-            share = np.einsum("npa,nra->pr", q_shared / variance[:, None, None], by_reading, optimize=True)
-            gradient += np.einsum("npa,na,n->p", q_shared, 2 * field @ K, 1 / variance, optimize=True)
+            pull = 2 * field @ K @ rows.noise / variance[:, None]  # Cov(B̃, v) / σ²
+            gradient += np.einsum("anp,na->p", by_reading, pull, optimize=True)
+            noisy = np.tensordot(rows.noise, by_reading, 1) / variance[:, None]
+            share = np.sum(noisy.transpose(0, 2, 1) @ by_reading, axis=0)
         back = np.linalg.inv(information - share + damping * np.diag(np.diag(information)))
         step = back @ gradient
         before, loss, q, damping = q, now, q + step, damping / 10
