@@ -14,18 +14,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.scalar_check import (
+    COLUMN,
     MISSING,
+    ROW,
     TWICE,
     noise_mean,
     noise_variance,
     observation,
     regressor,
-    stacked,
     unstacked,
 )
 
 Array = NDArray[np.float64]
-SIGNAL_OVER_NOISE = 4.0
+UNIT_C = np.eye(9)[:, :3]  # c and E of the nine unit vectors of θ'
+UNIT_M = np.array([unstacked(e[3:]) for e in np.eye(9)])
+SIGNAL_OVER_NOISE = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,22 +70,18 @@ def weighted(L: Array, z: Array, variance: Array, noise: Array) -> Moments:
 def noise_part(L_mean: Array, variance: float, noise: Array) -> tuple[Array, Array]:
     """`noise_gradient` and `noise_information`; both follow from the mean of L alone, which holds ΣwB and ΣwBBᵀ."""
     first, second = L_mean[:3] / 2 / variance, unstacked(L_mean[3:] / -TWICE) / variance
-
-    def gradient(c: Array, M: Array) -> Array:
-        q = 2 * noise @ (M @ first - c / variance)
-        Bq = 2 * (second @ M - np.outer(first, c)) @ noise
-        return np.concatenate([2 * q, -TWICE * stacked(Bq + Bq.T)])
-
-    eye = np.eye(9)
-    slopes = [gradient(e[:3], unstacked(e[3:])) for e in eye]
-    return gradient(np.zeros(3), np.eye(3)), -np.column_stack(slopes)
+    q = 2 * (UNIT_M @ first - UNIT_C / variance) @ noise
+    Bq = 2 * (second @ UNIT_M - first[:, None] * UNIT_C[:, None, :]) @ noise
+    both = Bq + Bq.transpose(0, 2, 1)
+    slopes = np.hstack([2 * q, -TWICE * both[:, ROW, COLUMN]])  # (9, 9), one row a unit of c or E
+    return slopes[3:6].sum(axis=0), -slopes.T
 
 
 def determined(information: Array, noise_information: Array) -> None:
     """Raise ArithmeticError where the information (9, 9) on some direction is the noise's rather than the signal's.
 
     Readings that lie in one plane, or on one sphere for the centred data, still differ by their noise; what that seems
-    to tell is taken off, and a direction counts where the signal tells four times as much.
+    to tell is taken off, and a direction counts where the signal tells as much again.
     """
     half = np.linalg.cholesky(noise_information)
     ratio = np.linalg.eigvalsh(np.linalg.solve(half, np.linalg.solve(half, information).T)) - 1

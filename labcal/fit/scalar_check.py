@@ -56,7 +56,12 @@ def unstacked(six: Array) -> Array:
 
 def regressor(reading: Array) -> Array:
     """L = [2 Bᵀ, −S] (n, 9) for readings (n, 3), (2c) and (4a)."""
-    return np.hstack([2 * reading, -TWICE * reading[:, ROW] * reading[:, COLUMN]])
+    x, y, z = reading.T
+    out = np.empty((len(reading), 9))
+    out[:, :3] = 2 * reading
+    for column, product in enumerate((x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z), start=3):
+        np.negative(product, out[:, column])
+    return out
 
 
 def observation(reading: Array, magnitude: Array) -> Array:
@@ -80,8 +85,8 @@ def noise_variance(reading: Array, magnitude: Array, c_E: Array, noise: Array, r
     """
     M = np.eye(3) + unstacked(c_E[3:])
     u = reading @ M - c_E[:3]
-    square = np.einsum("ij,ij->i", reading @ M - 2 * c_E[:3], reading) + bias_square(c_E)[0]
-    of_reading = np.einsum("ij,jk,ik->i", u, noise, u) * magnitude**2 / square
+    square = np.einsum("ij,ij->i", u - c_E[:3], reading) + bias_square(c_E)[0]
+    of_reading = np.einsum("ij,ij->i", u @ noise, u) * magnitude**2 / square
     return np.asarray(4 * (of_reading + (reference_noise * magnitude) ** 2) + 2 * np.sum((noise @ M) * (noise @ M).T))
 
 

@@ -17,7 +17,7 @@ from labcal.fit.scalar_run import fit_scalar
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-PASSES, STEPS, SETTLED = 3, 50, 1e-11
+PASSES, STEPS, SETTLED = 2, 50, 1e-9
 RIDGE = 10.0  # of the start, in units of what the noise alone seems to tell
 
 
@@ -70,11 +70,11 @@ def descend(found: Moments, c_E: Array, *, unbiased: bool = True) -> tuple[Array
         if unbiased:
             gradient -= found.noise_gradient - found.noise_information @ c_E
             curvature = information - found.noise_information
-        back = np.linalg.inv(curvature)
-        step = back @ gradient
+        step = np.linalg.solve(curvature, gradient)
         c_E = c_E + step
         if np.abs(step).max() < SETTLED:
             if unbiased:
                 determined(information, found.noise_information)
+            back = np.linalg.inv(curvature)
             return c_E, back @ information @ back.T
     raise ArithmeticError(f"Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {MISSING}")

@@ -20,7 +20,9 @@ def main(out: Path) -> None:
     parts = [HEAD]
     for name in SECTIONS:
         print(f"{name} ...", file=sys.stderr, flush=True)
-        parts.append(import_module(name).section())
+        section = getattr(import_module(name), "section", None)
+        if section:
+            parts.append(section())
     write_text(out, "\n".join(parts))
 
 

@@ -1,0 +1,93 @@
+"""`twostep` against magyc's `twostep_hsi`: time and accuracy, alternating in one process, on its data and on ours.
+
+magyc needs numpy below 2, so it has an environment of its own, which finds labcal by PYTHONPATH:
+
+    python -m venv /tmp/magyc && /tmp/magyc/bin/pip install "numpy<2" magyc
+    OPENBLAS_NUM_THREADS=1 PYTHONPATH=. /tmp/magyc/bin/python benchmarks/twostep_magyc.py
+"""
+
+from __future__ import annotations
+
+import pickle
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import redirect_stdout
+from io import StringIO
+from pathlib import Path
+
+import numpy as np
+from magyc import create_synthetic_dataset
+from magyc.benchmark_methods.twostep import twostep_hsi
+
+from labcal.fit import twostep
+
+ROUNDS, SAMPLES, NOISE_G = 9, 1000, 0.003
+
+
+def theirs() -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Noisy readings, noiseless readings and the field (3,) [G] of magyc's synthetic data, much motion."""
+    with tempfile.TemporaryDirectory() as folder:
+        with redirect_stdout(StringIO()):
+            create_synthetic_dataset(Path(folder), niter=ROUNDS, nsamples=SAMPLES, mag_noise_G=NOISE_G)
+        data = pickle.loads(next(Path(folder).glob("*.pkl")).read_bytes())
+    high = data["high"]
+    return [
+        (noisy, clean, field.ravel()) for noisy, clean, field in zip(high["mmt"], high["mm"], high["m0"], strict=True)
+    ]
+
+
+def ours() -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """The same of a sensor turned about its three axes in 0.5 G, noise a third of theirs."""
+    out = []
+    turn = np.linspace(0, 2 * np.pi, SAMPLES // 3 + 1)[:-1]
+    across = np.sin(1.2) * np.column_stack([np.cos(turn), np.sin(turn)])
+    circle = np.column_stack([across, np.full_like(turn, np.cos(1.2))])
+    field = 0.5 * np.vstack([np.roll(circle, axis, axis=1) for axis in range(3)])
+    soft = np.array([[1.05, 0.02, -0.01], [0.02, 0.97, 0.015], [-0.01, 0.015, 1.02]])
+    clean = field @ soft + [0.02, 0.05, -0.03]
+    for seed in range(ROUNDS):
+        noise = NOISE_G / 3 * np.random.default_rng(seed).standard_normal(clean.shape)
+        out.append((clean + noise, clean, np.array([0.5, 0, 0])))
+    return out
+
+
+def calibrate_magyc(reading: np.ndarray, field: np.ndarray, noise: float) -> np.ndarray:
+    """The calibrated readings (n, 3)."""
+    return np.reshape(twostep_hsi(reading, field, measurement_noise_std=noise)[-1], (-1, 3))
+
+
+def calibrate_labcal(reading: np.ndarray, field: np.ndarray, noise: float) -> np.ndarray:
+    """The calibrated readings (n, 3)."""
+    magnitude = np.full(len(reading), np.linalg.norm(field))
+    found = twostep.estimate(reading, magnitude, noise**2 * np.eye(3))
+    return reading + reading @ found.D - found.bias
+
+
+def measure(
+    calibrate: Callable[..., np.ndarray], reading: np.ndarray, clean: np.ndarray, field: np.ndarray, noise: float
+) -> tuple[float, float]:
+    """Seconds, and the rms error of the magnitude [G] that the calibration leaves on noiseless readings."""
+    start = time.perf_counter()
+    corrected = calibrate(reading, field, noise)
+    seconds = time.perf_counter() - start
+    design = np.column_stack([reading, np.ones(len(reading))])
+    affine = np.linalg.lstsq(design, corrected, rcond=None)[0]
+    left = np.linalg.norm(np.column_stack([clean, np.ones(len(clean))]) @ affine, axis=1) - np.linalg.norm(field)
+    return seconds, float(np.sqrt(np.mean(left**2)))
+
+
+def main() -> None:
+    """Print one line for each data set."""
+    sets = ("magyc's synthetic data", theirs(), NOISE_G), ("three axes, 0.5 G", ours(), NOISE_G / 3)
+    for name, data, noise in sets:
+        rows = [[measure(f, *run, noise) for f in (calibrate_magyc, calibrate_labcal)] for run in data]
+        (slow, fast), (before, after) = np.median(np.array(rows), axis=0).T
+        print(
+            f"{name}: magyc {slow * 1e3:.1f} ms, labcal {fast * 1e3:.2f} ms, ratio {slow / fast:.0f}; "
+            f"magnitude error left {before * 1e5:.1f} nT against {after * 1e5:.1f} nT"
+        )
+
+
+if __name__ == "__main__":
+    main()
