@@ -17,7 +17,7 @@ from labcal.fit.scalar_run import fit_scalar
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-PASSES, STEPS, SETTLED = 2, 50, 1e-9
+PASSES, STEPS, ROUGH, SETTLED = 2, 50, 1e-4, 1e-9
 RIDGE = 10.0  # of the start, in units of what the noise alone seems to tell
 
 
@@ -42,10 +42,12 @@ def estimate(
     unit = float(np.sqrt(np.mean(magnitude**2)))
     reading, magnitude = reading / unit, magnitude / unit
     c_E = None if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
-    for _ in range(PASSES if near is None else 1):
+    passes = PASSES if near is None else 1
+    for pass_ in range(passes):
         at = np.zeros(9) if c_E is None else c_E
         found = moments(reading, magnitude, at, noise / unit**2, reference_noise / unit)
-        c_E, covariance = descend(found, start(found) if c_E is None else c_E, unbiased=unbiased)
+        settled = SETTLED if pass_ == passes - 1 else ROUGH
+        c_E, covariance = descend(found, start(found) if c_E is None else c_E, unbiased=unbiased, settled=settled)
     assert c_E is not None
     return scalar_check.from_c_E(c_E, covariance).in_unit(unit)
 
@@ -55,10 +57,10 @@ def start(found: Moments) -> Array:
     return np.asarray(np.linalg.solve(found.information + RIDGE * found.noise_information, found.projection))
 
 
-def descend(found: Moments, c_E: Array, *, unbiased: bool = True) -> tuple[Array, Array]:
+def descend(found: Moments, c_E: Array, *, unbiased: bool = True, settled: float = SETTLED) -> tuple[Array, Array]:
     """(c, E) (9,) at the minimum of the full loss, and its covariance (9, 9), from moments alone.
 
-    Raises ArithmeticError where the iteration does not settle.
+    `settled` is the step at which it ends. Raises ArithmeticError where the iteration does not settle.
     """
     for _ in range(STEPS):
         square, slope = scalar_check.bias_square(c_E)
@@ -72,7 +74,7 @@ def descend(found: Moments, c_E: Array, *, unbiased: bool = True) -> tuple[Array
             curvature = information - found.noise_information
         step = np.linalg.solve(curvature, gradient)
         c_E = c_E + step
-        if np.abs(step).max() < SETTLED:
+        if np.abs(step).max() < settled:
             if unbiased:
                 determined(information, found.noise_information)
             back = np.linalg.inv(curvature)
