@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.fit.correlation import variance_inflation
 from labcal.fit.declared import widen
 from labcal.fit.identify import Identified, identify
 from labcal.fit.observations import SCALAR, Observations, observe
 from labcal.fit.result import Fit
 from labcal.fit.solve import KNEE, LEAST_SQUARES, ROBUST, Form, FormName, Loss, Solution, form, solve
 from labcal.fit.start import starts
-from labcal.fit.system import Noise, map_of
+from labcal.fit.system import Noise, blocks, evaluate, map_of
 from labcal.model import AffineMap
 from labcal.record import Run
 
@@ -70,7 +71,7 @@ def ml(run: Run, *, robust: bool = True) -> Fit:
         method="ml",
         ok=True,
         affine=found.affine,
-        covariance=widen(run, found.affine, found.covariance, frame_known=frame_known),
+        covariance=widen(run, found.affine, found.covariance * _inflation(found), frame_known=frame_known),
         frame_known=frame_known,
         phase_rad=found.solution.phase,
         noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
@@ -93,6 +94,14 @@ def estimate(run: Run, *, allowed: FormName | None = None, as_scalar: bool = Fal
     found, noise, loss, scale = _settle(run, seen, noise, shape, start, robust=robust)
     identified = identify(seen, noise, shape, found, loss, scale)
     return Estimate(seen, noise, shape, found, identified, scale)
+
+
+def _inflation(found: Estimate) -> float:
+    """How much correlated residuals widen the covariance; 1 where they are independent."""
+    theta, phase = found.solution.theta, found.solution.phase
+    parts = [evaluate(part, noise, theta, phase).residual for _, part, noise in blocks(found.seen, found.noise)]
+    residual = np.sqrt(found.solution.weight)[:, None] * np.concatenate(parts)
+    return variance_inflation(residual, found.seen.segment)
 
 
 def _require_life(seen: Observations, shape: Form) -> None:

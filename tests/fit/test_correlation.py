@@ -1,0 +1,20 @@
+import numpy as np
+import pytest
+
+from labcal.fit.correlation import variance_inflation
+
+
+def test_white_residuals_are_not_widened() -> None:
+    for seed in range(50):
+        white = np.random.default_rng(seed).normal(size=(600, 3))
+        assert variance_inflation(white, np.zeros(600, dtype=np.intp)) == 1.0
+
+
+def test_correlated_residuals_widen_as_the_mean_does() -> None:
+    rho, n = 0.8, 20_000
+    noise = np.random.default_rng(0).normal(size=(n, 3))
+    x = np.zeros((n, 3))
+    for i in range(1, n):
+        x[i] = rho * x[i - 1] + noise[i]
+    assert variance_inflation(x, np.zeros(n, dtype=np.intp)) == pytest.approx((1 + rho) / (1 - rho), rel=0.1)
+    assert variance_inflation(x, np.arange(n)) == 1.0
