@@ -45,7 +45,8 @@ class EmulatedLink:
 
     def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
         """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
-        self.send(request)
+        if request:
+            self.send(request)
         return read_reply(self, self._clock, end=end, timeout_s=timeout_s)
 
     def reopen(self) -> None:

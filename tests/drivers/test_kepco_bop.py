@@ -1,0 +1,121 @@
+"""Kepco BOP: a signed current, current mode before the output, and an off that does not open."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import pytest
+
+from drivers.emulators.kepco_bop import KepcoEmulator
+from drivers.kepco_bop import KepcoBop, Settings
+from labcal.bench.clock import VirtualClock
+from labcal.bench.links import EmulatedLink
+from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.zero import to_zero
+from labcal.errors import InstrumentError, LimitError
+from labcal.twin import open_twin
+
+OK = (b"SYST:ERR?\n", b'0,"No error"\n')
+
+
+def told(text: bytes, ask: bytes, reply: bytes) -> list[tuple[bytes, bytes | None]]:
+    return [(text + b"\n", SILENT), OK, (ask + b"\n", reply + b"\r\n")]
+
+
+SWITCHED_ON = [
+    (b"OUTP?\n", b"0\n"),
+    *told(b"FUNC:MODE CURR", b"FUNC:MODE?", b"1"),
+    *told(b"VOLT 20.000", b"VOLT?", b"20.000"),
+    *told(b"CURR 0.0000", b"CURR?", b"0.0000"),
+    *told(b"OUTP 1", b"OUTP?", b"1"),
+]
+
+
+def test_the_output_goes_on_in_current_mode_at_zero_with_its_compliance() -> None:
+    with scripted(KepcoBop, [*SWITCHED_ON, (b"FUNC:MODE?\n", b"1\n")]) as supply:
+        supply.output(True)
+
+
+def test_a_supply_that_regulates_voltage_is_a_fault() -> None:
+    wire = [*SWITCHED_ON, (b"FUNC:MODE?\n", b"0\n")]
+    with scripted(KepcoBop, wire) as supply, pytest.raises(InstrumentError) as caught:
+        supply.output(True)
+    assert caught.value.fault == "wrong mode"
+
+
+@pytest.mark.parametrize("amps", [-1.25, 2.5])
+def test_a_current_has_a_sign(amps: float) -> None:
+    with scripted(KepcoBop, told(b"CURR %.4f" % amps, b"CURR?", b"%+.4E" % amps)) as supply:
+        supply.set_current(amps)
+
+
+@pytest.mark.parametrize("amps", [3.01, -3.01, float("nan")])
+def test_beyond_the_limit_nothing_is_sent(amps: float) -> None:
+    with scripted(KepcoBop, []) as supply, pytest.raises(LimitError, match="nothing was sent"):
+        supply.set_current(amps)
+
+
+def test_a_read_back_of_the_other_sign_is_a_fault() -> None:
+    wire = told(b"CURR 0.5000", b"CURR?", b"-0.5000")
+    with scripted(KepcoBop, wire) as supply, pytest.raises(InstrumentError) as caught:
+        supply.set_current(0.5)
+    assert caught.value.fault == "read-back"
+
+
+def test_what_it_refuses_is_said_in_its_words() -> None:
+    wire = [(b"CURR 0.5000\n", SILENT), (b"SYST:ERR?\n", b'-222,"Data out of range"\n')]
+    with scripted(KepcoBop, wire) as supply, pytest.raises(InstrumentError, match="Data out of range"):
+        supply.set_current(0.5)
+
+
+def test_in_echo_mode_a_changed_character_is_a_fault() -> None:
+    ask = b"MEAS:CURR?\n"
+    with scripted(KepcoBop, [(ask, [b"MEAS:", b"CURR?\n", b"0.4990\n"])], echo=True) as supply:
+        assert supply.measure_current() == 0.499
+    with (
+        scripted(KepcoBop, [(ask, b"MEAS:CUR2?\n0.4990\n")], echo=True) as supply,
+        pytest.raises(InstrumentError, match="echoed"),
+    ):
+        supply.measure_current()
+
+
+@pytest.mark.parametrize(
+    ("reply", "fault"),
+    [
+        (SILENT, "silent"),
+        (b"0.49", "silent"),
+        (b"\xff\x00?\n", "wrong reply"),
+        (b"\x15\n", "refused"),
+        (UNPLUGGED, "link lost"),
+    ],
+)
+def test_silence_half_a_reply_noise_overrun_and_unplug_are_named(reply: bytes | str | None, fault: str) -> None:
+    with scripted(KepcoBop, [(b"MEAS:CURR?\n", reply)]) as supply, pytest.raises(InstrumentError) as caught:
+        supply.measure_current()
+    assert caught.value.fault == fault
+
+
+def test_a_late_reply_is_dropped_before_the_next_question() -> None:
+    wire = [(b"MEAS:CURR?\n", [b"0.1000\n", b"0.9999\n"]), (b"CURR?\n", b"0.2000\n")]
+    with scripted(KepcoBop, wire) as supply:
+        assert supply.measure_current() == 0.1
+        supply._clock.wait_until(1.0)
+        assert supply.set_point() == 0.2
+
+
+def test_another_maker_is_refused() -> None:
+    with scripted(KepcoBop, [(b"*IDN?\n", b"RIGOL,DP832,1,2\n")]) as supply, pytest.raises(InstrumentError) as caught:
+        supply.identify()
+    assert caught.value.fault == "another instrument"
+
+
+def test_zero_is_reported_as_not_open() -> None:
+    clock, lab = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), open_twin({}, 1)
+    emulator = KepcoEmulator(lab, {"coil-x": {}}, Settings())
+    supply = KepcoBop("x", EmulatedLink("emulated://x", emulator, clock), clock, Settings())
+    supply.output(True)
+    supply.set_current(-2.0)
+    clock.wait_until(clock.now() + 1.0)
+    assert supply.measure_current() == pytest.approx(-2.0, abs=0.01)
+    assert to_zero({"x": supply}, {"x": 4.0}, clock)["x"].words == "zero, not open"
+    assert lab.coils["x"].current.now(clock.now() + 1.0) == pytest.approx(0.0, abs=1e-3)
