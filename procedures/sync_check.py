@@ -25,6 +25,7 @@ from labcal.bench.steps import (
 )
 
 Array = NDArray[np.float64]
+SPREAD = 9  # points over one sample period
 
 
 def sync_check(
@@ -86,7 +87,8 @@ def _square_wave(bench: Bench, step_nT: float, chips: int, chip_s: float) -> Wor
 def delay(stream: Samples, t_s: Array, level: Array) -> tuple[float, float]:
     """Delay [s] of `stream` behind the wave with corners `t_s`, `level`, and its standard uncertainty.
 
-    Least squares over the delay with one gain and offset an axis; the uncertainty from the curvature of the sum.
+    Least squares over the delay with one gain and offset an axis, the wave averaged over one sample period; the
+    uncertainty from the curvature of the sum.
     """
     seen = stream.between(t_s[0], t_s[-1])
     delays = np.linspace(-1.0, 1.0, 401)
@@ -98,7 +100,8 @@ def delay(stream: Samples, t_s: Array, level: Array) -> tuple[float, float]:
 
 
 def _left_over(seen: Samples, t_s: Array, level: Array) -> float:
-    model = np.interp(seen.t_s, t_s, level)
+    within = seen.period_s * np.linspace(-0.5, 0.5, SPREAD)[:, None]  # an edge falls anywhere between two samples
+    model = np.interp(seen.t_s + within, t_s, level).mean(axis=0)
     basis = np.column_stack([np.ones_like(model), model])
     _, left, _, _ = np.linalg.lstsq(basis, seen.values, rcond=None)
     return float(np.sum(left))

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, set_up
 from labcal.bench.parameters import Limits
+from labcal.bench.position import position
 from labcal.bench.rotation import Rotation
 from labcal.bench.samples import samples
 from labcal.bench.steps import (
@@ -38,11 +39,15 @@ ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitt
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Seen:
-    """Means at each position: `reading` (n, 3) [DUT unit], `true` (n, 3) [nT, B but for one phase], channels (n,)."""
+    """Means at each position: `reading` (n, 3) [DUT unit], `true` (n, 3) [nT, B but for one phase], channels (n,).
+
+    `u_nT` is the standard uncertainty of one component of DUT less reference, by noise.
+    """
 
     t_s: Array
     reading: Array
     true: Array
+    u_nT: float
     channels: dict[str, Array]
 
 
@@ -96,12 +101,14 @@ def _seen(bench: Bench, found: list[list[Block]], axis: str) -> Seen:
     platform_axis = bench.config.platform.axis_cage
     at_zero = shortest_rotation(platform_axis, AXES[axis])
     dut = [samples(blocks, "dut") for blocks in found]
+    spots = [position(bench, blocks) for blocks in found]
     angle = np.array([samples(blocks, "angle", "angle_deg").mean[0] for blocks in found])
-    reference = np.array([samples(blocks, "reference").mean for blocks in found])
+    reference = np.array([spot.reference for spot in spots])
     true = rotate(np.asarray(AXES[axis]), -np.radians(angle), reference @ at_zero.T)
+    u = float(np.sqrt(np.mean([spot.u**2 for spot in spots])))
     names = [channel.name for channel in bench.dut.channels]
     channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}
-    return Seen(np.array([s.t_s.mean() for s in dut]), np.array([s.mean for s in dut]), true, channels)
+    return Seen(np.array([s.t_s.mean() for s in dut]), np.array([s.mean for s in dut]), true, u, channels)
 
 
 def _judge(

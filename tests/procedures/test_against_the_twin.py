@@ -1,0 +1,153 @@
+"""Each procedure against the twin, whose truth is known here and nowhere in the run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.twin.coils import square_coils
+from labcal.twin.config import TwinTruth
+
+Run = Callable[..., Any]
+REFERENCE = "reference = {{ bias_nT = {}, noise_nT = 2.5, nT_per_unit = 6.6666667 }}"
+BIAS = np.array(TwinTruth().dut.bias_nT)
+
+
+def xyz(found: Any, name: str) -> np.ndarray:
+    return np.array([found.value(name.format(axis)) for axis in "xyz"])
+
+
+def test_ambient_finds_mean_and_noise_and_names_the_mains_that_a_rate_folds_to_zero(ran: Run) -> None:
+    noisy = "reference = { noise_nT = 10.0, nT_per_unit = 6.6666667 }"
+    found = ran("ambient", f"ambient = {{ drift_nT = 0.0, mains_nT = 0.0 }}\n{noisy}", duration_s=20)
+    assert xyz(found, "mean ref_{}") == pytest.approx(TwinTruth().ambient.earth_nT, abs=25)
+    quantised = np.hypot(10.0, 1e5 / 15000 / np.sqrt(12))
+    assert xyz(found, "noise ref_{}") == pytest.approx([quantised] * 3, rel=0.15)
+    assert "50 Hz is seen as a steady field at 10 dut samples/s" in found.event("ambient").text
+
+
+def test_sync_check_finds_a_late_dut(ran: Run) -> None:
+    early = ran("sync-check", chips=15)
+    late = ran("sync-check", "effects = { lag = { late_s = 0.3 } }", chips=15)
+    for name in ("DUT behind the set-point", "DUT behind the angle"):
+        assert late.value(name) - early.value(name) == pytest.approx(0.3, abs=0.01)
+    assert late.value("reference behind the set-point") == pytest.approx(
+        early.value("reference behind the set-point"), abs=0.01
+    )
+
+
+def test_cage_calibration_finds_the_matrix_within_its_uncertainty(ran: Run) -> None:
+    found = ran("cage-calibration", steps=2, dwell_s=1.5).event("cage-calibration").data
+    truth = TwinTruth()
+    coils = square_coils(truth.coils.side_m, truth.coils.turns, np.array(truth.coils.tilt_deg))
+    for place, where in (("DUT", np.zeros(3)), ("reference", np.array([0.0, 0.0, 0.15]))):
+        matrix, u = np.array(found[place]["matrix_nT_per_A"]), np.sqrt(np.diag(found[place]["covariance"]))
+        true = coils.at(np.eye(3), where).T
+        assert np.all(np.abs(matrix - true) < 4 * u[:9].reshape(3, 3) + 4e-5 * np.abs(true))
+        assert found[place]["offset_nT"] == pytest.approx(truth.ambient.earth_nT, abs=60)
+    difference = np.array(found["DUT less reference"]["matrix_nT_per_A"])
+    true_difference = (coils.at(np.eye(3), np.zeros(3)) - coils.at(np.eye(3), np.array([0.0, 0.0, 0.15]))).T
+    assert difference == pytest.approx(true_difference, abs=60)
+
+
+def test_flip_finds_the_offset_without_a_reference(ran: Run) -> None:
+    found = ran("flip", "ambient = { mains_nT = 0.0 }\n" + REFERENCE.format("[500.0, 300.0, -400.0]"), dwell_s=5)
+    assert xyz(found, "offset {}") == pytest.approx(BIAS, abs=15)
+
+
+def test_reference_check_finds_its_zero_and_enforces_its_due_date(ran: Run, bench_file: Callable[..., Any]) -> None:
+    zero = [12.0, -9.0, 15.0]
+    found = ran("reference-check", REFERENCE.format(zero), dwell_s=5)
+    assert xyz(found, "zero {}") == pytest.approx(zero, abs=3)
+    old = bench_file("", ("[reference]\n", '[reference]\ncalibration = "aa00, 2020-01-31"\n'))
+    assert "days old, beyond 365" in session.run("reference-check", old).status
+
+
+def test_linearity_tells_a_bent_dut_from_a_straight_one(ran: Run) -> None:
+    straight = ran("linearity", steps=3, dwell_s=2)
+    bent = ran("linearity", "effects = { nonlinearity = { cubic_per_uT2 = 2e-5 } }", steps=3, dwell_s=2)
+    assert straight.measured["departure from a straight line"].verdict == "PASS"
+    b = np.repeat(np.linspace(-5e4, 5e4, 7), 3)
+    cubic = 2e-5 * 1e-6 * b**3 * 1.022
+    left = cubic - np.polyval(np.polyfit(b, cubic, 1), b)
+    assert abs(bent.value("departure from a straight line")) == pytest.approx(np.abs(left).max(), abs=60)
+
+
+def test_current_coupling_finds_the_bias_per_ampere_of_the_load_that_couples(
+    ran: Run, dut_response: np.ndarray
+) -> None:
+    effect = 'effects = { "offset-current" = { channel = "i_payload", nT_per_A = [400.0, -250.0, 300.0] } }'
+    found = ran("current-coupling", effect, repeats=3, dwell_s=6)
+    assert xyz(found, "i_payload: bias {}") == pytest.approx(dut_response @ [400.0, -250.0, 300.0], abs=15)
+    assert abs(found.value("i_payload: delay")) < 0.3
+    for other in ("i_eps", "i_radio"):
+        for axis in "xyz":
+            quiet = found.measured[f"{other}: bias {axis}"]
+            assert abs(quiet.value) < 5 * quiet.u
+
+
+def test_temperature_drift_finds_offset_and_gain(ran: Run, dut_response: np.ndarray) -> None:
+    effects = (
+        '"offset-temperature" = { nT_per_C = [30.0, -20.0, 10.0] }, "gain-temperature" = { per_C = [0.0, 0.0, 1e-3] }'
+    )
+    found = ran("temperature-drift", f"effects = {{ {effects} }}", rounds=12, dwell_s=10)
+    assert xyz(found, "{} at +0 µT per temp_dut") == pytest.approx(dut_response @ [30.0, -20.0, 10.0], abs=3)
+    assert xyz(found, "{} at +50 µT per temp_dut") == pytest.approx(dut_response @ [30.0, -20.0, 60.0], abs=3)
+
+
+def test_dut_moment_finds_what_turns_with_the_dut(ran: Run) -> None:
+    found = ran("dut-moment", 'effects = { "dut-dipole-at-reference" = { moment_Am2 = [0.02, -0.01, 0.03] } }')
+    assert found.value("permanent moment x") == pytest.approx(0.02, abs=1e-4)
+    assert found.value("permanent moment y") == pytest.approx(-0.01, abs=1e-4)
+    assert found.value("induced moment x") == pytest.approx(0.0, abs=1e-4)
+
+
+def test_field_hold_takes_back_what_drifts(ran: Run) -> None:
+    found = ran("field-hold", "ambient = { drift_nT = 400.0 }", duration_s=120)
+    assert found.measured["rms error while held"].verdict == "PASS"
+    tracked = np.array(found.event("ambient").data["ambient_nT"]) - xyz(found, "zero: ref_{}")
+    assert np.linalg.norm(tracked) > 2 * found.value("rms error while held")
+
+
+def test_degauss_alternates_decays_and_ends_at_zero(ran: Run) -> None:
+    found = ran("degauss", cycles=8, hold_s=0.1)
+    along_x = [i.data["read_back_A"][0] for i in found.items if getattr(i, "kind", "") == "set-point"][:8]
+    assert np.all(np.sign(along_x[:6]) == [1, -1, 1, -1, 1, -1])
+    assert np.all(np.diff(np.abs(along_x[:6])) < 0)
+    assert "no deperm" in found.event("note").text
+
+
+def test_cage_map_agrees_with_the_probe(ran: Run) -> None:
+    found = ran("cage-map", probes=2, dwell_s=1)
+    assert found.measured["probe less computed"].verdict == "PASS"
+    other = ran("cage-map", probes=2, dwell_s=1, side_m=0.8)
+    assert other.measured["probe less computed"].verdict == "FAIL"
+
+
+def test_platform_signature_is_small_on_a_quiet_platform(ran: Run) -> None:
+    found = ran("platform-signature", "ambient = { drift_nT = 0.0 }", rate_deg_per_s=18, dwell_s=5)
+    assert {m.verdict for m in found.measured.values() if m.limit} == {"PASS"}
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "turns"),
+    [
+        ("rate-sweep", {"rates_deg_per_s": "10,20"}, [(10, 360), (-10, 360), (20, 360), (-20, 360)]),
+        ("reverse", {"rate_deg_per_s": "20"}, [(20, 360), (-20, 360)]),
+        ("repeat", {"rate_deg_per_s": "20", "times": "3", "pause_s": "1"}, [(20, 360), (-20, 360), (20, 360)]),
+    ],
+)
+def test_turns_are_made_as_asked_in_one_mounting(ran: Run, name: str, given: dict[str, str], turns: list[Any]) -> None:
+    run = session.load_run(ran(name, **given).outcome.run_id)
+    assert {s.mounting for s in run.segments} == {"z"}
+    assert len(run.segments) == len(turns)
+    for index, (rate, span) in enumerate(turns):
+        rows = run.rows(index)
+        t, angle = run.t_s[rows], run.angle_deg[rows]
+        middle = (angle > 120) & (angle < 240)
+        assert np.polyfit(t[middle], angle[middle], 1)[0] == pytest.approx(rate, rel=0.01)
+        assert np.nanmax(angle) - np.nanmin(angle) == pytest.approx(span, abs=2)
