@@ -121,12 +121,11 @@ def _judge(
     error_nT: float | None = None,
 ) -> Work[None]:
     heading, magnitude = errors(field_nT, seen.true, np.asarray(AXES[axis]))
-    for name, values, unit, limit in (
-        ("heading", heading, "deg", heading_deg),
-        ("magnitude", magnitude, "nT", error_nT),
-    ):
+    u_heading = float(np.degrees(seen.u_nT / np.median(np.linalg.norm(seen.true, axis=1))))
+    rows = (("heading", heading, u_heading, "deg", heading_deg), ("magnitude", magnitude, seen.u_nT, "nT", error_nT))
+    for name, values, u, unit, limit in rows:
         rms = float(np.sqrt(np.mean(values**2)))
-        yield from measured(bench, f"{when}: rms {name} error", rms, rms / np.sqrt(2 * len(values)), unit, limit)
+        yield from measured(bench, f"{when}: rms {name} error", rms, u / np.sqrt(len(values)), unit, limit)
         yield from measured(bench, f"{when}: largest {name} error", float(np.abs(values).max()), 0.0, unit)
 
 
