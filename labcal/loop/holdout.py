@@ -37,12 +37,15 @@ class Plan:
 
 
 def plan(problem: Problem, correlation_s: float, block_s: float | None = None, seed: int = 0) -> Plan:
-    """Blocks of `block_s` (a fortieth of the recorded time, not less than five correlation times) in random folds."""
+    """Blocks of `block_s` (a fortieth of the recorded time, not less than five correlation times) in random folds.
+
+    A segment is at least two blocks; the guard is at most a third of the shortest, so that training keeps its rows.
+    """
     t, segment = problem.scene.t_s, problem.scene.segment
     parts = stretches(segment)
     recorded = sum(float(t[p][-1] - t[p][0]) for p in parts)
     length = block_s or max(recorded / BLOCKS, 5 * correlation_s, 8 * float(np.median(np.diff(t))))
-    block, count = np.empty(len(t), dtype=np.intp), 0
+    block, count, shortest = np.empty(len(t), dtype=np.intp), 0, length
     fold_of: list[int] = []
     draw = np.random.default_rng(seed)
     for part in parts:
@@ -50,11 +53,11 @@ def plan(problem: Problem, correlation_s: float, block_s: float | None = None, s
         pieces = max(round(span / length), 2 if len(t[part]) >= 24 else 1)
         inside = np.minimum((t[part] - t[part][0]) / max(span, 1e-9) * pieces, pieces - 1e-9).astype(int)
         block[part] = count + inside
-        count += pieces
+        count, shortest = count + pieces, min(shortest, span / pieces)
         while len(fold_of) < count:
             fold_of += draw.permutation(FOLDS).tolist()
     folds = np.array(fold_of)[:count][block]
-    return Plan(block, folds, min(correlation_s, length / 3))
+    return Plan(block, folds, min(correlation_s, shortest / 3))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
