@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from drivers.emulators.line import Pieces
 
@@ -56,7 +56,7 @@ class RtuSlave:
         if crc(frame[:-2]) != frame[-2:] or frame[0] not in (0, self._device):
             return
         reply = self._answer(t_s, frame[:-2])
-        if frame[0]:
+        if frame[0] or not self._device:  # 0 is for all and not answered, but for who has no other address
             self._waiting.append((t_s + self._delay_s, reply + crc(reply)))
 
     def emit(self, until_s: float) -> Pieces:
@@ -87,3 +87,19 @@ class RtuSlave:
         else:
             data = b"".join(word.to_bytes(2) for word in values)
         return bytes([len(data)]) + data
+
+
+class RtuPair:
+    """Several slaves on one RS-485 pair: all hear everything."""
+
+    def __init__(self, slaves: Iterable[RtuSlave]) -> None:
+        self._slaves = list(slaves)
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """Bytes from the master."""
+        for slave in self._slaves:
+            slave.take(t_s, data)
+
+    def emit(self, until_s: float) -> Pieces:
+        """Replies that are due."""
+        return sorted(piece for slave in self._slaves for piece in slave.emit(until_s))

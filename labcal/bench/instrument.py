@@ -48,7 +48,21 @@ class quantity:
     def __set_name__(self, owner: type, name: str) -> None:
         self.label = name.replace("_", " ")
 
-    def __get__(self, device: Speaks, owner: type | None = None) -> float:
+    def __get__(self, device: Any, owner: type | None = None) -> float:
+        return self._ask(device)
+
+    def __set__(self, device: Any, value: float) -> None:
+        self._refuse_beyond_limits(device, value)
+        self._tell(device, value)
+        held = self._ask(device)
+        if not self._agrees(device, value, held):
+            raise InstrumentError(
+                f"{device.name}: {self.label} was set to {value:g} {self.unit} and reads back {held:g} {self.unit}.",
+                fault="read-back",
+                remedy="Coils go to zero; look at the instrument's panel.",
+            )
+
+    def _ask(self, device: Speaks) -> float:
         reply = device.query(self.get.format(s=device.settings))
         try:
             return self.read(reply)
@@ -59,16 +73,11 @@ class quantity:
                 remedy="Is this the instrument that bench.toml names?",
             ) from error
 
-    def __set__(self, device: Speaks, value: float) -> None:
-        self._refuse_beyond_limits(device, value)
+    def _tell(self, device: Speaks, value: float) -> None:
         device.command(self.set.format(s=device.settings, value=value, on="ON" if value else "OFF"))
-        held = self.__get__(device)
-        if not abs(held - value) <= self.tolerance:
-            raise InstrumentError(
-                f"{device.name}: {self.label} was set to {value:g} {self.unit} and reads back {held:g} {self.unit}.",
-                fault="read-back",
-                remedy="Coils go to zero; look at the instrument's panel.",
-            )
+
+    def _agrees(self, device: Speaks, value: float, held: float) -> bool:
+        return abs(held - value) <= self.tolerance
 
     def _refuse_beyond_limits(self, device: Speaks, value: float) -> None:
         low, high = self.limits(device.settings) if self.limits else (float("-inf"), float("inf"))

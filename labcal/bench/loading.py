@@ -47,8 +47,9 @@ class Loader:
         driver, hints, settings = self.driver(name)
         if entry.role.split("-")[0] not in driver.roles:
             self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
-        link = self.modbus(name, entry, settings) if speaks_modbus(hints) else self.link(name, entry, settings)
-        self.links[self.line_of(name)].never.add(driver.never)
+        modbus = speaks_modbus(hints)
+        link = self.modbus(name, entry, settings) if modbus else self.link(name, entry, settings)
+        self.links[self.line_of(name)].never.add(driver.never, settings.address if modbus else None)
         return cast(Instrument, driver(name, link, self.clock, settings))
 
     def driver(self, name: str) -> tuple[Any, dict[str, Any], Any]:

@@ -50,7 +50,7 @@ def scripted(driver: Any, wire: Sequence[Exchange], **settings: Any) -> Iterator
     """A driver on a scripted line; at the end everything in the script must have been sent."""
     clock, script = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), Script(wire)
     line, hints = EmulatedLink("emulated://script", script, clock), get_type_hints(driver.__init__)
-    line.never.add(driver.never)
-    link = ModbusLink(line, clock) if hints["link"] is ModbusLink else line
-    yield driver("under test", link, clock, hints["settings"](**settings))
+    modbus, stated = hints["link"] is ModbusLink, hints["settings"](**settings)
+    line.never.add(driver.never, stated.address if modbus else None)
+    yield driver("under test", ModbusLink(line, clock) if modbus else line, clock, stated)
     assert not script.left, f"never sent: {[sent for sent, _ in script.left]}"

@@ -50,6 +50,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "waveshare-relay": [bytes.fromhex(h) for h in ("010500005500", "010500FFFF00", "010602000007", "010F00000008")],
     "csv-line": [b"x"],
     "kepco-bop": [b"DIAG:TST?\n", b"diag:tst?\n", b"*RST\n", b"*TST?\n", b"CAL:CURR\n", b"OUTP 1;DIAG:TST?\n"],
+    "riden-rd60xx": [bytes.fromhex(h) for h in ("010601001601", "010600360001", "01060013", "000601001601", "0110")],
 }
 LONGER = {"Hmr2300": "two formats in two modes each"}
 
@@ -65,11 +66,12 @@ class Rig:
         self.lab, self.clock = open_twin({}, 1), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
         roles = {FIRST.get(self.role, self.role): {}}
         self.line = EmulatedLink("emulated://rig", emulator(self.lab, roles, self.settings), self.clock)
-        self.line.never.add(self.driver_class.never)
+        modbus = hints["link"] is ModbusLink
+        self.line.never.add(self.driver_class.never, self.settings.address if modbus else None)
         self.sent: list[bytes] = []
         send = self.line.send
         self.line.send = lambda data: (send(data), self.sent.append(data))[0]  # type: ignore[method-assign]
-        link: Any = ModbusLink(self.line, self.clock) if hints["link"] is ModbusLink else self.line
+        link: Any = ModbusLink(self.line, self.clock) if modbus else self.line
         self.driver: Any = self.driver_class("rig", link, self.clock, self.settings)
 
     def wait(self, seconds: float) -> None:

@@ -7,21 +7,25 @@ from collections.abc import Iterable
 
 from labcal.errors import InstrumentError
 
+MBAP = 6  # bytes of a Modbus TCP header before the unit, with which an RTU frame begins
+
 
 class DenyList:
     """Byte patterns (regular expressions) that a line refuses to send; each driver brings its own as `never`."""
 
     def __init__(self) -> None:
-        self._patterns: list[re.Pattern[bytes]] = []
+        self._patterns: list[tuple[re.Pattern[bytes], bytes]] = []
 
-    def add(self, patterns: Iterable[bytes]) -> None:
-        """From now on these are refused."""
-        self._patterns += [re.compile(pattern, re.DOTALL | re.IGNORECASE) for pattern in patterns]
+    def add(self, patterns: Iterable[bytes], unit: int | None = None) -> None:
+        """From now on these are refused; with `unit` only in frames to that Modbus address, and to all (0)."""
+        heads = b"" if unit is None else bytes([0, unit])
+        self._patterns += [(re.compile(pattern, re.DOTALL | re.IGNORECASE), heads) for pattern in patterns]
 
     def check(self, url: str, data: bytes) -> None:
         """Raise InstrumentError (forbidden) where `data` is on the list; nothing has been sent then."""
-        for pattern in self._patterns:
-            if pattern.search(data):
+        frame = data[MBAP:] if url.startswith("modbus-tcp://") else data
+        for pattern, heads in self._patterns:
+            if (not heads or frame[:1] in heads) and pattern.search(frame):
                 raise InstrumentError(
                     f"{url}: {data!r} is never sent by labcal; nothing was sent.",
                     fault="forbidden",

@@ -1,0 +1,147 @@
+"""Riden RD6006 … RD6030 supplies, Modbus RTU (115200 8N1; 19200 or less through the USB dongle), unipolar."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import dataclass
+
+from labcal.bench.clock import Clock
+from labcal.bench.links.modbus import ModbusLink
+from labcal.bench.registers import register
+from labcal.bench.roles import Identity
+from labcal.errors import InstrumentError
+
+IDENTITY, CURRENT_RANGE, POWER_ON_OUTPUT = 0, 20, 68
+MODELS = (  # first and last identity, name, counts per V, counts per A
+    (60060, 60064, "RD6006", 100, 1000),
+    (60065, 60065, "RD6006P", 1000, 10000),
+    (60120, 60124, "RD6012", 100, 100),
+    (60125, 60129, "RD6012P", 1000, 10000),
+    (60180, 60189, "RD6018", 100, 100),
+    (60241, 60300, "RD6024", 100, 100),
+    (60301, 60301, "RD6030", 100, 100),
+)
+STATE, SET, MEASURED, TRIPPED = 8, 1, 3, 8  # eleven registers from 8, and which of them are what
+TRIPS = {1: "over-voltage", 2: "over-current"}
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`ovp_V`, `ocp_A`: where the supply's own protection trips; they are written before every switching on."""
+
+    address: int = 1
+    max_current_A: float = 3.0
+    compliance_V: float = 20.0
+    ovp_V: float = 22.0
+    ocp_A: float = 3.3
+    zero_current_A: float = 0.02
+    ramp_A_per_s: float = 4.0
+    gap_s: float = 0.11  # stock firmware bears fewer than ten requests a second
+
+
+class RidenSupply:
+    """A unipolar supply in constant current. How it counts follows from the model that answers."""
+
+    roles = ("coil",)
+    never = (  # all but reading, and writing V, I, output, OVP, OCP: no calibration, no presets, no boot loader
+        rb"^.[^\x03\x06]",
+        rb"^.\x06(?!\0[\x08\x09\x12\x52\x53])",
+    )
+    bipolar, can_open = False, True
+
+    compliance = register(
+        8, unit="V", doc="Control the voltage that may drive the coil.",
+        counts=lambda d: d.scale[0], limits=lambda s: (0.0, s.ovp_V),
+    )  # fmt: skip
+    current = register(
+        9, unit="A", doc="Control the current set-point.",
+        counts=lambda d: d.scale[1], limits=lambda s: (0.0, s.max_current_A),
+    )  # fmt: skip
+    enabled = register(18, unit="1", doc="Control whether the output is on.", limits=lambda s: (0, 1))
+    ovp = register(
+        82, unit="V", doc="Control the over-voltage trip.", counts=lambda d: d.scale[0], limits=lambda s: (0.0, 62.0)
+    )
+    ocp = register(
+        83, unit="A", doc="Control the over-current trip.", counts=lambda d: d.scale[1], limits=lambda s: (0.0, 31.0)
+    )
+
+    def __init__(self, name: str, link: ModbusLink, clock: Clock, settings: Settings) -> None:
+        self.name, self.settings, self._link, self._clock = name, settings, link, clock
+        self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
+        self._scale: tuple[int, int] | None = None
+        self._free_s = 0.0
+
+    @property
+    def scale(self) -> tuple[int, int]:
+        """Counts per volt and per ampere, from the identity of the model."""
+        if self._scale is None:
+            self.identify()
+        assert self._scale is not None
+        return self._scale
+
+    def identify(self) -> Identity:
+        """Read model, serial number and firmware. Raises InstrumentError for a model that is not known."""
+        number, high, low, firmware = self.read(IDENTITY, 4)
+        known = next((m for m in MODELS if m[0] <= number <= m[1]), None)
+        if known is None:
+            raise InstrumentError(
+                f"{self.name}: identity register reads {number}, no Riden that is known.", fault="another instrument"
+            )
+        _, _, model, per_V, per_A = known
+        if model == "RD6012P" and self.read(CURRENT_RANGE, 1)[0]:
+            per_A = 1000
+        self._scale = per_V, per_A
+        return Identity("Riden", model, f"{high << 16 | low:08d}", f"{firmware / 100:.2f}")
+
+    def set_current(self, current_A: float) -> None:
+        """Set the current and read the set-point back."""
+        self.current = current_A
+
+    def set_point(self) -> float:
+        """The set-point that it holds [A]."""
+        return self.current
+
+    def measure_current(self) -> float:
+        """The delivered current [A]. Raises InstrumentError (tripped) where a protection has ended it."""
+        state = self.read(STATE, 11)
+        if state[TRIPPED] and state[SET]:  # at set-point zero the way to rest must not be barred
+            why = TRIPS.get(state[TRIPPED], f"protection {state[TRIPPED]}")
+            raise InstrumentError(f"{self.name}: its {why} protection tripped.", fault="tripped", remedy="Coils off.")
+        return state[MEASURED] / self.scale[1]
+
+    def output(self, on: bool) -> None:
+        """Switch the output, confirmed; before it goes on, voltage and trips are set and its set-up is looked at."""
+        if on:
+            if self.read(POWER_ON_OUTPUT, 1)[0]:
+                raise InstrumentError(
+                    f"{self.name}: it would switch its output on by itself when it gets power.",
+                    fault="wrong set-up",
+                    remedy="Switch the option 'power-on output' off in its menu.",
+                )
+            self.compliance = self.settings.compliance_V
+            self.ovp, self.ocp = self.settings.ovp_V, self.settings.ocp_A
+        self.enabled = on
+
+    def make_safe(self) -> None:
+        """Current to zero, then output off; a failure of one does not skip the other."""
+        with ExitStack() as steps:
+            steps.callback(self.output, False)
+            steps.callback(self.set_current, 0.0)
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._link.close()
+
+    def read(self, address: int, count: int) -> list[int]:
+        """Registers, not sooner than its firmware bears."""
+        self._wait()
+        return self._link.read_holding(self.settings.address, address, count)
+
+    def write(self, address: int, value: int) -> None:
+        """One register, once."""
+        self._wait()
+        self._link.write_register(self.settings.address, address, value)
+
+    def _wait(self) -> None:
+        self._clock.wait_until(self._free_s)
+        self._free_s = self._clock.now() + self.settings.gap_s
