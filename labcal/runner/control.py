@@ -16,16 +16,17 @@ class Control:
     """Pause takes hold where the next step begins; stop and abort at the next sample. All leave the coils at zero."""
 
     def __init__(self) -> None:
-        self._pause, self._stop, self._abort = Event(), Event(), Event()
+        self._going, self._stop, self._abort = Event(), Event(), Event()
+        self._going.set()
         self._notes: SimpleQueue[str] = SimpleQueue()
 
     def pause(self) -> None:
         """Wait where the next step begins, with the coils at zero, until `resume`."""
-        self._pause.set()
+        self._going.clear()
 
     def resume(self) -> None:
         """Go on after a pause."""
-        self._pause.clear()
+        self._going.set()
 
     def stop(self) -> None:
         """End now, in order: the procedure undoes what it did. The run is `stopped`."""
@@ -50,7 +51,11 @@ class Control:
 
     def paused(self) -> bool:
         """Whether a pause is wanted."""
-        return self._pause.is_set()
+        return not self._going.is_set()
+
+    def wait_for_resume(self, at_most_s: float) -> None:
+        """Return when going on is wanted, or after `at_most_s` of true time."""
+        self._going.wait(at_most_s)
 
     def stopping(self) -> bool:
         """Whether a stop was asked for."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import queue
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -71,7 +71,7 @@ class Drive:
     def _items(self, procedure: Procedure) -> Iterator[Item]:
         """What the procedure yields, while it is given the answers to what it asks."""
         while True:
-            self.control.check()
+            self._check()
             reply, self._reply = self._reply, None
             try:
                 item = procedure.send(reply)
@@ -98,7 +98,7 @@ class Drive:
         asking = threading.Thread(target=_put_answer, args=(self.answer, prompt, answers), daemon=True)
         asking.start()
         while answers.empty():
-            self.control.check()
+            self._check()
             if isinstance(self.bench.clock, VirtualClock):
                 asking.join(LISTEN_S)
             else:
@@ -114,11 +114,24 @@ class Drive:
         self.bench.cage.zero()
         self._keep(self._event("pause", "paused, coils at zero", current_A=self.bench.cage.currents_A().tolist()))
         while self.control.paused():
-            self._listen()
+            self._check()
+            if isinstance(self.bench.clock, VirtualClock):
+                self.control.wait_for_resume(LISTEN_S)
+            else:
+                self._listen()
         self._keep(self._event("pause", "goes on"))
 
+    def _check(self) -> None:
+        """Raise where the operator wants the end; an abort zeroes the coils before the procedure hears of it."""
+        try:
+            self.control.check()
+        except Aborted:
+            with suppress(Exception):  # tried again, and told, on the way to rest
+                self.bench.cage.zero()
+            raise
+
     def _listen(self) -> None:
-        self.control.check()
+        self._check()
         for block in self.bench.stream_until(self.bench.clock.now() + LISTEN_S):
             self._keep(block)
 

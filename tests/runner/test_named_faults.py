@@ -1,0 +1,114 @@
+"""Disk full, store locked, clock set back: each is named, the coils are at zero, and what was committed stays."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+
+from labcal.bench import Bench, open_bench
+from labcal.bench.clock import VirtualClock
+from labcal.errors import InstrumentError
+from labcal.home import home
+from labcal.record.stream import Item, Step
+from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
+from labcal.store import Store, database, writer
+
+BenchFile = Callable[..., Path]
+SHORT = {"rate_deg_per_s": "20", "zero_s": "3", "dwell_s": "1", "modes": "nominal"}
+
+
+class JumpingClock(VirtualClock):
+    """A virtual clock whose wall time can be set back."""
+
+    back = timedelta(0)
+
+    def utc(self) -> datetime:
+        return super().utc() - self.back
+
+
+@contextmanager
+def opened(bench_file: BenchFile, clock: VirtualClock | None = None) -> Iterator[Bench]:
+    clock = clock or VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
+    with closing(open_bench(bench_file(), clock=clock, seed=2)) as bench:
+        yield bench
+        assert abs(bench.cage.currents_A()).max() < 0.002
+        with sqlite3.connect(home() / "store.sqlite") as found:
+            assert found.execute("PRAGMA integrity_check").fetchone() == ("ok",)
+
+
+def preflight(bench: Bench, tell: Callable[[Item], None] = lambda item: None, **more: Control) -> Outcome:
+    with Store.open() as store:
+        return run_procedure(
+            bench, find("preflight"), SHORT, store=store, answer=yes_to_all(True), tell=tell, run_id="R", **more
+        )
+
+
+def test_a_full_disk_is_named(bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch) -> None:
+    connect = database.connect
+
+    def small(path: Path) -> sqlite3.Connection:
+        connection = connect(path)
+        connection.execute("PRAGMA max_page_count = 60")
+        return connection
+
+    monkeypatch.setattr(writer, "connect", small)
+    with opened(bench_file) as bench:
+        outcome = preflight(bench)
+    assert isinstance(outcome.fault, InstrumentError)
+    assert outcome.fault.fault == "disk full"
+    with Store.open() as store:
+        assert list(store.items("R"))
+        assert store.status("R") in ("interrupted", outcome.status)
+
+
+def test_a_locked_store_is_named(bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(database, "PATIENCE_S", 0.1)
+    holder: list[sqlite3.Connection] = []
+
+    def lock(item: Item) -> None:
+        if isinstance(item, Step) and item.name == "sync-check":
+            holder.append(sqlite3.connect(home() / "store.sqlite", isolation_level=None))
+            holder[0].execute("BEGIN IMMEDIATE")
+
+    with opened(bench_file) as bench:
+        outcome = preflight(bench, lock)
+        holder[0].execute("ROLLBACK")
+        holder[0].close()
+    assert isinstance(outcome.fault, InstrumentError)
+    assert outcome.fault.fault == "store locked"
+
+
+def test_a_clock_that_is_set_back_is_named(bench_file: BenchFile) -> None:
+    clock = JumpingClock(datetime(2026, 11, 21, tzinfo=UTC))
+
+    def set_back(item: Item) -> None:
+        if isinstance(item, Step) and item.name == "axes-check":
+            clock.back = timedelta(hours=1)
+
+    with opened(bench_file, clock) as bench:
+        outcome = preflight(bench, set_back)
+    assert outcome.status.startswith("failed: the computer's clock was set back by 3600.0 s")
+    with Store.open() as store:
+        assert store.status("R") == outcome.status
+
+
+def test_a_pause_waits_with_the_coils_at_zero_and_goes_on(bench_file: BenchFile) -> None:
+    control, currents = Control(), list[float]()
+
+    def tell(item: Item) -> None:
+        if isinstance(item, Step) and item.name == "x+20uT-nominal":
+            control.pause()
+        if control.paused() and getattr(item, "kind", "") == "pause":
+            currents.append(max(map(abs, item.data["current_A"])))  # type: ignore[union-attr]
+            control.resume()
+
+    with opened(bench_file) as bench:
+        outcome = preflight(bench, tell, control=control)
+    assert outcome.status == "finished"
+    assert len(currents) == 1
+    assert currents[0] < 0.002
