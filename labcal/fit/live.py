@@ -14,6 +14,7 @@ from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import fdtri
 
 from labcal.fit import scalar_check, twostep
 from labcal.fit.result import Fit
@@ -24,6 +25,7 @@ from labcal.record import Run
 Array = NDArray[np.float64]
 FIRST_LOOK, GROWTH = 50, 1.25  # readings before TWOSTEP is tried, and between tries
 NEGLIGIBLE = 0.3  # of the noise of the mean: the curvature of |b|² that a start may leave
+CHANCE = 1e-6  # of a false alarm
 SURPRISE = 1.5  # innovations squared over expected: beyond this, and beyond chance, the filter has diverged
 
 
@@ -120,7 +122,7 @@ class LiveFilter:
         if self._steps == 0:
             return None
         ratio = self._surprise / self._steps
-        chance = 1 + 5 * np.sqrt(2 / self._steps + 2 / len(self._start))
+        chance = float(fdtri(self._steps, len(self._start) - 9, 1 - CHANCE))
         if np.isfinite(ratio) and ratio < max(SURPRISE, chance):
             return None
         return (
