@@ -17,7 +17,7 @@ from labcal.fit.scalar_run import fit_scalar
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-PASSES, STEPS, ROUGH, SETTLED = 2, 50, 1e-4, 1e-9
+STEPS, ROUGH, SETTLED = 50, 1e-4, 1e-9
 RIDGE = 10.0  # of the start, in units of what the noise alone seems to tell
 
 
@@ -41,15 +41,14 @@ def estimate(
     """
     unit = float(np.sqrt(np.mean(magnitude**2)))
     reading, magnitude = reading / unit, magnitude / unit
-    c_E = None if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
-    passes = PASSES if near is None else 1
-    for pass_ in range(passes):
-        at = np.zeros(9) if c_E is None else c_E
-        found = moments(reading, magnitude, at, noise / unit**2, reference_noise / unit)
-        settled = SETTLED if pass_ == passes - 1 else ROUGH
-        c_E, covariance = descend(found, start(found) if c_E is None else c_E, unbiased=unbiased, settled=settled)
-    assert c_E is not None
-    return scalar_check.from_c_E(c_E, covariance).in_unit(unit)
+    noise, reference_noise = noise / unit**2, reference_noise / unit
+    if near is None:
+        first = moments(reading, magnitude, np.zeros(9), noise, reference_noise)
+        c_E, _ = descend(first, start(first), unbiased=unbiased, settled=ROUGH)
+    else:
+        c_E = scalar_check.to_c_E(near.bias / unit, near.D)
+    found = moments(reading, magnitude, c_E, noise, reference_noise)  # the weights depend on the parameters, (5b)
+    return scalar_check.from_c_E(*descend(found, c_E, unbiased=unbiased)).in_unit(unit)
 
 
 def start(found: Moments) -> Array:
