@@ -1,9 +1,13 @@
+from dataclasses import replace
+
 import made_up_runs as lab
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 
 from labcal.fit import centered, fit, scalar_check, twostep
 from labcal.fit.moments import weighted
+from labcal.fit.scalar_run import correlation
 
 B, D = np.array([0.1, -0.06, 0.12]), np.array([[0.05, 0.03, -0.04], [0.03, 0.1, 0.02], [-0.04, 0.02, -0.03]])
 TRUTH = np.concatenate([lab.BIAS, scalar_check.stacked(lab.D)])
@@ -156,3 +160,22 @@ def test_without_the_noise_share_the_published_estimate_is_biased_and_ours_is_no
             error[unbiased].append((found.theta - TRUTH) / np.sqrt(np.diag(found.covariance)))
     assert np.abs(np.mean(error[False], axis=0)).max() > 2
     assert np.abs(np.mean(error[True], axis=0)).max() < 4 / np.sqrt(20)
+
+
+def test_correlated_residuals_count_for_fewer():
+    random = np.random.default_rng(0)
+    white = random.standard_normal(20_000)
+    correlated = lfilter([1.0], [1.0, -0.8], white)
+    assert correlation(white) == pytest.approx(1, abs=0.06)
+    assert correlation(correlated) == pytest.approx((1 + 0.8) / (1 - 0.8), rel=0.2)  # three deviations of the estimate
+
+
+def test_the_covariance_is_widened_for_correlated_residuals():
+    field = lab.tumbling(8, 2000)
+    drift = 100.0 * lfilter([0.2], [1.0, -0.98], np.random.default_rng(0).standard_normal(2000))
+    run = lab.run_of(field, 0)
+    wider = replace(run, reference_magnitude=run.reference_magnitude + drift)
+    found = fit(wider, "twostep", holdout=False)
+    bare = twostep.estimate(wider.reading, wider.reference_magnitude, found.noise_nT**2 * np.eye(3))
+    ratio = np.diag(found.covariance)[9:] / np.diag(bare.covariance)[:3]
+    assert ratio.min() > 5

@@ -125,3 +125,11 @@ def test_the_filter_turns_and_scales_with_the_data(kind):
     u = np.sqrt(np.diag(plain.estimate().covariance))[:3].min()
     np.testing.assert_allclose(turned.estimate().bias, R @ plain.estimate().bias, atol=0.02 * u)
     np.testing.assert_allclose(scaled.estimate().bias * 1e3, plain.estimate().bias, atol=1e-6 * u)
+
+
+def test_the_noise_that_readings_share_with_their_magnitude_leaves_no_bias():
+    field, errors = lab.tumbling(9, 1000, low=20_000, high=26_000), []
+    for seed in range(12):
+        found = ended(EKF, seed, field, noise=1400.0)[1].estimate()
+        errors.append((found.theta - TRUTH) / np.sqrt(np.diag(found.covariance)))
+    assert np.abs(np.mean(errors, axis=0)).max() < 4 / np.sqrt(12)
