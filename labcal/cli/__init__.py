@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import cast
 
@@ -13,6 +14,9 @@ DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
 
 # What typer raises for a wrong word on the command line; it comes from click, or from typer's own copy of it.
 UsageFault = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
+
+# The matrices here are small: threads of the linear algebra would only wait for each other.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 app = typer.Typer(
     name="labcal",

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.observations import SCALAR
-from labcal.loop.decide import Cause, forward, looks
+from labcal.loop.decide import Cause, forward, looks, refined
 from labcal.loop.experiments import between
 from labcal.loop.floor import Floor, floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan, rms
@@ -27,7 +27,11 @@ Array = NDArray[np.float64]
 AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
 SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
 A_FEW = 3  # rows set aside before they are named as a cause
+AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
+CONTENDERS = 4  # rivals that are tried on held-out data
 RIVAL = 8.0  # nats: what comes closer does as well
+REFUSALS = 6  # causes refused on held-out data before the loop gives up
+SHORTLIST = 8  # causes that the folds choose from
 MOST_OUTLIERS = 0.05
 WHITE_AT_LEAST = 0.85  # of a declared noise; 0.5 of a measured one
 Progress = Callable[[str], None]
@@ -49,21 +53,31 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
 def weighed(search: Search, level: Floor) -> Evidence:
     """Choose effects, and refuse again those that do not help on data that the fit has not seen."""
     refused: set[Cause] = set()
-    while True:
+    for _ in range(REFUSALS):
         accepted, rankings = forward(search, refused=refused)
+        accepted = _preferred(search, accepted, refused)
         blocks = plan(search.problem, _correlation_s(search, accepted))
         steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
         idle = next((c.cause for c, step in zip(accepted, steps, strict=True) if not _helps(step)), None)
         if idle is None:
             break
         refused.add(idle)
-    honest = held_out(search, blocks, lambda part: forward(part, len(accepted), refine=False, refused=refused)[0])
+    else:
+        accepted, steps = [], []
+    shortlist = _shortlist(search, rankings)
+    honest = held_out(shortlist, blocks, lambda part: forward(part, len(accepted), refused)[0])
     if accepted and not _carries(honest, level):
         refused |= {c.cause for c in accepted}
         accepted, steps = [], []
         honest = held_out(search, blocks, _always(()))
-    rivals = tuple(tuple(_rivals(search, accepted, chosen)) for chosen in accepted)
+    rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
     return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks)
+
+
+def _shortlist(search: Search, rankings: Sequence[Sequence[Weighed]]) -> Search:
+    """The search among the causes that came out best: what has no weight on all rows has none on four fifths."""
+    best = {w.candidate.cause for ranking in rankings for w in ranking[:SHORTLIST]}
+    return search.among([c for c in search.candidates if c.cause in best])
 
 
 def _helps(step: HeldOut) -> bool:
@@ -92,13 +106,21 @@ def _without_outliers(search: Search) -> Search:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Contender:
+    """A cause in the place of an accepted one, and the held-out rms that it reaches."""
+
+    weighed: Weighed
+    after_nT: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
     """All that the verdict rests on."""
 
     search: Search
     accepted: tuple[Candidate, ...]
     rankings: tuple[list[Weighed], ...]
-    rivals: tuple[tuple[Weighed, ...], ...]  # of each accepted effect, itself first
+    rivals: tuple[tuple[Contender, ...], ...]  # of each accepted effect, itself first
     honest: HeldOut
     steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
     level: Floor
@@ -124,6 +146,37 @@ def _lowest(run: Run) -> float:
 
 def _always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
     return lambda part: accepted
+
+
+def _as_good(search: Search, blocks: Plan, accepted: Sequence[Candidate], chosen: Candidate) -> list[Contender]:
+    """`chosen`, and the causes that in its place do as well on held-out data too."""
+    out: list[Contender] = []
+    for w in _rivals(search, accepted, chosen)[: CONTENDERS + 1]:
+        mine = chosen if w.candidate.cause == chosen.cause else w.candidate
+        swapped = [mine if c is chosen else c for c in accepted]
+        after = held_out(search, blocks, _always(swapped)).after
+        if not out or after <= AS_GOOD * out[0].after_nT:
+            out.append(Contender(w, after))
+    return out
+
+
+def _preferred(search: Search, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
+    """Of causes that do as well, the one that can be computed from readings alone; a channel without physics last."""
+    for place, chosen in enumerate(accepted):
+        equals = [w for w in _rivals(search, accepted, chosen) if w.candidate.cause not in refused]
+        best = min(equals, key=lambda w: _standing(w.candidate))
+        if _standing(best.candidate) < _standing(chosen):
+            others = [c for c in accepted if c is not chosen]
+            accepted = [*accepted[:place], refined(search, best.candidate, others), *accepted[place + 1 :]]
+    return accepted
+
+
+def _standing(candidate: Candidate) -> int:
+    if candidate.family.bound_to_run:
+        return 3
+    if candidate.family.belongs_to == "rig":
+        return 2
+    return 1 if candidate.family.id == "offset-channel" else 0
 
 
 def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
@@ -226,18 +279,22 @@ def _records(found: Evidence, after: Refit) -> list[EffectRecord]:
                 holdout_rms_before_nT=step.before,
                 holdout_rms_after_nT=step.after,
                 improvement_ci95_nT=(low, high),
-                p_value=_p_value(own, len(found.search.candidates)),
-                rivals=tuple(_rival(found, chosen, other) for other in others),
-                why=f"held-out rms {step.before:.1f} to {step.after:.1f} nT; weight of evidence {own.weight:.0f} nats",
+                p_value=_p_value(own.weighed, len(found.search.candidates)),
+                rivals=tuple(_rival(other) for other in others),
+                why=_why(step, own.weighed),
             )
         )
     return out
 
 
-def _rival(found: Evidence, chosen: Candidate, other: Weighed) -> Rival:
-    others = [c for c in found.accepted if c is not chosen]
-    swapped = held_out(found.search, found.blocks, _always([*others, other.candidate]))
-    return Rival(other.candidate.family.id, other.candidate.form.channels, swapped.after)
+def _why(step: HeldOut, own: Weighed) -> str:
+    change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
+    return f"{change}; beside an unnamed slow process it gains {own.gain:.0f} nats of likelihood"
+
+
+def _rival(contender: Contender) -> Rival:
+    form = contender.weighed.candidate.form
+    return Rival(contender.weighed.candidate.family.id, form.channels, contender.after_nT)
 
 
 def _p_value(weighed: Weighed, tried: int) -> float:
@@ -311,7 +368,7 @@ def _name(candidate: Candidate) -> str:
 def _next(found: Evidence, verdict: Verdict) -> NextExperiment | None:
     if verdict == "ambiguous":
         chosen, rivals = next((c, r) for c, r in zip(found.accepted, found.rivals, strict=True) if len(r) > 1)
-        other = rivals[1].candidate
+        other = rivals[1].weighed.candidate
         do = between(chosen.family.id, other.family.id) or family(other.family.id).experiment
         return NextExperiment(f"{_name(chosen)} and {_name(other)} do as well as each other on this run", do)
     if verdict in ("unexplained", "partly-explained"):

@@ -20,11 +20,15 @@ Cause = tuple[str, tuple[str, ...]]
 MOST = 3  # effects accepted at most
 MATERIAL = 0.03  # of the noise's square: a smaller drop of the mean square is not worth a parameter
 SHARE = 0.01  # of all that was explained: a smaller part is a detail of the first effect's shape
-RELATED = {"offset-current": ("offset-current-squared",), "offset-current-squared": ("offset-current",)}
+RELATED = {  # what a more general form of the first would also do
+    "offset-current": ("offset-current-squared",),
+    "offset-current-squared": ("offset-current",),
+    "hysteresis": ("nonlinearity",),
+}
 
 
 def forward(
-    search: Search, most: int = MOST, refine: bool = True, refused: Collection[Cause] = ()
+    search: Search, most: int = MOST, refused: Collection[Cause] = ()
 ) -> tuple[list[Candidate], list[list[Weighed]]]:
     """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
     accepted: list[Candidate] = []
@@ -38,7 +42,7 @@ def forward(
         best = next((w for w in ranking if w.drop >= least and w.candidate.cause not in refused), None)
         if best is None or best.weight < NAMED:
             break
-        chosen = refined(search, best.candidate, accepted) if refine else best.candidate
+        chosen = refined(search, best.candidate, accepted)
         total += best.drop
         accepted = reexamined(search, [*accepted, chosen])
         if chosen not in accepted:
@@ -85,7 +89,8 @@ def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
         weights = []
         for chosen in accepted:
             others = [c for c in accepted if c is not chosen]
-            weights.append(search.weigh(chosen, search.stage(others)).weight)
+            stage = search.stage(others, neighbourhood(search, others))
+            weights.append(search.weigh(chosen, stage).weight)
         weakest = int(np.argmin(weights))
         if weights[weakest] >= NAMED:
             break
@@ -112,7 +117,9 @@ def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[C
         return -stage.beside(transformed(columns))[0].log
 
     start = candidate.form.at(name)
-    found = minimize_scalar(badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": 1e-3 * low})
+    found = minimize_scalar(
+        badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": 1e-3 * (high - low)}
+    )
     if found.fun < badness(start):
         return Candidate(candidate.family, candidate.form.reshaped(**{name: float(found.x)}), candidate.looks)
     return candidate

@@ -16,6 +16,7 @@ from labcal.model.effects import Form, Scene
 
 Array = NDArray[np.float64]
 STEPS = 8
+HALVINGS = 6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,17 +59,36 @@ def total(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array |
 def refit(problem: Problem, forms: Sequence[Form], rows: NDArray[np.bool_] | None = None) -> Refit:
     """Fit all from the problem's own parameters, on `rows` where they are given."""
     used = np.ones(len(problem), dtype=bool) if rows is None else rows
-    forms, beta = tuple(forms), tuple(np.zeros(len(form.parameters)) for form in forms)
-    here = problem
+    here, forms = problem, tuple(forms)
+    beta = tuple(np.zeros(len(form.parameters)) for form in forms)
     for _ in range(STEPS):
         A = np.concatenate([here.T, *(-here.columns(form) for form in forms)], axis=2)[used]
         step = -minimise(A, here.y[used], here.T.shape[2])
-        here, beta = _moved(here, forms, beta, step)
-        forms = tuple(_settled(form, b) for form, b in zip(forms, beta, strict=True))
-        here = _about(here, forms, beta)
+        there = _downhill(here, forms, beta, step, used)
+        if there is None:
+            break
+        here, forms, beta = there
         if _negligible(A, step):
             break
     return Refit(here, forms, beta, _covariance(here, forms, beta, used))
+
+
+Point = tuple[Problem, tuple[Form, ...], tuple[Array, ...]]
+
+
+def _downhill(
+    here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...], step: Array, used: NDArray[np.bool_]
+) -> Point | None:
+    """The point a step on, or a part of it that does not raise the sum of squares; None where none does."""
+    limit = float(np.sum(here.y[used] ** 2)) * (1 + 1e-9)
+    for _ in range(HALVINGS):
+        bare, moved = _moved(here, forms, beta, step)
+        settled = tuple(_settled(form, b) for form, b in zip(forms, moved, strict=True))
+        there = _about(bare, settled, moved)
+        if float(np.sum(there.y[used] ** 2)) <= limit:
+            return there, settled, moved
+        step = step / 2
+    return None
 
 
 def _negligible(A: Array, step: Array) -> bool:
@@ -115,7 +135,8 @@ def _covariance(here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...],
 
 def _inverse(A: Array, base: int) -> Array:
     """Of a Gram matrix, zero in the directions of the effects that the base nearly contains."""
-    scale = np.maximum(np.sqrt(np.diag(A)), 1e-300)
+    scale = np.sqrt(np.diag(A))
+    scale = np.where(scale > 0, scale, 1.0)
     A = A / np.outer(scale, scale)
     first = np.linalg.pinv(A[:base, :base], rcond=NOTHING, hermitian=True)
     carried = first @ A[:base, base:]

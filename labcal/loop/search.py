@@ -21,7 +21,7 @@ from labcal.model.effects import Family, Form, families
 Array = NDArray[np.float64]
 NAMED = 12.0  # nats of weight below which nothing is named: odds of 1.6e5 to one
 PEAKS = 3  # frequencies that a periodic effect is tried at
-SEEN = 1e-5  # of a column's square must be new to the base
+SEEN = 1e-4  # of a column's square must be new to the base
 NOTHING = 1e-10  # of the largest eigenvalue: directions below carry no information
 CYCLES = 2.0  # a period must fit this often into a median segment
 
@@ -68,10 +68,14 @@ def expand(problem: Problem) -> list[Candidate]:
 
 
 def _at_home(problem: Problem, family: Family) -> bool:
-    """Effects of the rig need to know where the cage is; those of the field need a base that knows the gains."""
+    """Whether this problem can show the family at all.
+
+    Effects of the rig need to know where the cage is. So does a lag: shifting noisy readings averages them, which
+    lowers a magnitude's residual with no lag at work. Effects of the field need a base that knows the gains.
+    """
     if family.of_field and problem.base != "affine":
         return False
-    return family.belongs_to != "rig" or problem.scene.rig is not None
+    return (family.belongs_to != "rig" and family.id != "lag") or problem.scene.rig is not None
 
 
 def _points(form: Form) -> list[Form]:
@@ -140,8 +144,8 @@ class Search:
     bands: Bands = field(init=False)
     base: Array = field(init=False)  # (n, q, t) transformed tangent
     y: Array = field(init=False)  # (n, q, 1)
-    whitened: dict[int, Array] = field(default_factory=dict)  # shared between folds: columns on all rows
-    _moved: dict[int, Array] = field(default_factory=dict)
+    whitened: dict[int, tuple[Form, Array]] = field(default_factory=dict)  # shared between folds: columns on all rows
+    _moved: dict[int, tuple[Form, Array]] = field(default_factory=dict)  # a kept form keeps its id to itself
 
     def __post_init__(self) -> None:
         self.bands = bands_of(int(self.rows.sum()))
@@ -157,19 +161,23 @@ class Search:
         """The same search on fewer rows."""
         return Search(self.problem, self.candidates, rows, self.lowest, whitened=self.whitened)
 
+    def among(self, candidates: list[Candidate]) -> Search:
+        """The same search among fewer candidates."""
+        return Search(self.problem, candidates, self.rows, self.lowest, whitened=self.whitened)
+
     def columns(self, candidate: Candidate) -> Array:
         """Its whitened columns on all rows (n, q, p)."""
         key = id(candidate.form)
         if key not in self.whitened:
-            self.whitened[key] = self.problem.columns(candidate.form)
-        return self.whitened[key]
+            self.whitened[key] = candidate.form, self.problem.columns(candidate.form)
+        return self.whitened[key][1]
 
     def moved(self, candidate: Candidate) -> Array:
         """Its columns on these rows, transformed."""
         key = id(candidate.form)
         if key not in self._moved:
-            self._moved[key] = transformed(self.columns(candidate)[self.rows])
-        return self._moved[key]
+            self._moved[key] = candidate.form, transformed(self.columns(candidate)[self.rows])
+        return self._moved[key][1]
 
     def stage(self, accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()) -> Stage:
         """The base, what is accepted and other transformed columns, ready for candidates to stand beside."""
@@ -211,7 +219,8 @@ def minimise(A: Array, y: Array, base: int) -> Array:
     """
     n, q, p = A.shape
     flat = A.reshape(n * q, p)
-    scale = np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
+    scale = np.linalg.norm(flat, axis=0)
+    scale = np.where(scale > 0, scale, 1.0)
     gram, pull = (flat / scale).T @ (flat / scale), flat.T @ y.ravel() / scale
     inverse = np.linalg.pinv(gram[:base, :base], rcond=NOTHING, hermitian=True)
     carried = inverse @ gram[:base, base:]

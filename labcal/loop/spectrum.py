@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 BANDS_PER_OCTAVE = 2.0
-CORNERS = (0.0, 1e-4, 1e-2, 1e-1)
-RATIOS = (0.0, *np.logspace(-7, 1.5, 18).tolist())
+CORNERS = (0.0, 1e-3, 1e-1)
+RATIOS = (0.0, *np.logspace(-6, 1.5, 11).tolist())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,7 +112,7 @@ class Stage:
         rss = np.maximum(yy - np.sum(solved * b, axis=1), 1e-300)
         return cls(columns, y, bands, lowest, inverse, solved, rss, _best(rss, y.size, y.shape[1], bands, lowest))
 
-    def beside(self, X: Array, least: float = 1e-5) -> tuple[Likelihood, int]:
+    def beside(self, X: Array, least: float = 1e-4) -> tuple[Likelihood, int]:
         """The likelihood with the transformed columns X (n, q, p) too, and how many directions they add."""
         X = X / np.maximum(np.sqrt(np.sum(X**2, axis=(0, 1))), 1e-300)
         total = _weighted(X, np.concatenate([self.columns, X, self.y], axis=2), self.bands)

@@ -1,9 +1,14 @@
-"""Readings that remember where the field came from: the stop operator, and several of them (Prandtl-Ishlinskii).
+"""Readings that remember where the field came from: Dahl's and the stop operator, each segment starting at rest.
 
-Visintin 1994, ch. III: a stop of threshold r follows the field until it is r away from where it turned.
+A stop of threshold r follows the field until it is r away from where it turned, several of them make a rounded loop
+(Prandtl-Ishlinskii; Visintin, Differential Models of Hysteresis, 1994, ch. III). Dahl's loop (ASME J. Dyn. Syst. 98,
+1976) approaches its branch exponentially over a field w.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -16,8 +21,8 @@ SEVERAL_nT = (1000.0, 5000.0, 20000.0)
 
 
 def stop(drive: Array, threshold: float) -> Array:
-    """The stop operator along rows (n, 3): within ± threshold, moving with the drive, starting at rest."""
-    out, state = np.empty_like(drive), np.zeros(drive.shape[1])
+    """The stop operator along rows of drive (n, k) [nT]: within ± threshold, starting at rest."""
+    state, out = np.zeros(drive.shape[1]), np.empty_like(drive)
     out[0] = state
     for row, step in enumerate(np.diff(drive, axis=0), start=1):
         state = np.minimum(np.maximum(state + step, -threshold), threshold)
@@ -25,25 +30,44 @@ def stop(drive: Array, threshold: float) -> Array:
     return out
 
 
-def kernel(form: Form, scene: Scene) -> Array:
-    """E = Σ c stop_r(s_i) along sensor axis i; each segment starts where its own loop would have left it."""
-    s = scene.along_axes_nT
-    thresholds = [form.at("r_nT")] if form.shape else [float(n[1:].split("_")[0]) for n, _ in form.parameters[::3]]
-    return np.concatenate([_remembered(s, scene, r)[:, None, :] * scene.axes for r in thresholds], axis=2)
-
-
-def _remembered(s: Array, scene: Scene, threshold: float) -> Array:
-    out = np.empty_like(s)
-    for rows in stretches(scene.segment):
-        out[rows] = stop(s[rows], threshold)
+def dahl(drive: Array, width: float) -> Array:
+    """Dahl's loop along rows of drive (n, k), within ± 1: dz = (sign(dx) − z) |dx| / width, starting at rest."""
+    steps = np.diff(drive, axis=0)
+    keeps, toward = np.exp(-np.abs(steps) / width), np.sign(steps)
+    state, out = np.zeros(drive.shape[1]), np.empty_like(drive)
+    out[0] = state
+    for row, (keep, sign) in enumerate(zip(keeps, toward, strict=True), start=1):
+        state = sign + (state - sign) * keep
+        out[row] = state
     return out
 
 
+def kernel(form: Form, scene: Scene) -> Array:
+    """The loops z(s_i) along each sensor axis: Dahl's where the form has a width, else stops of its thresholds."""
+    s = scene.along_axes_nT
+    if any(shape.name == "w_nT" for shape in form.shape):
+        loops = [_by_segment(scene, s, partial(dahl, width=form.at("w_nT")))]
+    else:
+        loops = [_by_segment(scene, s, partial(stop, threshold=r)) for r in _thresholds(form)]
+    return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
+
+
+def _by_segment(scene: Scene, s: Array, loop: Callable[[Array], Array]) -> Array:
+    return np.concatenate([loop(s[rows]) for rows in stretches(scene.segment)])
+
+
+def _thresholds(form: Form) -> list[float]:
+    if form.shape:
+        return [form.at("r_nT")]
+    return [float(name[1:].split("_")[0]) for name, _ in form.parameters[::3]]
+
+
 def candidates(run: Run) -> list[Form]:
-    """One threshold, searched for, and three fixed ones."""
+    """Dahl's loop, one stop, and three."""
+    round_loop = Form(kernel, per_axis("c", "nT"), shape=(Shape("w_nT", THRESHOLDS_nT[1], "nT", THRESHOLDS_nT),))
     one = Form(kernel, per_axis("c", "1"), shape=(Shape("r_nT", THRESHOLDS_nT[1], "nT", THRESHOLDS_nT),))
     several = tuple((f"c{r:.0f}_{a}", "1") for r in SEVERAL_nT for a in AXES)
-    return [one, Form(kernel, several)]
+    return [round_loop, one, Form(kernel, several)]
 
 
 FAMILY = Family(
@@ -51,7 +75,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("r_nT",),
+    shapes=("r_nT", "w_nT"),
     experiment="step the field up and down through the same values, or turn backwards",
     of_field=True,
 )

@@ -13,7 +13,7 @@ def kernel(form: Form, scene: Scene) -> Array:
     """E = R Σ c_k (t − t_ref)^k, fixed in the cage and seen from the body."""
     assert scene.rig is not None
     t = scene.t_s - form.at("t_ref_s")
-    powers = range(1, len(form.parameters) // 3 + 1)
+    powers = range(len(form.parameters) // 3)
     return np.concatenate([scene.rig.to_body * (t**k)[:, None, None] for k in powers], axis=2)
 
 
@@ -22,9 +22,9 @@ def candidates(run: Run) -> list[Form]:
     if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
         return []
     middle = (Shape("t_ref_s", float(run.t_s[0] + run.t_s[-1]) / 2, "s"),)
-    units = {1: "nT/s", 2: "nT/s^2"}
+    units = ("nT", "nT/s", "nT/s^2")
     return [
-        Form(kernel, tuple((f"c{k}_{a}", units[k]) for k in range(1, degree + 1) for a in AXES), shape=middle)
+        Form(kernel, tuple((f"c{k}_{a}", units[k]) for k in range(degree + 1) for a in AXES), shape=middle)
         for degree in (1, 2)
     ]
 
