@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import closing
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
@@ -26,7 +27,7 @@ from labcal.model import Calibration
 from labcal.model.apply import Applied
 from labcal.record import Run
 from labcal.record.stream import Item
-from labcal.runner import Answer, Control, Outcome, find, resume_run, run_procedure, yes_to_all
+from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
 
 THIS_LAB = "this lab's trust list"
@@ -202,13 +203,22 @@ def close_loop(
         check_form(report)  # before the work, not after it
     bundle = run_bundle(run)
     measured = bundle.run()
-    closed = loop.close_loop(measured, progress)
+    closed = _proposing(loop.close_loop(measured, progress))
     if report is not None:
         write_report(closed_loop_page(closed, measured), report)
     if out is not None:
         made = fit.draft_calibration(measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
         write_bytes(out, certificate.calibration_bytes(made))
     return closed
+
+
+def _proposing(closed: ClosedLoop) -> ClosedLoop:
+    """With the name of the procedure whose run tells the accepted causes from their rivals, where there is one."""
+    rivals = [{cause.effect, rival.effect} for cause in closed.accepted for rival in cause.rivals]
+    if closed.next_experiment is None or not rivals:
+        return closed
+    fitting = (p.name for p in procedures().values() if any(set(pair) in rivals for pair in p.separates))
+    return replace(closed, next_experiment=replace(closed.next_experiment, procedure=next(fitting, None)))
 
 
 def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:

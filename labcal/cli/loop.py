@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 import typer
 
 from labcal.cli import DONE, NEGATIVE, app
+from labcal.cli.progress import shown
 from labcal.cli.results import JSON, write_json
+from labcal.errors import InputError
 
 if TYPE_CHECKING:
     from labcal.loop import ClosedLoop
@@ -21,16 +23,37 @@ def close_loop(
     json_file: str | None = JSON,
     report: Path | None = typer.Option(None, metavar="FILE.html", help="Write the report for people (.html or .pdf)."),
     out: Path | None = typer.Option(None, metavar="CAL.json", help="Write the calibration with the effects found."),
+    measure: bool = typer.Option(False, "--measure", help="Run the procedure that tells rivals apart, on --bench."),
+    bench: Path | None = typer.Option(None, help="The bench to measure on."),
 ) -> int:
     """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
     from labcal import session
 
+    if measure and bench is None:
+        raise InputError("--measure needs a bench: say --bench FILE")
     closed = session.close_loop(run, out, _progress, report=report)
+    if bench is not None and measure:
+        _measure(closed, bench)
     if json_file is not None:
         write_json(closed.to_json(), json_file)
     if json_file != "-":
         _show(closed)
     return DONE if closed.done else NEGATIVE
+
+
+def _measure(closed: ClosedLoop, bench: Path) -> None:
+    """Run what the loop proposes; its run id goes to stderr, for stdout belongs to the result."""
+    from labcal import session
+
+    proposed = closed.next_experiment.procedure if closed.next_experiment is not None else None
+    if proposed is None:
+        print("no procedure is needed, or none is known that would tell more", file=sys.stderr)
+        return
+    with shown("bar") as display:
+        answer = display.ask if sys.stdin.isatty() else None
+        outcome = session.run(proposed, bench, answer=answer, tell=display.tell)
+    print(f"{proposed}: {outcome.status}, run {outcome.run_id}", file=sys.stderr)
+    outcome.raise_fault()
 
 
 def _progress(step: str) -> None:

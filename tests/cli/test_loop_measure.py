@@ -1,0 +1,46 @@
+"""What the loop proposes is a procedure that is installed, and `--measure` runs it."""
+
+from __future__ import annotations
+
+from dataclasses import make_dataclass, replace
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from labcal import session
+from labcal.cli import loop as command
+from labcal.loop import NextExperiment
+from labcal.model.calibration import EffectRecord, Rival
+from labcal.runner import procedures
+
+BENCH = Path(__file__).resolve().parents[2] / "examples" / "simulated.toml"
+
+
+def closed_with(effect: str, rival: str) -> Any:
+    """As much of a closed loop as a proposal needs."""
+    cause = EffectRecord(effect, (), {}, "sensor", (), rivals=(Rival(rival, (), 1.0),))
+    kind = make_dataclass("Closed", ["accepted", "next_experiment"])
+    return kind((cause,), NextExperiment("they do as well", "turn faster", None))
+
+
+def test_the_rivals_choose_the_procedure_that_separates_them() -> None:
+    assert session._proposing(closed_with("lag", "hysteresis")).next_experiment.procedure in ("rate-sweep", "reverse")
+    found = session._proposing(closed_with("offset-current", "offset-drift"))
+    assert found.next_experiment.procedure == "current-coupling"
+    assert session._proposing(closed_with("outliers", "saturation")).next_experiment.procedure is None
+
+
+def test_every_pair_names_effects_that_there_are() -> None:
+    known = {entry.name for entry in entry_points(group="labcal.effects")}
+    assert {e for p in procedures().values() for pair in p.separates for e in pair} <= known
+
+
+def test_measure_runs_the_proposal(capsys: pytest.CaptureFixture[str]) -> None:
+    closed = closed_with("lag", "hysteresis")
+    closed = replace(closed, next_experiment=replace(closed.next_experiment, procedure="reverse"))
+    command._measure(closed, BENCH)
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "reverse: finished, run " in said.err
