@@ -81,6 +81,7 @@ class CenteredSequential:
         self._noise, self._reference_noise = noise, reference_noise
         self._state: State | None = None
         self._unit = 1.0
+        self._steps, self._surprise = 0, 0.0
 
     def update(self, reading: Array, magnitude: float) -> None:
         """Take one reading (3,) and the magnitude of the field."""
@@ -93,7 +94,12 @@ class CenteredSequential:
         B, H = np.asarray(reading)[None] / self._unit, np.array([magnitude / self._unit])
         variance = scalar_check.noise_variance(B, H, at, noise, self._reference_noise)
         z = scalar_check.observation(B, H) - scalar_check.noise_mean(at, noise)
-        self._state = advance(self._state, scalar_check.regressor(B)[0], float(z[0]), float(variance[0]))
+        L, before = scalar_check.regressor(B)[0], self._state
+        ahead, innovation = L - before.L, z[0] - before.z
+        expected = ahead @ before.covariance @ ahead + variance[0] + before.variance
+        self._steps += 1
+        self._surprise += float((innovation - ahead @ at) ** 2 / expected)
+        self._state = advance(before, L, float(z[0]), float(variance[0]))
 
     def estimate(self) -> Estimate:
         """Bias and D so far, the noise's share taken off. Raises ArithmeticError while undetermined."""
@@ -103,7 +109,10 @@ class CenteredSequential:
         information = np.linalg.inv(s.covariance)
         share = noise_part(s.L, s.variance, self._noise)
         found = Moments(s.L, s.z, s.variance, np.asarray(information), information @ s.c_E, *share)
-        return scalar_check.from_c_E(*centered.solve(found)).in_unit(self._unit)
+        c_E, covariance = centered.solve(found)
+        free = len(self._start) - 9
+        observed = (free + self._surprise) / (free + self._steps)  # over expected, residuals squared
+        return scalar_check.from_c_E(c_E, covariance * observed).in_unit(self._unit)
 
     def _begin(self, seen: Scalars, found: Estimate) -> None:
         self._unit = unit = float(np.sqrt(np.mean(seen.magnitude**2)))
