@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.registers import register
+from labcal.bench.registers import Registers, register
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
@@ -66,10 +66,10 @@ class RidenSupply:
     )
 
     def __init__(self, name: str, link: ModbusLink, clock: Clock, settings: Settings) -> None:
-        self.name, self.settings, self._link, self._clock = name, settings, link, clock
+        self.name, self.settings = name, settings
+        self.registers = Registers(link, clock, settings.address, settings.gap_s)
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
         self._scale: tuple[int, int] | None = None
-        self._free_s = 0.0
 
     @property
     def scale(self) -> tuple[int, int]:
@@ -81,14 +81,14 @@ class RidenSupply:
 
     def identify(self) -> Identity:
         """Read model, serial number and firmware. Raises InstrumentError for a model that is not known."""
-        number, high, low, firmware = self.read(IDENTITY, 4)
+        number, high, low, firmware = self.registers.read(IDENTITY, 4)
         known = next((m for m in MODELS if m[0] <= number <= m[1]), None)
         if known is None:
             raise InstrumentError(
                 f"{self.name}: identity register reads {number}, no Riden that is known.", fault="another instrument"
             )
         _, _, model, per_V, per_A = known
-        if model == "RD6012P" and self.read(CURRENT_RANGE, 1)[0]:
+        if model == "RD6012P" and self.registers.read(CURRENT_RANGE, 1)[0]:
             per_A = 1000
         self._scale = per_V, per_A
         return Identity("Riden", model, f"{high << 16 | low:08d}", f"{firmware / 100:.2f}")
@@ -103,7 +103,7 @@ class RidenSupply:
 
     def measure_current(self) -> float:
         """The delivered current [A]. Raises InstrumentError (tripped) where a protection has ended it."""
-        state = self.read(STATE, 11)
+        state = self.registers.read(STATE, 11)
         if state[TRIPPED] and state[SET]:  # at set-point zero the way to rest must not be barred
             why = TRIPS.get(state[TRIPPED], f"protection {state[TRIPPED]}")
             raise InstrumentError(f"{self.name}: its {why} protection tripped.", fault="tripped", remedy="Coils off.")
@@ -112,7 +112,7 @@ class RidenSupply:
     def output(self, on: bool) -> None:
         """Switch the output, confirmed; before it goes on, voltage and trips are set and its set-up is looked at."""
         if on:
-            if self.read(POWER_ON_OUTPUT, 1)[0]:
+            if self.registers.read(POWER_ON_OUTPUT, 1)[0]:
                 raise InstrumentError(
                     f"{self.name}: it would switch its output on by itself when it gets power.",
                     fault="wrong set-up",
@@ -130,18 +130,4 @@ class RidenSupply:
 
     def close(self) -> None:
         """Let go of the link."""
-        self._link.close()
-
-    def read(self, address: int, count: int) -> list[int]:
-        """Registers, not sooner than its firmware bears."""
-        self._wait()
-        return self._link.read_holding(self.settings.address, address, count)
-
-    def write(self, address: int, value: int) -> None:
-        """One register, once."""
-        self._wait()
-        self._link.write_register(self.settings.address, address, value)
-
-    def _wait(self) -> None:
-        self._clock.wait_until(self._free_s)
-        self._free_s = self._clock.now() + self.settings.gap_s
+        self.registers.close()

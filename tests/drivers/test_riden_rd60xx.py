@@ -149,10 +149,10 @@ def test_a_late_reply_is_not_taken_for_the_next() -> None:
         assert supply.measure_current() == 0.222
 
 
-@pytest.mark.parametrize("address", [*range(54, 63), 19, 48, 68, 80, 256])
+@pytest.mark.parametrize("address", [*range(54, 63), 19, 48, 68, 80, 114, 115, 256])
 def test_calibration_presets_options_and_boot_loader_cannot_be_written(address: int) -> None:
     with scripted(RidenSupply, []) as supply, pytest.raises(InstrumentError) as caught:
-        supply.write(address, 5633)
+        supply.registers.write(address, 5633)
     assert caught.value.fault == "forbidden"
 
 

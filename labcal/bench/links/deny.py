@@ -19,7 +19,8 @@ class DenyList:
     def add(self, patterns: Iterable[bytes], unit: int | None = None) -> None:
         """From now on these are refused; with `unit` only in frames to that Modbus address, and to all (0)."""
         heads = b"" if unit is None else bytes([0, unit])
-        self._patterns += [(re.compile(pattern, re.DOTALL | re.IGNORECASE), heads) for pattern in patterns]
+        flags = re.DOTALL | (re.IGNORECASE if unit is None else 0)  # letters have a case, numbers have none
+        self._patterns += [(re.compile(pattern, flags), heads) for pattern in patterns]
 
     def check(self, url: str, data: bytes) -> None:
         """Raise InstrumentError (forbidden) where `data` is on the list; nothing has been sent then."""

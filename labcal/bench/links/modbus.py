@@ -15,6 +15,15 @@ from labcal.bench.links.line import Link
 from labcal.errors import InstrumentError
 
 T = TypeVar("T")
+EXCEPTIONS = {
+    1: ": it does not know the function",
+    2: ": it does not know the address",
+    3: ": it does not take the value",
+    4: ": it could not do it",
+    6: ": it is busy",
+    7: ": no access",
+    0x17: ": it is in LOCAL mode, free it on its panel",  # Elektro-Automatik's own
+}
 
 
 class ModbusLink:
@@ -33,38 +42,37 @@ class ModbusLink:
 
     def read_coils(self, device: int, address: int, count: int) -> list[bool]:
         """FC 01. Raises InstrumentError: silent, or refused by the device."""
-        reply = self._ask(lambda: self._client.read_coils(address, count=count, device_id=device))
+        reply = self._ask(1, lambda: self._client.read_coils(address, count=count, device_id=device))
         return list(reply.bits[:count])
 
     def read_holding(self, device: int, address: int, count: int) -> list[int]:
         """FC 03: `count` 16-bit registers from the zero-based `address`."""
-        return self._words(
-            self._ask(lambda: self._client.read_holding_registers(address, count=count, device_id=device)), count
-        )
+        ask = self._client.read_holding_registers
+        return self._words(self._ask(3, lambda: ask(address, count=count, device_id=device)), count)
 
     def read_input(self, device: int, address: int, count: int) -> list[int]:
         """FC 04."""
-        return self._words(
-            self._ask(lambda: self._client.read_input_registers(address, count=count, device_id=device)), count
-        )
+        ask = self._client.read_input_registers
+        return self._words(self._ask(4, lambda: ask(address, count=count, device_id=device)), count)
 
     def write_coil(self, device: int, address: int, on: bool) -> None:
         """FC 05: on or off, never a toggle."""
-        self._ask(lambda: self._client.write_coil(address, on, device_id=device))
+        self._ask(5, lambda: self._client.write_coil(address, on, device_id=device), address)
 
     def write_register(self, device: int, address: int, value: int) -> None:
         """FC 06."""
-        self._ask(lambda: self._client.write_register(address, value, device_id=device))
+        self._ask(6, lambda: self._client.write_register(address, value, device_id=device), address)
 
     def write_registers(self, device: int, address: int, values: Sequence[int]) -> None:
         """FC 16."""
-        self._ask(lambda: self._client.write_registers(address, list(values), device_id=device))
+        self._ask(16, lambda: self._client.write_registers(address, list(values), device_id=device), address)
 
     def close(self) -> None:
         """Let go of the line."""
         self._line.close()
 
-    def _ask(self, request: Callable[[], Any]) -> Any:
+    def _ask(self, function: int, request: Callable[[], Any], written: int | None = None) -> Any:
+        """The reply, if it is one to this function and, of a write, to this address."""
         try:
             reply = request()
         except ModbusException as error:
@@ -76,8 +84,13 @@ class ModbusLink:
             ) from error
         if reply.isError():
             raise InstrumentError(
-                f"{self.url}: the device refused with Modbus exception {reply.exception_code}.", fault="refused"
+                f"{self.url}: the device refused with Modbus exception {reply.exception_code}"
+                f"{EXCEPTIONS.get(reply.exception_code, '')}.",
+                fault="refused",
             )
+        if reply.function_code != function or (written is not None and reply.address != written):
+            self._wait_for_quiet()
+            raise InstrumentError(f"{self.url}: the reply belongs to another request.", fault="wrong reply")
         return reply
 
     def _words(self, reply: Any, count: int) -> list[int]:
