@@ -52,6 +52,8 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "kepco-bop": [b"DIAG:TST?\n", b"diag:tst?\n", b"*RST\n", b"*TST?\n", b"CAL:CURR\n", b"OUTP 1;DIAG:TST?\n"],
     "riden-rd60xx": [bytes.fromhex(h) for h in ("010601001601", "010600360001", "01060013", "000601001601", "0110")],
     "ea-9000": [bytes.fromhex(h) for h in ("00060000", "000F0195", "001001F4", "000501955500", "0005019BFF00")],
+    "keysight-e36300": [b"*RST\n", b"*SAV 1\n", b"OUTP:PAIR SER\n", b"OUTP:TRAC ON\n", b"CAL:SEC:STAT OFF\n"],
+    "korad-ka3005p": [b"SAV1", b"RCL1", b"rcl2\n", b"TRACK1"],
 }
 LONGER = {
     "Hmr2300": "two formats in two modes each",

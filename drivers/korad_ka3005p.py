@@ -1,0 +1,124 @@
+"""Korad KA3005P and its clones (Tenma 72-2540, Velleman), serial ASCII without terminators, unipolar."""
+
+from __future__ import annotations
+
+import re
+from contextlib import ExitStack
+from dataclasses import dataclass
+
+from labcal.bench.clock import Clock
+from labcal.bench.instrument import quantity
+from labcal.bench.links import Link
+from labcal.bench.roles import Identity
+from labcal.errors import InstrumentError
+
+IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")
+OUTPUT_BIT = 6
+QUIET_S = 0.05  # a reply of unknown length has ended when nothing more came for so long
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`terminator`: "" for old firmware, "\\n" for some of version 5 and later."""
+
+    terminator: str = ""
+    max_current_A: float = 3.0
+    compliance_V: float = 20.0
+    zero_current_A: float = 0.005
+    ramp_A_per_s: float = 4.0
+    gap_s: float = 0.06
+    timeout_s: float = 0.5
+
+
+class KoradSupply:
+    """A unipolar supply that reports no errors and drops what comes while it is busy: every set is read back."""
+
+    roles = ("coil",)
+    never = (rb"SAV\d", rb"RCL\d", rb"TRACK")
+    bipolar, can_open = False, True
+
+    current = quantity(
+        "ISET1?", "ISET1:{value:.3f}", unit="A", doc="Control the current set-point.",
+        limits=lambda s: (0.0, s.max_current_A), tolerance=0.00051, read=lambda reply: _decimal(reply, 3),
+    )  # fmt: skip
+    compliance = quantity(
+        "VSET1?", "VSET1:{value:05.2f}", unit="V", doc="Control the voltage that may drive the coil.",
+        limits=lambda s: (0.0, 31.0), tolerance=0.0051, read=lambda reply: _decimal(reply, 2),
+    )  # fmt: skip
+    enabled = quantity(
+        "STATUS?", "OUT{value:d}", unit="1", doc="Control whether the output is on.", limits=lambda s: (0, 1),
+        read=lambda reply: ord(reply) >> OUTPUT_BIT & 1,
+    )  # fmt: skip
+    sensed = quantity("IOUT1?", unit="A", doc="Measure the delivered current.", read=lambda reply: _decimal(reply, 3))
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.name, self.settings, self._link, self._clock = name, settings, link, clock
+        self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
+        self._free_s = 0.0
+
+    def identify(self) -> Identity:
+        """Ask who it is."""
+        self._send("*IDN?")
+        reply = self._until_quiet()
+        if (found := IDENTITY.fullmatch(reply)) is None:
+            raise InstrumentError(
+                f"{self.name}: {reply!r} answered, not a Korad or a clone.", fault="another instrument"
+            )
+        return Identity(found[1].title(), found[2], found[4] or "", found[3] or "")
+
+    def set_current(self, current_A: float) -> None:
+        """Set the current and read the set-point back."""
+        self.current = current_A
+
+    def set_point(self) -> float:
+        """The set-point that it holds [A]."""
+        return self.current
+
+    def measure_current(self) -> float:
+        """The delivered current [A]."""
+        return self.sensed
+
+    def output(self, on: bool) -> None:
+        """Switch the output, confirmed; before it goes on, the compliance voltage is set."""
+        if on:
+            self.compliance = self.settings.compliance_V
+        self.enabled = on
+
+    def make_safe(self) -> None:
+        """Current to zero, then output off; a failure of one does not skip the other."""
+        with ExitStack() as steps:
+            steps.callback(self.output, False)
+            steps.callback(self.set_current, 0.0)
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._link.close()
+
+    def query(self, text: str) -> str:
+        """Ask; one byte of status or five characters are the reply, whatever strays in after them."""
+        self._send(text)
+        length = 1 if text == "STATUS?" else 5
+        return self._link.ask(b"", end=length, timeout_s=self.settings.timeout_s).decode("latin-1")
+
+    def command(self, text: str) -> None:
+        """Tell. It never says whether it heard."""
+        self._send(text)
+
+    def _send(self, text: str) -> None:
+        self._clock.wait_until(self._free_s)
+        self._link.flush()
+        self._link.send((text + self.settings.terminator).encode())
+        self._free_s = self._clock.now() + self.settings.gap_s
+
+    def _until_quiet(self) -> str:
+        reply = self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
+        while pieces := self._link.receive(self._clock.now() + QUIET_S):
+            reply += b"".join(piece for _, piece in pieces)
+        return reply.decode("latin-1").strip("\0\r\n ")
+
+
+def _decimal(reply: str, places: int) -> float:
+    """Five characters such as `12.34` or `1.234`; anything else is no number of this supply."""
+    if not re.fullmatch(rf"\d{{{4 - places}}}\.\d{{{places}}}", reply):
+        raise ValueError(reply)
+    return float(reply)

@@ -1,0 +1,91 @@
+"""Korad: replies by count of bytes, strays that are passed over, and sets that were dropped."""
+
+from __future__ import annotations
+
+import pytest
+
+from drivers.korad_ka3005p import KoradSupply
+from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.errors import InstrumentError, LimitError
+
+
+def test_a_set_has_no_line_end_and_its_read_back_a_stray_sixth_byte() -> None:
+    wire = [(b"ISET1:1.250", SILENT), (b"ISET1?", b"1.250K"), (b"IOUT1?", b"1.249")]
+    with scripted(KoradSupply, wire) as supply:
+        supply.set_current(1.25)
+        assert supply.measure_current() == 1.249
+
+
+def test_newer_firmware_wants_a_line_end_which_is_a_setting() -> None:
+    with scripted(KoradSupply, [(b"IOUT1?\n", b"0.499\n"), (b"STATUS?\n", b"\x51\n")], terminator="\n") as supply:
+        assert supply.measure_current() == 0.499
+        assert supply.enabled == 1
+
+
+@pytest.mark.parametrize(
+    ("said", "model", "serial", "firmware"),
+    [
+        (b"KORADKA3005PV2.0", "KA3005P", "", "2.0"),
+        (b"TENMA 72-2540 V5.3 SN:01234567\n", "72-2540", "01234567", "5.3"),
+    ],
+)
+def test_its_name_ends_where_the_line_falls_quiet(said: bytes, model: str, serial: str, firmware: str) -> None:
+    with scripted(KoradSupply, [(b"*IDN?", [said[:5], said[5:9], said[9:]])]) as supply:
+        who = supply.identify()
+    assert (who.model, who.serial, who.firmware) == (model, serial, firmware)
+
+
+def test_another_instrument_is_refused() -> None:
+    with scripted(KoradSupply, [(b"*IDN?", b"RIGOL,DP832\n")]) as supply, pytest.raises(InstrumentError) as caught:
+        supply.identify()
+    assert caught.value.fault == "another instrument"
+
+
+def test_before_the_output_goes_on_its_voltage_is_set() -> None:
+    wire = [(b"VSET1:05.00", SILENT), (b"VSET1?", b"05.00"), (b"OUT1", SILENT), (b"STATUS?", b"\x51")]
+    with scripted(KoradSupply, wire, compliance_V=5.0) as supply:
+        supply.output(True)
+
+
+def test_a_command_that_was_dropped_is_seen_in_the_read_back() -> None:
+    wire = [(b"ISET1:0.500", SILENT), (b"ISET1?", b"0.000K")]
+    with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError) as caught:
+        supply.set_current(0.5)
+    assert caught.value.fault == "read-back"
+
+
+def test_an_output_that_stays_on_is_a_fault() -> None:
+    with scripted(KoradSupply, [(b"OUT0", SILENT), (b"STATUS?", b"\x50")]) as supply, pytest.raises(InstrumentError):
+        supply.output(False)
+
+
+@pytest.mark.parametrize("amps", [3.001, -0.001, float("nan")])
+def test_beyond_the_limit_nothing_is_sent(amps: float) -> None:
+    with scripted(KoradSupply, []) as supply, pytest.raises(LimitError, match="nothing was sent"):
+        supply.set_current(amps)
+
+
+@pytest.mark.parametrize(
+    ("reply", "fault"),
+    [(SILENT, "silent"), (b"0.4", "silent"), (b"\xff.499", "wrong reply"), (b"00.49", "wrong reply"),
+     (b"IOUT1?", "wrong reply"), (b"-.499", "wrong reply"), (UNPLUGGED, "link lost")],
+)  # fmt: skip
+def test_silence_half_a_number_noise_echo_and_unplug_are_named(reply: bytes | str | None, fault: str) -> None:
+    with scripted(KoradSupply, [(b"IOUT1?", reply)]) as supply, pytest.raises(InstrumentError) as caught:
+        supply.measure_current()
+    assert caught.value.fault == fault
+
+
+def test_a_late_reply_is_dropped_before_the_next_question() -> None:
+    wire = [(b"IOUT1?", [b""] * 101 + [b"9.999"]), (b"IOUT1?", [b"0.1", b"23"])]
+    with scripted(KoradSupply, wire) as supply:
+        with pytest.raises(InstrumentError):
+            supply.measure_current()
+        supply._clock.wait_until(2.0)
+        assert supply.measure_current() == 0.123
+
+
+def test_make_safe_opens_the_output_even_when_zeroing_fails() -> None:
+    wire = [(b"ISET1:0.000", SILENT), (b"ISET1?", b"0.500K"), (b"OUT0", SILENT), (b"STATUS?", b"\x01")]
+    with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError, match="reads back"):
+        supply.make_safe()
