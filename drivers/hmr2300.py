@@ -9,11 +9,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
-from labcal.record.stream import Block
+from labcal.record.stream import Block, Event
 
 NT_PER_COUNT = 1e5 / 15000
 RATES = (10, 20, 25, 30, 40, 50, 60, 100, 123, 154)
@@ -53,6 +54,7 @@ class Hmr2300:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self._rest, self._stamp, self._streaming, self._next_poll_s = b"", 0.0, False, 0.0
+        self._mishaps = Mishaps(name)
 
     def identify(self) -> Identity:
         """Ask for its serial number and firmware; it must not be streaming."""
@@ -94,6 +96,10 @@ class Hmr2300:
             )
         raw = b"".join(frame for _, _, frame in frames)
         return [Block("reference", self.name, COLUMNS, np.array([t for t, _, _ in frames]), counts * NT_PER_COUNT, raw)]
+
+    def events(self) -> list[Event]:
+        """Frames that were no good."""
+        return self._mishaps.events()
 
     def stop(self) -> None:
         """End the stream."""
@@ -137,6 +143,8 @@ class Hmr2300:
             while (taken := self._take_frame()) is not None:
                 if taken[0] is not None:
                     frames.append((self._stamp, taken[0], taken[1]))
+                else:
+                    self._mishaps.note("bad frame", self._stamp)
                 self._stamp = stamp
         return frames
 

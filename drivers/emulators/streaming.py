@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
+
+from drivers.emulators.line import Lab, Pieces
+
+RATE_HZ = 10.0
 
 
 class Beat:
@@ -20,3 +27,37 @@ class Beat:
         times = np.arange(self._next, last + 1) / self._rate
         self._next = last + 1
         return times
+
+
+class Talker:
+    """Sends `rows(t_s)` as frames from the moment it is powered, whether anybody listens or not."""
+
+    def __init__(
+        self,
+        rows: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+        frame: Callable[[float, list[float]], bytes],
+        rate_hz: float = RATE_HZ,
+    ) -> None:
+        self._rows, self._frame, self._beat = rows, frame, Beat(rate_hz)
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """It does not listen."""
+
+    def emit(self, until_s: float) -> Pieces:
+        """The frames that are due."""
+        times = self._beat.due(until_s)
+        if not len(times):
+            return []
+        return [(t, self._frame(t, row)) for t, row in zip(times.tolist(), self._rows(times).tolist(), strict=True)]
+
+
+def dut_rows(lab: Lab, columns: Sequence[str], settings: Any) -> Callable[[Any], Any]:
+    """The twin's reading and housekeeping in the order of a column map, in the DUT's own unit over `scale`."""
+
+    def rows(times: Any) -> Any:
+        reading, channels = lab.dut_reading(times)
+        reading = reading / settings.scale
+        known = {"t": times, "x": reading[:, 0], "y": reading[:, 1], "z": reading[:, 2], **channels}
+        return np.column_stack([known.get(name, np.zeros_like(times)) for name in columns])
+
+    return rows

@@ -29,7 +29,7 @@ from labcal.bench.roles import (
 from labcal.bench.samples import merged
 from labcal.bench.watch import StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
-from labcal.record.stream import Block
+from labcal.record.stream import Block, Event
 
 COIL_POLL_S = 1.0
 COIL_CHANNELS = tuple(
@@ -114,6 +114,10 @@ class Bench:
         self._wait_until(t_s)
         arrived, self._pending = self._pending, []
         return merged(arrived)
+
+    def events(self) -> list[Event]:
+        """What the streams lost on their way since this was asked last: gaps, wrong checksums, broken frames."""
+        return [*self.dut.events(), *self.reference.events()]
 
     def stop(self) -> None:
         """End all streams."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
 from labcal.record.header import ChannelSpec as ChannelSpec  # drivers declare theirs with the roles
-from labcal.record.stream import Block, Prompt
+from labcal.record.stream import Block, Event, Prompt
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +119,10 @@ class Magnetometer(Instrument, Protocol):
 
     def read_until(self, t_s: float) -> list[Block]:
         """All samples that arrived up to `t_s` on the bench's clock; waits for them. Parses, never skips."""
+        ...
+
+    def events(self) -> list[Event]:
+        """What the stream lost since this was asked last: gaps, wrong checksums, broken frames, overruns."""
         ...
 
     def stop(self) -> None:

@@ -85,6 +85,8 @@ class Drive:
         self.tell(item)
         for text in self.control.notes():
             self._keep(self._event("note", text))
+        for event in self.bench.events():
+            self._keep(event)
 
     def _ask(self, prompt: Prompt) -> str:
         given = checked(prompt, self._answer_while_listening(prompt))

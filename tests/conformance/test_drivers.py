@@ -49,6 +49,8 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "hmr2300": [b"*00SP\r", b"*99RST\r", b"*99!BR=F\r", b"*99ID=07\r", b"*00T\r", b"*00D\r", b"*00ZN\r"],
     "waveshare-relay": [bytes.fromhex(h) for h in ("010500005500", "010500FFFF00", "010602000007", "010F00000008")],
     "csv-line": [b"x"],
+    "pmag": [b"$"],
+    "ccsds": [b"\xc0"],
     "kepco-bop": [b"DIAG:TST?\n", b"diag:tst?\n", b"*RST\n", b"*TST?\n", b"CAL:CURR\n", b"OUTP 1;DIAG:TST?\n"],
     "riden-rd60xx": [bytes.fromhex(h) for h in ("010601001601", "010600360001", "01060013", "000601001601", "0110")],
     "ea-9000": [bytes.fromhex(h) for h in ("00060000", "000F0195", "001001F4", "000501955500", "0005019BFF00")],

@@ -61,11 +61,12 @@ def test_housekeeping_goes_by_its_name_with_its_unit() -> None:
 def test_what_is_no_good_line_is_dropped_and_counted(bad: bytes) -> None:
     blocks, dut = heard([(1, b"\n" + bad + b"0,7,8,9\n")])
     np.testing.assert_array_equal(blocks[0].values, [[7, 8, 9]])
-    assert dut.dropped == 1
+    assert [(e.kind, e.data["fault"], e.data["lost"]) for e in dut.events()] == [("stream", "bad frame", 1)]
+    assert dut.events() == []
 
 
 def test_comments_are_not_counted() -> None:
-    assert heard([(1, b"\n# boot\n\n0,7,8,9\n")])[1].dropped == 0
+    assert heard([(1, b"\n# boot\n\n0,7,8,9\n")])[1].events() == []
 
 
 def test_the_devices_own_clock_takes_out_the_lines_jitter() -> None:

@@ -1,0 +1,79 @@
+"""An instrument that talks by itself and is only listened to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from drivers.framing.mishaps import Mishaps
+from labcal.bench.clock import Clock
+from labcal.bench.links import Link
+from labcal.bench.roles import Identity
+from labcal.errors import InstrumentError
+from labcal.record.stream import Block, Event
+
+FIRST_S = 3.0
+Pieces = Sequence[tuple[float, bytes]]
+
+
+class Parser(Protocol):
+    """Bytes in any cutting, into blocks of what is good in them; the rest is noted in its mishaps."""
+
+    def feed(self, pieces: Pieces) -> list[Block]:
+        """The blocks that these pieces complete."""
+        ...
+
+
+class Listener:
+    """The methods of a magnetometer that needs no command. `begin` makes a parser for a stream that begins now.
+
+    It has no name of its own: `who` is what bench.toml states, answered once a first sample has come.
+    """
+
+    never = (rb".",)  # nothing is ever sent
+
+    def __init__(self, name: str, link: Link, clock: Clock, who: Identity, begin: Callable[[Mishaps], Parser]) -> None:
+        self.name, self._link, self._clock, self._who, self._begin = name, link, clock, who, begin
+        self._mishaps = Mishaps(name)
+        self._parser = begin(self._mishaps)
+
+    def identify(self) -> Identity:
+        """Wait for one good sample. Raises InstrumentError (silent) with the last that came."""
+        parser, last = self._begin(Mishaps(self.name)), b""
+        deadline = self._clock.now() + FIRST_S
+        while self._clock.now() < deadline:
+            pieces = self._link.receive(self._clock.now() + 0.05)
+            last = (last + b"".join(data for _, data in pieces))[-60:]
+            if parser.feed(pieces):
+                return self._who
+        raise InstrumentError(
+            f"{self.name}: no good sample in {FIRST_S:g} s; what came ends with {last!r}."
+            if last
+            else f"{self.name}: nothing came in {FIRST_S:g} s.",
+            fault="silent",
+            remedy="Is it powered and sending? Do the settings in bench.toml fit what it sends?",
+        )
+
+    def start(self) -> None:
+        """Begin: what arrived before is dropped."""
+        self._link.flush()
+        self._mishaps = Mishaps(self.name)
+        self._parser = self._begin(self._mishaps)
+
+    def read_until(self, t_s: float) -> list[Block]:
+        """What arrived up to `t_s`."""
+        return self._parser.feed(self._link.receive(t_s))
+
+    def events(self) -> list[Event]:
+        """What was lost or no good since this was asked last."""
+        return self._mishaps.events()
+
+    def stop(self) -> None:
+        """Stop listening; the instrument goes on."""
+
+    def make_safe(self) -> None:
+        """A listener has nothing to make safe."""
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._link.close()

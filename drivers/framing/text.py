@@ -1,0 +1,54 @@
+"""Lines of text with a number for each column, and nothing else that could be taken for one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from drivers.framing.columns import ColumnMap, numbers
+from drivers.framing.mishaps import Mishaps
+from labcal.bench.frames import Lines
+
+Rows = tuple[list[float], list[list[float]], bytes]  # stamps of first bytes, rows, the lines as they came
+
+
+@dataclass(frozen=True)  # without slots, so that a column map can stand beside it
+class Text:
+    """`decimal` point or comma; lines that begin with `comment` are skipped, longer ones than `longest` are noise."""
+
+    delimiter: str = ","
+    decimal: Literal[".", ","] = "."
+    comment: str = "#"
+    longest: int = 1000
+
+    def __post_init__(self) -> None:
+        if not self.delimiter or self.delimiter == self.decimal:
+            raise ValueError("delimiter must be there, and another sign than the decimal point or comma")
+
+
+class TextRows:
+    """The first line after the start may be cut and is dropped; what is no good is noted."""
+
+    def __init__(self, text: Text, columns: ColumnMap, mishaps: Mishaps) -> None:
+        self._text, self._columns, self._mishaps = text, columns, mishaps
+        self._lines = Lines(longest=text.longest, skip_first=True)
+
+    def feed(self, pieces: Sequence[tuple[float, bytes]]) -> Rows:
+        """Stamps, rows and raw lines that these pieces complete."""
+        stamps, rows, raw = list[float](), list[list[float]](), list[bytes]()
+        for stamp, line in self._lines.feed(pieces):
+            words = line.strip(b"\r \0").decode("latin-1")
+            if not words or (self._text.comment and words.startswith(self._text.comment)):
+                continue
+            row = numbers(words.split(self._text.delimiter), self._columns, self._text.decimal)
+            if row is None:
+                self._mishaps.note("bad frame", stamp)
+                continue
+            stamps.append(stamp)
+            rows.append(row)
+            raw.append(line)
+        if self._lines.too_long:
+            self._mishaps.note("bad frame", pieces[-1][0], self._lines.too_long)
+            self._lines.too_long = 0
+        return stamps, rows, b"\n".join(raw)

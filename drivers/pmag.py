@@ -1,0 +1,65 @@
+"""A DUT that sends `$PMAG,t,x,y,z,T*HH`: a sentence after NMEA-0183, whose checksum finds broken digits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from drivers.framing import nmea
+from drivers.framing.columns import Columns, Table, channels, numbers
+from drivers.framing.listener import Listener, Pieces
+from drivers.framing.mishaps import Mishaps
+from labcal.bench.clock import Clock
+from labcal.bench.frames import Lines
+from labcal.bench.links import Link
+from labcal.bench.roles import Identity
+from labcal.record.stream import Block
+
+
+@dataclass(frozen=True, slots=True)
+class Settings(Columns):
+    """The column map of the fields behind the name `sentence`; other sentences are skipped."""
+
+    columns: tuple[str, ...] = ("t", "x", "y", "z", "temp_dut")
+    sentence: str = "PMAG"
+
+
+class Pmag(Listener):
+    """Sentences with a wrong checksum, cut ones and those longer than 82 signs are dropped and reported."""
+
+    roles = ("dut",)
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.settings, self.channels = settings, channels(settings)
+        who = Identity("", f"${settings.sentence} sentence", settings.serial)
+        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
+
+
+class Parser:
+    """Sentences in any cutting, into blocks."""
+
+    def __init__(self, source: str, settings: Settings, mishaps: Mishaps) -> None:
+        self._settings, self._mishaps = settings, mishaps
+        self._lines, self._table = Lines(longest=500, skip_first=True), Table(source, settings, mishaps)
+
+    def feed(self, pieces: Pieces) -> list[Block]:
+        """The blocks of the sentences that these pieces complete."""
+        stamps, rows, raw = list[float](), list[list[float]](), list[bytes]()
+        for stamp, line in self._lines.feed(pieces):
+            if (row := self._row(stamp, line)) is not None:
+                stamps.append(stamp)
+                rows.append(row)
+                raw.append(line)
+        return self._table.blocks(stamps, rows, b"\n".join(raw))
+
+    def _row(self, stamp: float, line: bytes) -> list[float] | None:
+        sentence = nmea.fields(line)
+        if sentence is None:
+            if line.strip():
+                self._mishaps.note("checksum" if nmea.looks_whole(line) else "bad frame", stamp)
+            return None
+        name, values = sentence
+        if name != self._settings.sentence:
+            return None
+        if (row := numbers(values, self._settings)) is None:
+            self._mishaps.note("bad frame", stamp)
+        return row
