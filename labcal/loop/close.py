@@ -65,11 +65,11 @@ def weighed(search: Search, level: Floor) -> Evidence:
     else:
         accepted, steps = [], []
     shortlist = _shortlist(search, rankings)
-    honest = held_out(shortlist, blocks, lambda part: forward(part, len(accepted), refused)[0])
-    if accepted and not _carries(honest, level):
-        refused |= {c.cause for c in accepted}
-        accepted, steps = [], []
-        honest = held_out(search, blocks, _always(()))
+    while True:
+        honest = held_out(shortlist, blocks, _choice(len(accepted), refused))
+        if not accepted or _carries(honest, level):
+            break
+        accepted, steps = accepted[:-1], steps[:-1]
     rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
     return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks)
 
@@ -78,6 +78,10 @@ def _shortlist(search: Search, rankings: Sequence[Sequence[Weighed]]) -> Search:
     """The search among the causes that came out best: what has no weight on all rows has none on four fifths."""
     best = {w.candidate.cause for ranking in rankings for w in ranking[:SHORTLIST]}
     return search.among([c for c in search.candidates if c.cause in best])
+
+
+def _choice(most: int, refused: Collection[Cause]) -> Callable[[Search], Sequence[Candidate]]:
+    return lambda part: forward(part, most, refused)[0]
 
 
 def _helps(step: HeldOut) -> bool:
@@ -98,7 +102,7 @@ def _without_outliers(search: Search) -> Search:
     for _ in range(2):
         here = search.on(rows)
         accepted, _ = forward(here) if not rows.all() else ([], [])
-        still = ~outliers(here.residual(accepted), segment)
+        still = ~outliers(here.residual(accepted), segment, here.explained(accepted))
         if bool((still == rows).all()):
             break
         rows = still
@@ -171,12 +175,14 @@ def _preferred(search: Search, accepted: list[Candidate], refused: Collection[Ca
     return accepted
 
 
-def _standing(candidate: Candidate) -> int:
+def _standing(candidate: Candidate) -> tuple[int, int]:
+    """Low goes first: what readings alone can correct, then the rig's, then time's; the simpler before the richer."""
+    kind = 1 if candidate.family.id == "offset-channel" else 0
     if candidate.family.bound_to_run:
-        return 3
-    if candidate.family.belongs_to == "rig":
-        return 2
-    return 1 if candidate.family.id == "offset-channel" else 0
+        kind = 3
+    elif candidate.family.belongs_to == "rig":
+        kind = 2
+    return kind, len(candidate.form.parameters)
 
 
 def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:

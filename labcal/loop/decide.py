@@ -20,6 +20,8 @@ Cause = tuple[str, tuple[str, ...]]
 MOST = 3  # effects accepted at most
 MATERIAL = 0.03  # of the noise's square: a smaller drop of the mean square is not worth a parameter
 SHARE = 0.01  # of all that was explained: a smaller part is a detail of the first effect's shape
+SHARE_OF_REST = 0.15  # of what still lies above the noise: as much as this is more than a detail
+COMPANION = 0.7  # of the drop of the heaviest
 RELATED = {  # what a more general form of the first would also do
     "offset-current": ("offset-current-squared",),
     "offset-current-squared": ("offset-current",),
@@ -38,9 +40,8 @@ def forward(
         open_to = [c for c in looks(search, accepted) if not _same(c, accepted)]
         ranking = search.rank(open_to, accepted, neighbourhood(search, accepted))
         rankings.append(ranking)
-        least = max(MATERIAL * search.lowest**2, SHARE * total)
-        best = next((w for w in ranking if w.drop >= least and w.candidate.cause not in refused), None)
-        if best is None or best.weight < NAMED:
+        best = _best(search, accepted, [w for w in ranking if w.candidate.cause not in refused], total)
+        if best is None:
             break
         chosen = refined(search, best.candidate, accepted)
         total += best.drop
@@ -48,6 +49,16 @@ def forward(
         if chosen not in accepted:
             break
     return accepted, rankings
+
+
+def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed], total: float) -> Weighed | None:
+    """The heaviest that is material; a companion on a channel already at work goes before a little better stranger."""
+    rest = float(np.mean(search.residual(accepted)[search.rows] ** 2)) - 1.0
+    least = max(MATERIAL * search.lowest**2, min(SHARE * total, SHARE_OF_REST * rest))
+    fit = [w for w in ranking if w.drop >= least and w.weight >= NAMED]
+    used = {name for c in accepted for name in c.form.channels}
+    companions = [w for w in fit if used & set(w.candidate.form.channels) and w.drop >= COMPANION * fit[0].drop]
+    return next(iter([*companions, *fit]), None)
 
 
 def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:

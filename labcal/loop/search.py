@@ -210,6 +210,15 @@ class Search:
         A = np.concatenate([T, *(self.columns(c) for c in accepted)], axis=2)
         return np.asarray(y - A @ minimise(A[rows], y[rows], T.shape[2]))
 
+    def explained(self, accepted: Sequence[Candidate]) -> Array:
+        """What the accepted effects add to every row of the problem (n, q), by plain least squares on these rows."""
+        T, y, rows = self.problem.T, self.problem.y, self.rows
+        X = [self.columns(c) for c in accepted]
+        if not X:
+            return np.zeros_like(y)
+        A = np.concatenate([T, *X], axis=2)
+        return np.asarray(np.concatenate(X, axis=2) @ minimise(A[rows], y[rows], T.shape[2])[T.shape[2] :])
+
 
 def minimise(A: Array, y: Array, base: int) -> Array:
     """The x of least |A x − y|² for A (n, q, p), of which the first `base` columns are the base model's.

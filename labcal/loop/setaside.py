@@ -16,12 +16,25 @@ WINDOW = 4  # neighbours on either side
 LONGEST = 2  # rows in a row: more is structure, not an outlier
 
 
-def outliers(residual: Array, segment: NDArray[np.intp]) -> Mask:
-    """Rows (n,) whose whitened residual (n, q) jumps out of its neighbourhood and back."""
+def outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
+    """Rows (n,) whose whitened residual (n, q) jumps out of its neighbourhood and back.
+
+    Where the accepted `effects` (n, q) themselves jump, as a switched current does, a row between the levels is none.
+    """
     away, around = _neighbourhood(residual, segment)
     spread = 1.4826 * np.median(np.abs(away), axis=0)
-    far = (np.abs(away) > FAR * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)).any(axis=1)
+    limit = FAR * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
+    if effects is not None:
+        limit = limit + _jumps(effects)
+    far = (np.abs(away) > limit).any(axis=1)
     return np.asarray(far & ~_long(np.asarray(far)))
+
+
+def _jumps(effects: Array) -> Array:
+    """The span of the effects over each row and its two neighbours (n, q)."""
+    padded = np.pad(effects, ((1, 1), (0, 0)), mode="edge")
+    near = np.stack([padded[:-2], padded[1:-1], padded[2:]])
+    return np.asarray(near.max(axis=0) - near.min(axis=0))
 
 
 def _neighbourhood(residual: Array, segment: NDArray[np.intp]) -> tuple[Array, Array]:
