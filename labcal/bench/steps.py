@@ -57,7 +57,7 @@ class Plan:
 class Resume:
     """What an interrupted run had finished, given to a procedure that declares the keyword `resume`.
 
-    `done`: names of finished steps. `measured`: the last value of each measurement by name.
+    `done`: names of finished steps. `measured`: the first value of each measurement by name.
     """
 
     done: frozenset[str]

@@ -22,6 +22,7 @@ from labcal.runner.drive import Drive, Ending, Tell
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
 
+RESUMED = "resumed"
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
 
@@ -106,6 +107,8 @@ def resume_run(
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
     writer = store.resume(run_id)
     offset = _last_time(items) + GAP_S - bench.clock.now()
+    software = {"software": f"labcal {labcal.__version__}"}
+    writer.write(Event(_last_time(items) + GAP_S, RESUMED, "goes on after an interruption", software))
     return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, offset)
 
 
@@ -148,11 +151,20 @@ def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | No
 
 
 def so_far(items: Sequence[Item]) -> Resume:
-    """What an interrupted run had finished: every step that another step followed, and the last measured values."""
-    steps = [item.name for item in items if isinstance(item, Step)]
-    skipped = {item.data["step"] for item in items if isinstance(item, Event) and item.kind == "skip"}
-    measured = {item.name: item.value for item in items if isinstance(item, Measurement)}
-    return Resume(frozenset(steps[:-1]) - (skipped & set(steps[-1:])), measured)
+    """What an interrupted run had finished, and the first value of every measurement.
+
+    A step is finished where another followed it before the run broke off, or broke off again.
+    """
+    done, measured, going = set[str](), dict[str, float](), ""
+    for item in items:
+        if isinstance(item, Step):
+            done |= {going} - {""}
+            going = item.name
+        elif isinstance(item, Event) and item.kind == RESUMED:
+            going = ""
+        elif isinstance(item, Measurement):
+            measured.setdefault(item.name, item.value)
+    return Resume(frozenset(done), measured)
 
 
 def _last_time(items: Sequence[Item]) -> float:

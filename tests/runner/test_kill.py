@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import os
+import multiprocessing
 import random
-import signal
 import sqlite3
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -29,12 +26,8 @@ SHORT = {
     "zero_s": "2",
     "dwell_s": "0.5",
 }
-CHILD = """
-import sys
-from pathlib import Path
-from labcal import session
-session.run("preflight", Path(sys.argv[1]), dict(pair.split("=") for pair in sys.argv[2:]), run_id="R", seed=2)
-"""
+CHILDREN = multiprocessing.get_context("forkserver")
+CHILDREN.set_forkserver_preload(["labcal.session", "procedures.preflight", "labcal.twin"])
 
 
 def committed() -> int:
@@ -51,16 +44,19 @@ def committed() -> int:
 
 def killed_after(bench: Path, seconds: float) -> int:
     """Start a preflight, kill it so long after its first committed row; returns the rows seen just before."""
-    settings = [f"{key}={value}" for key, value in SHORT.items()]
-    child = subprocess.Popen([sys.executable, "-c", CHILD, str(bench), *settings], env=os.environ)
-    while not (seen := committed()) and child.poll() is None:
-        time.sleep(0.01)
-    end = time.monotonic() + seconds
-    while time.monotonic() < end and child.poll() is None:
-        seen = max(seen, committed())
+    store = home() / "store.sqlite"
+    child = CHILDREN.Process(
+        target=session.run, args=("preflight", bench, SHORT), kwargs={"run_id": "R", "seed": 2, "store": store}
+    )
+    child.start()
+    while not (seen := committed()) and child.is_alive():
         time.sleep(0.02)
-    child.send_signal(signal.SIGKILL)
-    child.wait()
+    end = time.monotonic() + seconds
+    while time.monotonic() < end and child.is_alive():
+        seen = max(seen, committed())
+        time.sleep(0.05)
+    child.kill()
+    child.join()
     return seen
 
 
