@@ -1,0 +1,98 @@
+"""The whole line, from the emulated wire to a file that somebody without labcal can check."""
+
+import json
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import pytest
+
+from labcal import cli
+
+SEED = "3"
+
+
+@pytest.fixture(scope="module")
+def demo(tmp_path_factory):
+    """One demo, run as a person would; what it printed and where it wrote."""
+    folder = tmp_path_factory.mktemp("demo")
+    finished = run(folder)
+    return folder, finished.stdout
+
+
+def run(folder):
+    import sys
+
+    command = [
+        sys.executable,
+        "-c",
+        "from labcal.cli import main; main()",
+        "demo",
+        "--seed",
+        SEED,
+        "--out",
+        str(folder),
+    ]
+    return subprocess.run(command, capture_output=True, text=True, check=True)
+
+
+def test_it_leaves_what_it_promises_and_says_so(demo):
+    folder, said = demo
+    for name in ("run.zip", "calibration.json", "calibration.json.sshsig", "allowed_signers", "report.html"):
+        assert (folder / name).is_file(), name
+        assert name in said.replace("\n", "")
+
+
+def test_everything_it_writes_says_simulated(demo):
+    folder, said = demo
+    assert "SIMULATED" in said
+    assert "SIMULATED" in (folder / "report.html").read_text()
+    assert json.loads((folder / "calibration.json").read_text())["simulated"] is True
+    with zipfile.ZipFile(folder / "run.zip") as bundle:
+        assert json.loads(bundle.read("run.json"))["simulated"] is True
+
+
+def test_the_error_falls_and_the_signature_holds(demo):
+    _, said = demo
+    assert "signature" in said
+    assert "DOES NOT HOLD" not in said
+    line = next(line for line in said.splitlines() if line.startswith("held-out error"))
+    before, after = (float(part.split()[-2]) for part in line.split("→"))
+    assert after < before
+
+
+def test_the_hidden_effect_is_written_nowhere_in_the_run(demo):
+    folder, _ = demo
+    with zipfile.ZipFile(folder / "run.zip") as bundle:
+        header = bundle.read("run.json").decode()
+    for word in ("effect", "surprise", "twin", "i_radio_nT", "offset-"):
+        assert word not in header
+
+
+def test_the_same_seed_gives_the_same_bytes_and_a_second_call_works(demo):
+    folder, _ = demo
+    first = {name: (folder / name).read_bytes() for name in ("run.zip", "calibration.json")}
+    run(folder)
+    for name, content in first.items():
+        assert (folder / name).read_bytes() == content, name
+
+
+def test_somebody_without_labcal_can_check_the_signature(demo):
+    keygen = shutil.which("ssh-keygen")
+    if keygen is None:
+        pytest.skip("needs OpenSSH's ssh-keygen, which is not installed")
+    folder, _ = demo
+    command = [keygen, "-Y", "verify", "-f", str(folder / "allowed_signers"), "-I", "simulated"]
+    command += ["-n", "labcal-calibration", "-s", str(folder / "calibration.json.sshsig")]
+    content = (folder / "calibration.json").read_bytes()
+    assert subprocess.run(command, input=content, capture_output=True).returncode == 0
+    changed = content.replace(b"1", b"2", 1)
+    assert subprocess.run(command, input=changed, capture_output=True).returncode != 0
+
+
+def test_verify_says_yes_to_the_demo_and_no_to_another_run(demo, capsys):
+    folder, _ = demo
+    arguments = ["verify", str(folder / "calibration.json"), "--allowed-signers", str(folder / "allowed_signers")]
+    assert cli._run([*arguments, "--run", str(folder / "run.zip")]) == 0
+    assert cli._run(["verify", str(folder / "calibration.json")]) == 1  # this lab trusts nobody yet
