@@ -22,8 +22,6 @@ def demo(tmp_path_factory):
 
 
 def run(folder):
-    import sys
-
     command = [
         sys.executable,
         "-c",
