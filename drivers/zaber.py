@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
@@ -72,13 +73,9 @@ class ZaberStage:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
         reply = self._ask("get pos")
         self._refuse_faults(reply)
-        off = int(reply.data) / self._steps_per_deg - (self._target_deg or 0.0)
-        if not reply.busy and self._target_deg is not None and abs(off) > self.settings.tolerance_deg:
-            raise InstrumentError(
-                f"{self.name}: it stopped {off:+.3f}° from its target of {self._target_deg:.3f}°.",
-                fault="not arrived",
-                remedy="Look for what holds it, home it and begin this step again.",
-            )
+        if not reply.busy:
+            angle = int(reply.data) / self._steps_per_deg
+            refuse_elsewhere(self.name, angle, self._target_deg, self.settings.tolerance_deg)
         return reply.busy
 
     def angle_deg(self) -> float:

@@ -56,6 +56,8 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "ea-9000": [bytes.fromhex(h) for h in ("00060000", "000F0195", "001001F4", "000501955500", "0005019BFF00")],
     "keysight-e36300": [b"*RST\n", b"*SAV 1\n", b"OUTP:PAIR SER\n", b"OUTP:TRAC ON\n", b"CAL:SEC:STAT OFF\n"],
     "korad-ka3005p": [b"SAV1", b"RCL1", b"rcl2\n", b"TRACK1"],
+    "newport-esp301": [b"1PR5\r", b"1MV+\r", b"1DH\r", b"SM\r", b"RS\r", b"1PA5;1PR5\r", b"1SN7\r"],
+    "newport-smc100": [b"1PR5\r\n", b"1PW1\r\n", b"1RS\r\n", b"1SA2\r\n", b"1ZX3\r\n"],
 }
 LONGER = {
     "Hmr2300": "two formats in two modes each",
@@ -203,3 +205,47 @@ def test_a_stream_gives_finite_ordered_samples_with_their_raw_bytes(name: str) -
     assert len(stamps) > 40
     assert (np.diff(stamps) > 0).all()
     assert all(np.isfinite(b.values).all() and b.raw for b in main)
+
+
+STAGES = sorted(name for name, entry in DRIVERS.items() if "platform" in entry.load().roles and entry.load().motorised)
+
+
+@pytest.fixture(params=STAGES)
+def stage(request: pytest.FixtureRequest) -> Rig:
+    rig = Rig(request.param)
+    rig.driver.identify()
+    rig.driver.home()
+    while rig.driver.moving():
+        rig.wait(0.1)
+    return rig
+
+
+def test_a_stage_arrives_where_it_was_sent_and_says_so(stage: Rig) -> None:
+    for target in (30.5, -12.25):
+        stage.driver.move_to(target, 10.0)
+        stage.wait(0.5)
+        assert stage.driver.moving()
+        assert stage.driver.state()[1]
+        while stage.driver.moving():
+            stage.wait(0.1)
+        assert stage.driver.angle_deg() == pytest.approx(target, abs=stage.driver.settings.tolerance_deg)
+        assert stage.lab.platform.now(stage.clock.now())[0] == pytest.approx(target, abs=0.02)
+
+
+def test_a_stage_that_is_held_has_not_arrived(stage: Rig) -> None:
+    stage.driver.move_to(60.0, 10.0)
+    stage.wait(1.0)
+    stage.lab.platform.stop(stage.clock.now())
+    stage.wait(3.0)
+    with pytest.raises(InstrumentError, match="from its target") as caught:
+        stage.driver.moving()
+    assert caught.value.fault == "not arrived"
+
+
+def test_a_stage_made_safe_comes_to_rest_on_its_way(stage: Rig) -> None:
+    stage.driver.move_to(90.0, 10.0)
+    stage.wait(1.0)
+    stage.driver.make_safe()
+    stage.wait(4.0)
+    assert not stage.driver.moving()
+    assert 0.5 < stage.driver.angle_deg() < 80.0

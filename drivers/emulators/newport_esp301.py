@@ -1,0 +1,76 @@
+"""A Newport ESP301 with a URS100 rotary stage on axis 1."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from drivers.emulators.line import Answers, Lab
+
+COMMAND = re.compile(r"(\d?)([A-Z]{2})(\?|-?[\d.]*)")
+OUT_OF_RANGE, MOTOR_OFF, UNKNOWN = 7, 113, 6
+MAX_RATE = 40.0
+TEXTS = {
+    OUT_OF_RANGE: "PARAMETER OUT OF RANGE",
+    MOTOR_OFF: "MOTOR NOT ENABLED",
+    UNKNOWN: "COMMAND DOES NOT EXIST",
+}
+
+
+class Esp301Emulator(Answers):
+    """Moves the twin's turntable; its motor is off until it is switched on."""
+
+    def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
+        super().__init__(self._reply, end=b"\r", delay_s=0.004)
+        self._platform, self._rate, self._on = lab.platform, 10.0, False
+        self._errors: list[int] = []
+
+    def _reply(self, t_s: float, text: str) -> bytes:
+        said = self._do(t_s, text)
+        return said.encode() + b"\r\n" if said else b""
+
+    def _do(self, t_s: float, text: str) -> str:
+        found = COMMAND.fullmatch(text.upper())
+        match (found[1], found[2], found[3]) if found else ():
+            case ("", "VE", "?"):
+                return "ESP301 Version 3.0.1 6/1/99"
+            case ("", "TB", "?"):
+                code = self._errors.pop(0) if self._errors else 0
+                return f"{code}, {int(t_s * 400)}, {TEXTS.get(code, 'NO ERROR DETECTED')}"
+            case ("1", "ID", "?"):
+                return "URS100BPP, SN1263"
+            case ("1", "SN", "?"):
+                return "7"
+            case ("1", "TP", _):
+                return f"{self._platform.now(t_s)[0]:.4f}"
+            case ("1", "MD", "?"):
+                return f"{not self._platform.moving(t_s):d}"
+            case ("1", "VA", "?"):
+                return f"{self._rate:.4f}"
+            case ("1", what, value):
+                self._act(t_s, what, value)
+            case _:
+                self._errors.append(UNKNOWN)
+        return ""
+
+    def _act(self, t_s: float, what: str, value: str) -> None:
+        match what:
+            case "MO":
+                self._on = True
+            case "MF":
+                self._on = False
+            case "ST":
+                self._platform.stop(t_s)
+            case "VA" if 0 < float(value) <= MAX_RATE:
+                self._rate = float(value)
+            case "PA" | "OR" if not self._on:
+                self._errors.append(MOTOR_OFF)
+            case "PA":
+                self._platform.move(t_s, float(value), self._rate)
+            case "OR":
+                self._platform.move(t_s, 0.0, self._rate)
+            case "VA":
+                self._errors.append(OUT_OF_RANGE)
+            case _:
+                self._errors.append(UNKNOWN)

@@ -1,0 +1,149 @@
+"""Newport SMC100CC/PP and CONEX-CC with a rotary stage, ASCII (57600 8N1 XON/XOFF; CONEX: USB 921600)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from labcal.bench.arrival import refuse_elsewhere
+from labcal.bench.clock import Clock
+from labcal.bench.links import Link
+from labcal.bench.roles import Identity
+from labcal.errors import InstrumentError
+
+NOT_REFERENCED = range(0x0A, 0x12)
+HOMING, MOVING = (0x1E, 0x1F), (0x28,)
+READY = range(0x32, 0x36)
+DISABLED = range(0x3C, 0x3F)
+NO_ERROR = "@"
+ERRORS = {
+    "A": "unknown message", "B": "wrong address", "C": "parameter out of range", "D": "not allowed",
+    "E": "it homes already", "G": "beyond its range", "H": "it is not referenced", "I": "it is being configured",
+    "J": "it is disabled", "K": "not while it is ready", "L": "it homes", "M": "it moves", "N": "beyond a soft limit",
+    "S": "time-out", "U": "memory fault", "V": "execution fault", "W": "wrong type", "X": "wrong type",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`tolerance_deg`: how far from its target a finished move may end."""
+
+    address: int = 1
+    tolerance_deg: float = 0.02
+    max_rate_deg_per_s: float = 20.0
+    gap_s: float = 0.05
+    timeout_s: float = 0.5
+
+
+class Smc100Stage:
+    """Absolute moves only. Ready is not arrived: state, error bits and position are looked at after every move."""
+
+    roles = ("platform",)
+    never = (  # relative moves, configuration (flash), resets, other addresses, jogging
+        rb"\d(PR|PW|RS|SA|SE|ZX|JM|DV|FD|FE|KD|KI|KP|KV|OH|OT|QI|SC|SR|SL|SU|AC|BA|BH|HT|ID|JR|OL)[^?]",
+    )
+    motorised = True
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.name, self.settings, self._link, self._clock = name, settings, link, clock
+        self.max_rate_deg_per_s = settings.max_rate_deg_per_s
+        self._target_deg: float | None = None
+        self._free_s = 0.0
+
+    def identify(self) -> Identity:
+        """Ask for the controller's version and its stage. Raises InstrumentError for another controller."""
+        version, stage = self._ask("VE"), self._ask("ID?")
+        if not re.search("SMC|CONEX", version, re.IGNORECASE):
+            raise InstrumentError(f"{self.name}: {version!r} answered, not an SMC100.", fault="another instrument")
+        return Identity("Newport", stage, f"address {self.settings.address}", version)
+
+    def home(self) -> None:
+        """Search the reference where it is not known, as after every power-up."""
+        if self._state() in NOT_REFERENCED:
+            self._target_deg = 0.0
+            self._tell("OR")
+
+    def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
+        """Begin an absolute move in the stage's own sense; sent once, never repeated."""
+        self._tell(f"VA{rate_deg_per_s:.4f}")
+        held = self._number("VA?")
+        if abs(held - rate_deg_per_s) > 1e-3:
+            raise InstrumentError(f"{self.name}: its velocity reads back {held:g} deg/s.", fault="read-back")
+        self._target_deg = angle_deg
+        self._tell(f"PA{angle_deg:.4f}")
+
+    def moving(self) -> bool:
+        """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
+        state = self._state()
+        if state in (*HOMING, *MOVING):
+            return True
+        if state not in READY:
+            raise InstrumentError(
+                f"{self.name}: it is {self._words(state)} (state {state:02X}).",
+                fault="stage fault",
+                remedy="Look at the stage, home it and begin this step again.",
+            )
+        refuse_elsewhere(self.name, self.angle_deg(), self._target_deg, self.settings.tolerance_deg)
+        return False
+
+    def angle_deg(self) -> float:
+        """The position [deg] in the stage's own sense."""
+        return self._number("TP")
+
+    def state(self) -> tuple[float, bool]:
+        """Position [deg] and whether it moves; first the motion, so that a position said to be final is."""
+        moving = self._status()[1] in (*HOMING, *MOVING)
+        return self.angle_deg(), moving
+
+    def make_safe(self) -> None:
+        """Stop; allowed in every state."""
+        self._target_deg = None
+        self._tell("ST")
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._link.close()
+
+    def _state(self) -> int:
+        errors, state = self._status()
+        if errors:
+            raise InstrumentError(f"{self.name}: its positioner reports error {errors:04X}.", fault="stage fault")
+        return state
+
+    def _status(self) -> tuple[int, int]:
+        reply = self._ask("TS")
+        if not re.fullmatch("[0-9A-F]{6}", reply):
+            raise self._wrong("TS", reply)
+        return int(reply[:4], 16), int(reply[4:], 16)
+
+    def _words(self, state: int) -> str:
+        return "not referenced" if state in NOT_REFERENCED else "disabled" if state in DISABLED else "not ready"
+
+    def _tell(self, words: str) -> None:
+        self._send(words)
+        code = self._ask("TE")
+        if code != NO_ERROR:
+            raise InstrumentError(f"{self.name}: {words} failed: {ERRORS.get(code, code)}.", fault="refused")
+
+    def _number(self, words: str) -> float:
+        reply = self._ask(words)
+        if not re.fullmatch(r"[+-]?\d+(\.\d*)?(E[+-]?\d+)?", reply):
+            raise self._wrong(words, reply)
+        return float(reply)
+
+    def _ask(self, words: str) -> str:
+        self._send(words)
+        reply = self._link.ask(b"", end=b"\r\n", timeout_s=self.settings.timeout_s).decode("ascii", "replace").strip()
+        prefix = f"{self.settings.address}{words.removesuffix('?')}"
+        if not reply.startswith(prefix):
+            raise self._wrong(words, reply)
+        return reply.removeprefix(prefix).strip()
+
+    def _send(self, words: str) -> None:
+        self._clock.wait_until(self._free_s)
+        self._link.flush()
+        self._link.send(f"{self.settings.address}{words}\r\n".encode())
+        self._free_s = self._clock.now() + self.settings.gap_s
+
+    def _wrong(self, words: str, reply: str) -> InstrumentError:
+        return InstrumentError(f"{self.name}: {words} was answered {reply!r}.", fault="wrong reply")

@@ -1,0 +1,101 @@
+"""Newport SMC100: replies with their prefix, states, and errors by letter; ready is not arrived."""
+
+from __future__ import annotations
+
+import pytest
+
+from drivers.newport_smc100 import Smc100Stage
+from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.errors import InstrumentError
+
+FINE = (b"1TE\r\n", b"1TE@\r\n")
+AT_6 = [(b"1VA6.0000\r\n", SILENT), FINE, (b"1VA?\r\n", b"1VA6\r\n")]
+MOVE = [*AT_6, (b"1PA30.5000\r\n", SILENT), FINE]
+
+
+def status(code: bytes) -> tuple[bytes, bytes]:
+    return b"1TS\r\n", b"1TS" + code + b"\r\n"
+
+
+def test_controller_and_stage_say_who_they_are() -> None:
+    with scripted(Smc100Stage, [(b"1VE\r\n", b"1VE SMC_CC_2.0.1\r\n"), (b"1ID?\r\n", b"1IDURS50BCC\r\n")]) as stage:
+        assert stage.identify().model == "URS50BCC"
+
+
+def test_another_controller_is_refused() -> None:
+    with (
+        scripted(Smc100Stage, [(b"1VE\r\n", b"1VE X\r\n"), (b"1ID?\r\n", b"1IDX\r\n")]) as stage,
+        pytest.raises(InstrumentError) as caught,
+    ):
+        stage.identify()
+    assert caught.value.fault == "another instrument"
+
+
+@pytest.mark.parametrize("code", [b"00000A", b"000011"])
+def test_it_homes_where_it_is_not_referenced(code: bytes) -> None:
+    with scripted(Smc100Stage, [status(code), (b"1OR\r\n", SILENT), FINE]) as stage:
+        stage.home()
+
+
+@pytest.mark.parametrize("code", [b"000032", b"000033", b"000035"])
+def test_it_does_not_home_again_where_it_knows_its_reference(code: bytes) -> None:
+    with scripted(Smc100Stage, [status(code)]) as stage:
+        stage.home()
+
+
+@pytest.mark.parametrize(("letter", "says"), [(b"H", "not referenced"), (b"G", "beyond its range"), (b"?", "failed")])
+def test_a_refused_move_is_said_in_words_and_not_repeated(letter: bytes, says: str) -> None:
+    wire = [*MOVE[:-1], (b"1TE\r\n", b"1TE" + letter + b"\r\n")]
+    with scripted(Smc100Stage, wire) as stage, pytest.raises(InstrumentError, match=says):
+        stage.move_to(30.5, 6.0)
+
+
+def test_a_move_whose_answer_is_lost_is_not_repeated() -> None:
+    with scripted(Smc100Stage, [*MOVE[:-1], (b"1TE\r\n", SILENT)]) as stage, pytest.raises(InstrumentError) as caught:
+        stage.move_to(30.5, 6.0)
+    assert caught.value.fault == "silent"
+
+
+def test_ready_off_the_target_is_not_arrived() -> None:
+    wire = [*MOVE, status(b"000028"), status(b"00001E"), status(b"000033"), (b"1TP\r\n", b"1TP30.400\r\n")]
+    with scripted(Smc100Stage, wire) as stage:
+        stage.move_to(30.5, 6.0)
+        assert stage.moving()
+        assert stage.moving()
+        with pytest.raises(InstrumentError, match=r"-0\.100°") as caught:
+            stage.moving()
+    assert caught.value.fault == "not arrived"
+
+
+def test_ready_on_the_target_is_arrived() -> None:
+    wire = [*MOVE, status(b"000033"), (b"1TP\r\n", b"1TP30.500\r\n")]
+    with scripted(Smc100Stage, wire) as stage:
+        stage.move_to(30.5, 6.0)
+        assert not stage.moving()
+
+
+@pytest.mark.parametrize("code", [b"00003C", b"00000A", b"000014", b"020033"])
+def test_disabled_not_referenced_configuration_and_error_bits_end_the_step(code: bytes) -> None:
+    with scripted(Smc100Stage, [status(code)]) as stage, pytest.raises(InstrumentError) as caught:
+        stage.moving()
+    assert caught.value.fault == "stage fault"
+
+
+@pytest.mark.parametrize(
+    ("reply", "fault"),
+    [(SILENT, "silent"), (b"1TP30.", "silent"), (b"1TP\xff\r\n", "wrong reply"), (b"2TP30.5\r\n", "wrong reply"),
+     (b"1TS000033\r\n", "wrong reply"), (b"1TP\r\n", "wrong reply"), (UNPLUGGED, "link lost")],
+)  # fmt: skip
+def test_silence_half_a_reply_noise_echo_and_unplug_are_named(reply: bytes | str | None, fault: str) -> None:
+    with scripted(Smc100Stage, [(b"1TP\r\n", reply)]) as stage, pytest.raises(InstrumentError) as caught:
+        stage.angle_deg()
+    assert caught.value.fault == fault
+
+
+def test_a_late_reply_is_dropped_before_the_next_question() -> None:
+    wire = [(b"1TP\r\n", [b""] * 101 + [b"1TP99.0\r\n"]), (b"1TP\r\n", [b"1TP30", b".5\r\n"])]
+    with scripted(Smc100Stage, wire) as stage:
+        with pytest.raises(InstrumentError):
+            stage.angle_deg()
+        stage._clock.wait_until(2.0)
+        assert stage.angle_deg() == 30.5
