@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 from labcal.gui.client import Client
 from labcal.gui.lab_vm import LabViewModel, Light
 from labcal.gui.run_vm import Order, RunViewModel
+from labcal.gui.study_vm import StudyViewModel
 from labcal.gui.wire import Fault
 from labcal.home import home
 
@@ -25,6 +26,9 @@ class Desk(QObject):
     bench_changed = Signal()
     went = Signal(str)  # a page is asked for, by name
     study_asked = Signal(str)  # a run to fit
+    procedure_asked = Signal(str)  # to be chosen on the Run page; several names: the first that there is
+    store_changed = Signal()
+    calibrations_changed = Signal(str)  # the path of the one that is new
     report_asked = Signal(object)  # a Fault, for a problem report
 
     def __init__(self, settings: QSettings | None = None) -> None:
@@ -32,7 +36,10 @@ class Desk(QObject):
         self.settings = settings or QSettings(str(home() / "window.ini"), QSettings.Format.IniFormat)
         self.clerk, self.bench_worker, self.study, self.switch = Client(self), Client(self), Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
+        self.study_vm = StudyViewModel(self.study)
+        self.study_vm.drafted.connect(self.calibrations_changed)
         self.facts: dict[str, Any] = {}
+        self.answered: dict[str, dict[str, Any]] = {}  # by instrument, when they were last asked
         self.bench = ""
         self._pulse = QTimer(self, interval=200)
         self._pulse.timeout.connect(self._look)
@@ -51,12 +58,17 @@ class Desk(QObject):
         self.ask("bench", self._bench_known, bench=self.bench)
 
     def _bench_known(self, facts: dict[str, Any]) -> None:
-        self.facts = facts
+        self.facts, self.answered = facts, {}
         self.run.nominal_nT_per_unit = facts["dut"]["nominal_nT_per_unit"]
         lights: tuple[tuple[str, Light, str], ...] = tuple((name, "absent", "") for name in facts["instruments"])
         serial = self.lab.state.dut_serial or facts["dut"]["serial"]
         self.lab.update(bench=facts["name"], simulated=facts["simulated"], dut_serial=serial, lights=lights)
         self.bench_changed.emit()
+
+    def take_greetings(self, answers: list[dict[str, Any]]) -> None:
+        """Who answered, and who did not."""
+        self.answered = {one["name"]: one for one in answers}
+        self.lab.update(lights=tuple((n, "fault" if one["fault"] else "ok", "") for n, one in self.answered.items()))
 
     def who(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""

@@ -12,6 +12,8 @@ from labcal.errors import InputError
 from labcal.gui.theme import GRID
 from labcal.gui.widgets import label, set_state
 
+SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
+
 
 def spec_of(said: dict[str, Any]) -> ParameterSpec:
     """The parameter that a worker told of."""
@@ -41,6 +43,12 @@ def range_of(spec: ParameterSpec) -> str:
     return f"{spec.limits.lo:g} … {spec.limits.hi:g} {spec.unit}".rstrip()
 
 
+def title_of(spec: ParameterSpec) -> str:
+    """Its name in words, without the unit: rate_deg_per_s is "Rate"."""
+    words = spec.name.removesuffix(SUFFIX.get(spec.unit, "")).replace("_", " ")
+    return words[:1].upper() + words[1:]
+
+
 class Form(QWidget):
     """Entries for `specs`; `given()` says only what differs from the defaults."""
 
@@ -61,7 +69,7 @@ class Form(QWidget):
         grid.setRowStretch(len(specs), 1)
 
     def _add(self, grid: QGridLayout, row: int, spec: ParameterSpec) -> None:
-        name = label((spec.help or spec.name.replace("_", " ")).capitalize())
+        name = label(title_of(spec))
         name.setToolTip(f"--set {spec.name}=…: {spec.expected}")
         field = self._field(spec)
         field.setToolTip(f"{spec.help or spec.name}: {spec.expected}")
@@ -79,6 +87,8 @@ class Form(QWidget):
         if spec.kind == "switch":
             box = QCheckBox()
             box.setChecked(bool(spec.default))
+            box.setText("yes" if spec.default else "no")
+            box.toggled.connect(lambda on: box.setText("yes" if on else "no"))
             box.toggled.connect(self._check)
             return box
         if spec.kind == "choice" and not spec.many:
@@ -139,6 +149,7 @@ class Form(QWidget):
     def _check(self) -> None:
         for spec in self._specs:
             objection = self.objection(spec)
-            self._complaints[spec.name].setText(f"✕ {objection}" if objection else range_of(spec))
+            about = "  ·  ".join(part for part in (spec.help, range_of(spec)) if part)
+            self._complaints[spec.name].setText(f"✕ {objection}" if objection else about)
             set_state(self._complaints[spec.name], "bad" if objection else "")
         self.changed.emit()

@@ -44,7 +44,6 @@ class TopBar(QFrame):
         self.operator.setToolTip(self.tr("Who works here now; stands in the record and in the calibration"))
         for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):
             value.setAccessibleName(caption)
-            value.setFixedWidth(18 * GRID)
             value.setPlaceholderText(self.tr("needed"))
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
@@ -78,7 +77,6 @@ class SidePanel(QFrame):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("panel")
-        self.setFixedWidth(31 * GRID)
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         self._column.setSpacing(GRID)
@@ -161,7 +159,13 @@ class Frame(QMainWindow):
         middle = QHBoxLayout()
         middle.setSpacing(0)
         middle.addWidget(self._rail(pages))
-        middle.addWidget(self.stack, 1)
+        self.above = QVBoxLayout()  # what concerns every page: faults
+        self.above.setContentsMargins(2 * GRID, 0, 2 * GRID, 0)
+        pages_column = QVBoxLayout()
+        pages_column.setSpacing(0)
+        pages_column.addLayout(self.above)
+        pages_column.addWidget(self.stack, 1)
+        middle.addLayout(pages_column, 1)
         middle.addWidget(self.side)
         page = named(QWidget(), "page")
         column = QVBoxLayout(page)
@@ -175,14 +179,14 @@ class Frame(QMainWindow):
         self.side.unit_asked.connect(lambda unit: lab.update(unit=unit))
         lab.changed.connect(self.show_state)
         self.show_state(lab.state)
+        self.set_scale(1.0)
         self.open_page(self._names[0])
         application = QApplication.instance()
         if application is not None:
             application.installEventFilter(self)
 
     def _rail(self, pages: dict[str, QWidget]) -> QFrame:
-        rail = named(QFrame(), "rail")
-        rail.setFixedWidth(17 * GRID)
+        self.rail = rail = named(QFrame(), "rail")
         column = QVBoxLayout(rail)
         column.setContentsMargins(0, 2 * GRID, 0, 2 * GRID)
         column.setSpacing(0)
@@ -212,6 +216,13 @@ class Frame(QMainWindow):
         index = self._names.index(name)
         self._rail_buttons.button(index).setChecked(True)
         self.stack.setCurrentIndex(index)
+
+    def set_scale(self, scale: float) -> None:
+        """Room for texts `scale` times their size."""
+        self.rail.setFixedWidth(int(17 * GRID * scale))
+        self.side.setFixedWidth(int(31 * GRID * scale))
+        for entry in (self.top.dut, self.top.operator):
+            entry.setFixedWidth(int(18 * GRID * scale))
 
     def show_state(self, state: LabState) -> None:
         """Write the lab's state into every part of the frame."""

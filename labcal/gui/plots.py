@@ -63,36 +63,43 @@ class Traces(QWidget):
 class Loci(QWidget):
     """Directions on the sphere, seen along z, x and y: where the field has been in the body's axes.
 
-    Points in the front half are filled, behind it they are hollow; `truth` draws the circle that a fit expects.
+    Points in the front half are filled, behind it they are faint.
     """
 
-    def __init__(self, theme: Theme) -> None:
+    def __init__(self, theme: Theme, *, clouds: int = 1) -> None:
         super().__init__()
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         circle = np.linspace(0, 2 * np.pi, 181)
-        self._views = []
+        colours = (theme.accent, theme.axis_x)[:clouds]
+        self._views: list[list[tuple[pg.ScatterPlotItem, pg.ScatterPlotItem]]] = []
         for right, up in VIEWS:
             widget = plot(theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
             widget.setAspectLocked(True)
-            widget.setRange(xRange=(-1.1, 1.1), yRange=(-1.1, 1.1))
+            widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
             widget.plot(np.cos(circle), np.sin(circle), pen=pg.mkPen(theme.muted, width=1))
-            faint = QColor(theme.accent)
-            faint.setAlpha(70)
-            behind = pg.ScatterPlotItem(size=5, pen=pg.mkPen(faint), brush=None)
-            front = pg.ScatterPlotItem(size=5, pen=None, brush=pg.mkBrush(theme.accent))
-            widget.addItem(behind)
-            widget.addItem(front)
+            self._views.append([_cloud(widget, colour) for colour in colours])
             row.addWidget(widget)
-            self._views.append((front, behind))
 
-    def show_field(self, field_nT: Array) -> None:
-        """Draw fields (n, 3) by their direction; at most 4 000 of them, evenly taken."""
+    def show_field(self, field_nT: Array, cloud: int = 0, most: int = 4000) -> None:
+        """Draw fields (n, 3) by their direction; at most `most` of them, evenly taken."""
         field = field_nT[np.isfinite(field_nT).all(axis=1)]
-        field = field[:: max(1, len(field) // 4000)]
+        field = field[:: max(1, len(field) // most)]
         length = np.linalg.norm(field, axis=1, keepdims=True)
         direction = field / np.where(length > 0, length, 1.0)
-        for (right, up), (front, behind) in zip(VIEWS, self._views, strict=True):
+        for (right, up), clouds in zip(VIEWS, self._views, strict=True):
+            front, behind = clouds[cloud]
             toward = direction[:, 3 - right - up] >= 0
             front.setData(direction[toward, right], direction[toward, up])
             behind.setData(direction[~toward, right], direction[~toward, up])
+
+
+def _cloud(widget: pg.PlotWidget, colour: str) -> tuple[pg.ScatterPlotItem, pg.ScatterPlotItem]:
+    """What lies in front of the sphere, and behind it."""
+    faint = QColor(colour)
+    faint.setAlpha(60)
+    front = pg.ScatterPlotItem(size=3, pen=None, brush=pg.mkBrush(colour))
+    behind = pg.ScatterPlotItem(size=3, pen=None, brush=pg.mkBrush(faint))
+    widget.addItem(behind)
+    widget.addItem(front)
+    return front, behind

@@ -1,5 +1,128 @@
-"""Fits, the loop."""
+"""What the worker does with a run that is over: fits, the loop, and the arrays that their pictures are drawn from."""
 
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
-VERBS: dict[str, Any] = {}
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit import Fit
+from labcal.gui.talk import Talk
+from labcal.gui.wire import pack
+from labcal.home import home
+from labcal.record import Run
+
+MOST = 3000  # points of a picture
+
+
+def calibration_path(run_id: str) -> Path:
+    """Where the draft of a run lies: beside the earlier one where that is signed."""
+    folder = home() / "calibrations"
+    folder.mkdir(parents=True, exist_ok=True)
+    number = 1
+    while True:
+        path = folder / (f"{run_id}.json" if number == 1 else f"{run_id}.{number}.json")
+        if not path.with_name(path.name + ".sshsig").exists():
+            return path
+        number += 1
+
+
+@lru_cache(maxsize=2)
+def _run(run: str) -> Run:
+    from labcal import session
+
+    return session.load_run(run)
+
+
+@lru_cache(maxsize=24)
+def _fit(run: str, method: str) -> Fit:
+    from labcal import session
+
+    return session.fit_run(run, method)[1][0]
+
+
+def methods(talk: Talk) -> list[str]:
+    """The names of all estimators."""
+    from labcal.fit import METHODS
+
+    return list(METHODS)
+
+
+def look(talk: Talk, run: str) -> dict[str, Any]:
+    """A run as it was recorded, thinned for pictures."""
+    measured = _run(run)
+    rows = thinned(len(measured))
+    return {"run_id": measured.run_id, "n_samples": len(measured)} | _regressors(measured, rows) | {
+        "before": pack(measured.reading_nT[rows])
+    }  # fmt: skip
+
+
+def fit(talk: Talk, run: str, method: str) -> dict[str, Any]:
+    """One method's answer, its residual and its loci."""
+    from labcal.fit.document import one
+    from labcal.fit.metrics import scalar_residual
+
+    measured, found = _run(run), _fit(run, method)
+    rows = thinned(len(measured))
+    said: dict[str, Any] = {"fit": one(found), "noise_nT": found.noise_nT}
+    if found.affine is not None:
+        said |= {
+            "residual": pack(scalar_residual(measured, found)[rows]),
+            "after": pack(found.affine.apply(measured.reading[rows])),
+        }
+    return said
+
+
+def draft(talk: Talk, run: str, method: str) -> str:
+    """Write the draft calibration of a method; returns its path."""
+    from labcal import session
+
+    path = calibration_path(_run(run).run_id)
+    session.draft(run, _fit(run, method), path)
+    return str(path)
+
+
+def loop(talk: Talk, run: str) -> dict[str, Any]:
+    """Close the loop; the draft with the effects is written, and the verdict beside it."""
+    from labcal import session
+    from labcal.files import write_text
+
+    measured = _run(run)
+    path = calibration_path(measured.run_id)
+    closed = session.close_loop(run, path, lambda text: talk.say("progress", text=text))
+    document = closed.to_json()
+    write_text(path.with_suffix(".loop"), json.dumps(document))
+    pictures = closed.pictures
+    rows = thinned(len(pictures.t_s))
+    at = np.clip(np.searchsorted(measured.t_s, pictures.t_s[rows]), 0, len(measured) - 1)
+    return {
+        "loop": document,
+        "remarks": list(closed.remarks),
+        "draft": str(path),
+        "before": pack(pictures.before_nT[rows]),
+        "after": pack(pictures.after_nT[rows]),
+    } | _regressors(measured, at)
+
+
+def thinned(n: int) -> NDArray[np.intp]:
+    """Row numbers of at most `MOST` rows, evenly taken."""
+    return np.arange(0, n, max(1, -(-n // MOST)), dtype=np.intp)
+
+
+def _regressors(run: Run, rows: NDArray[np.intp]) -> dict[str, Any]:
+    """Everything a residual may be drawn against, by name with unit."""
+    against = {"time  s": run.t_s[rows]}
+    if run.angle_deg is not None:
+        against["angle  deg"] = run.angle_deg[rows]
+    if run.reference.kind != "none":
+        against["field  nT"] = run.magnitude_nT[rows]
+    against |= {f"{c.name}  {c.unit}": c.values[rows] for c in run.channels}
+    return {"against": {name: pack(values) for name, values in against.items()}}
+
+
+VERBS: dict[str, Callable[..., Any]] = {"methods": methods, "look": look, "fit": fit, "draft": draft, "loop": loop}

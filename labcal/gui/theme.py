@@ -110,7 +110,7 @@ QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; sel
     selection-color: $on_accent; }
 QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; gridline-color: $line;
     alternate-background-color: $sunken; selection-background-color: $accent; selection-color: $on_accent; }
-QHeaderView::section { background: $page; color: $muted; border: 0; border-bottom: 1px solid $line; padding: 6px 8px; }
+QHeaderView::section { background: $page; color: $muted; border: 0; border-bottom: 1px solid $line; padding: 6px 11px; }
 QProgressBar { background: $sunken; border: 1px solid $line; border-radius: 4px; height: 14px; text-align: center; }
 QProgressBar::chunk { background: $accent; border-radius: 3px; }
 QToolTip { background: $surface; color: $text; border: 1px solid $line; padding: 4px; }
@@ -125,6 +125,10 @@ QScrollBar::handle { background: $line; border-radius: 5px; min-height: 24px; mi
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QComboBox::drop-down { border: 0; width: 24px; }
+QComboBox::down-arrow { image: none; width: 0; height: 0;
+    border-left: 5px solid $sunken; border-right: 5px solid $sunken; border-top: 6px solid $muted; }
+QCheckBox::indicator { width: 16px; height: 16px; border: 1px solid $muted; border-radius: 3px; background: $sunken; }
+QCheckBox::indicator:checked { background: $accent; border: 1px solid $accent; }
 QFrame#fault { background: $surface; border: 2px solid $bad; border-radius: 6px; }
 QFrame#good { background: $surface; border: 2px solid $good; border-radius: 6px; }
 QLabel#ask { font-size: ${ask_pt}pt; font-weight: 600; }

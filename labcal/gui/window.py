@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from importlib import import_module
+from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QGuiApplication
-from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
+from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
+from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
 
 from labcal.gui import hold
 from labcal.gui.desk import Desk
+from labcal.gui.fault_card import FaultCard
 from labcal.gui.frame import Frame
+from labcal.gui.problem import save_problem
 from labcal.gui.scanner import Scanner
 from labcal.gui.theme import DARK, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.wire import Fault
 
-Build = Callable[[Desk, Theme], QWidget]
+PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
 
 class Later(QWidget):
@@ -23,31 +28,38 @@ class Later(QWidget):
 
     def __init__(self, build: Callable[[], QWidget]) -> None:
         super().__init__()
-        self._build: Callable[[], QWidget] | None = build
+        self._build = build
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self.page: QWidget | None = None
 
     def made(self) -> QWidget:
         """The page itself."""
-        if self.page is None and self._build is not None:
+        if self.page is None:
             self.page = self._build()
             self._column.addWidget(self.page)
-        assert self.page is not None
         return self.page
+
+    def forget(self) -> None:
+        """Build it anew when it is next seen: another theme."""
+        if self.page is not None:
+            self.page.hide()
+            self.page.setParent(None)
+            self.page.deleteLater()
+            self.page = None
+        if self.isVisible():
+            self.made()
 
     def showEvent(self, event: object) -> None:
         """Build it now."""
         self.made()
 
 
-def _run(desk: Desk, theme: Theme) -> QWidget:
-    from labcal.gui.pages.run import RunPage
-
-    return RunPage(desk, theme)
-
-
-PAGES: dict[str, Build] = {"Run": _run}
+def build_page(name: str, desk: Desk, theme: Callable[[], Theme]) -> QWidget:
+    """The page called `name`: class NamePage in labcal.gui.pages.name."""
+    module = import_module(f"labcal.gui.pages.{name.lower()}")
+    made: QWidget = getattr(module, f"{name}Page")(desk, theme())
+    return made
 
 
 def system_theme() -> Theme:
@@ -57,34 +69,87 @@ def system_theme() -> Theme:
 
 
 class Window(Frame):
-    """Everything together. `desk` may be handed in; `theme` overrides what the system says."""
+    """Everything together. `theme` overrides what the system says."""
 
     def __init__(self, desk: Desk, theme: Theme | None = None) -> None:
         self.desk = desk
         self.theme = theme or system_theme()
-        self.later = {name: Later(partial(build, desk, self.theme)) for name, build in PAGES.items()}
+        self.later = {name: Later(partial(build_page, name, desk, lambda: self.theme)) for name in PAGES}
         super().__init__(desk.lab, dict(self.later))
-        self.set_look(1.0)
+        self.wall = str(desk.settings.value("wall", "no")) == "yes"
+        self.fault = FaultCard()
+        self.above.addWidget(self.fault)
+        self.fault.report_asked.connect(desk.report_asked)
         self.scanner = Scanner(self)
         self.hearers += [hold.hear, self.scanner.hear]
+        self._connect(desk)
+        self._look()
+        if theme is None:
+            QGuiApplication.styleHints().colorSchemeChanged.connect(lambda _: self.set_theme(system_theme()))
+        if (geometry := desk.settings.value("geometry")) is not None:
+            self.restoreGeometry(geometry)
+
+    def _connect(self, desk: Desk) -> None:
         self.scanner.scanned.connect(desk.scan)
         self.coils_off.connect(desk.coils_off)
         self.top.dut.textEdited.connect(lambda text: desk.who(dut=text))
         self.top.operator.textEdited.connect(lambda text: desk.who(operator=text))
         desk.went.connect(self.open_page)
-        geometry = desk.settings.value("geometry")
-        if geometry is not None:
-            self.restoreGeometry(geometry)
+        desk.fault.connect(self.fault.show_fault)
+        desk.report_asked.connect(self._save_problem)
+        desk.study_asked.connect(self._study)
+        desk.procedure_asked.connect(self._procedure)
+        desk.run.changed.connect(self._lock)
+        QShortcut(QKeySequence("F11"), self, self.toggle_wall)
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
         return self.later[name].made()
 
-    def set_look(self, scale: float) -> None:
-        """All texts `scale` times their size."""
+    def toggle_wall(self) -> None:
+        """Texts to be read from two metres, or back (F11)."""
+        self.wall = not self.wall
+        self.desk.settings.setValue("wall", "yes" if self.wall else "no")
+        self._look()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Show everything in `theme`; what is known stays."""
+        self.theme = theme
+        self._look()
+        for later in self.later.values():
+            later.forget()
+
+    def _look(self) -> None:
+        scale = WALL_SCALE if self.wall else 1.0
         application = QApplication.instance()
         if isinstance(application, QApplication):
+            application.setPalette(_palette(self.theme))
             application.setStyleSheet(style_sheet(self.theme, scale))
+        self.set_scale(scale)
+
+    def _lock(self) -> None:
+        """Who and what stand fixed while a run goes on."""
+        for entry in (self.top.dut, self.top.operator):
+            entry.setReadOnly(self.desk.run.alive)
+
+    def _study(self, run: str) -> None:
+        self.open_page("Fit")
+        self.desk.study_vm.open(run)
+
+    def _procedure(self, names: str) -> None:
+        from labcal.gui.pages.run import RunPage
+
+        self.open_page("Run")
+        page = self.page("Run")
+        assert isinstance(page, RunPage)
+        page.open_procedure(names)
+
+    def _save_problem(self, fault: Fault | None) -> None:
+        start = str(Path.home() / "labcal-problem.zip")
+        out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")
+        if out:
+            steps = [(name, str(mark)) for name, mark in self.desk.run.steps()]
+            save_problem(Path(out), fault, self.desk.bench, steps, self.desk.facts)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Remember where it stood; coils to zero; hang up."""
@@ -93,15 +158,24 @@ class Window(Frame):
         self.desk.close()
 
 
+def _palette(theme: Theme) -> QPalette:
+    """For what no style sheet reaches: placeholders, links, dialogs."""
+    palette = QPalette()
+    role = QPalette.ColorRole
+    for which, colour in ((role.Window, theme.page), (role.Base, theme.surface), (role.Text, theme.text),
+                          (role.WindowText, theme.text), (role.Button, theme.surface), (role.ButtonText, theme.text),
+                          (role.AlternateBase, theme.sunken), (role.Highlight, theme.accent),
+                          (role.HighlightedText, theme.on_accent), (role.PlaceholderText, theme.muted)):  # fmt: skip
+        palette.setColor(which, QColor(colour))
+    return palette
+
+
 def open_window(bench: str | None) -> Window:
     """The window on `bench`, else on the last one."""
     desk = Desk()
     window = Window(desk)
     window.show()
     chosen = bench or str(desk.settings.value("bench", "") or "")
-    if chosen:
+    if chosen and (bench or Path(chosen).is_file()):
         QTimer.singleShot(0, desk, lambda: desk.open_bench(chosen))
     return window
-
-
-__all__ = ["WALL_SCALE", "Window", "open_window"]

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from base64 import b64decode, b64encode
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record.stream import Item
@@ -40,3 +44,14 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
     kinds = ((InputError, "input"), (LimitNotMet, "limit"), ((Stopped, KeyboardInterrupt), "stopped"))
     kind = next((name for types, name in kinds if isinstance(error, types)), "crash")
     return Fault(kind, str(error) or type(error).__name__, "", details)
+
+
+def pack(values: ArrayLike) -> dict[str, Any]:
+    """An array as JSON: its shape, and float64 in base64."""
+    array = np.ascontiguousarray(values, dtype="<f8")
+    return {"shape": list(array.shape), "f8": b64encode(array.tobytes()).decode()}
+
+
+def unpack(said: Mapping[str, Any]) -> NDArray[np.float64]:
+    """The array that `pack` wrote."""
+    return np.frombuffer(b64decode(said["f8"]), dtype="<f8").reshape(said["shape"])

@@ -27,6 +27,12 @@ class RunPage(QWidget):
         desk.run.changed.connect(self._show)
         self._show()
 
+    def open_procedure(self, names: str) -> None:
+        """Show the form of a procedure, unless a run goes on."""
+        if not self._desk.run.alive:
+            self.choose.choose(names)
+            self.faces.setCurrentWidget(self.choose)
+
     def _show(self) -> None:
         if self._desk.run.alive or self._desk.run.state == "ended":
             self.faces.setCurrentWidget(self.live)

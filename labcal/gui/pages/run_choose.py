@@ -22,6 +22,7 @@ class Choose(QWidget):
         self._desk = desk
         self._procedures: dict[str, dict[str, Any]] = {}
         self.form: Form | None = None
+        self._wanted = "preflight"
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
@@ -70,14 +71,15 @@ class Choose(QWidget):
     def _known(self, procedures: list[dict[str, Any]]) -> None:
         self._procedures = {one["name"]: one for one in procedures}
         self.list.addItems(list(self._procedures))
-        wanted = self.list.findItems("preflight", Qt.MatchFlag.MatchExactly)
-        self.list.setCurrentItem(wanted[0] if wanted else self.list.item(0))
+        self.choose(self._wanted)
 
-    def choose(self, name: str) -> None:
-        """Choose a procedure by its name."""
-        found = self.list.findItems(name, Qt.MatchFlag.MatchExactly)
-        if found:
-            self.list.setCurrentItem(found[0])
+    def choose(self, names: str) -> None:
+        """Choose the first procedure there is of `names`, apart by |; also before the list is known."""
+        self._wanted = names
+        for name in names.split("|"):
+            if found := self.list.findItems(name, Qt.MatchFlag.MatchExactly):
+                return self.list.setCurrentItem(found[0])
+        return None
 
     def _chosen(self, name: str) -> None:
         one = self._procedures[name]

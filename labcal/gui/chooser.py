@@ -1,0 +1,57 @@
+"""Which run: a list of the store's finished and imported runs, the newest first, kept up to date."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox
+
+from labcal.gui.desk import Desk
+
+USABLE = ("finished", "imported", "stopped", "failed")
+
+
+def run_words(one: dict[str, Any]) -> str:
+    """A run in one line: when, which DUT, what, how it ended."""
+    when = one["started_utc"][:16].replace("T", " ")
+    return "  ·  ".join((when, one["dut_serial"], one["procedure"] or "bundle", one["status"].partition(":")[0]))
+
+
+class RunChooser(QComboBox):
+    """`chosen` carries the run id that a person picked."""
+
+    chosen = Signal(str)
+
+    def __init__(self, desk: Desk) -> None:
+        super().__init__()
+        self._desk = desk
+        self.setMinimumWidth(420)
+        self.setAccessibleName(self.tr("Run"))
+        self.setToolTip(self.tr("The run to look at, the newest first"))
+        self.setPlaceholderText(self.tr("Choose a run"))
+        self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
+        desk.run.ended.connect(self.refresh)
+        desk.store_changed.connect(self.refresh)
+        self._wanted = ""
+
+    def showEvent(self, event: object) -> None:
+        """The list as it is now."""
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Ask for the list again."""
+        self._desk.ask("runs", self._known)
+
+    def show_run(self, run: str) -> None:
+        """Show `run` as the one that is chosen."""
+        self._wanted = run
+        self.setCurrentIndex(self.findData(run))
+
+    def _known(self, runs: list[dict[str, Any]]) -> None:
+        kept = self._wanted or self.currentData()
+        self.clear()
+        for one in runs:
+            if one["status"].startswith(USABLE):
+                self.addItem(run_words(one), one["run_id"])
+        self.setCurrentIndex(self.findData(kept))

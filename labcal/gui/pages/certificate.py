@@ -1,0 +1,292 @@
+"""Certificate: drafts, approve and sign by two persons, verify a dropped file, reports and exports."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
+
+from labcal.gui.desk import Desk
+from labcal.gui.fault_card import FaultCard
+from labcal.gui.measurement_table import Table
+from labcal.gui.numbers import number
+from labcal.gui.theme import GRID, Theme
+from labcal.gui.widgets import Card, button, label, named, set_state
+
+
+class Drop(QFrame):
+    """Where a calibration file is dropped, or chosen with Enter, to be verified."""
+
+    dropped = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "card")
+        self.setAcceptDrops(True)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        self.words = label(self.tr("Drop a calibration file here to verify it"), wrap=True)
+        choose = button(self.tr("Choose a file …"), self.tr("A calibration .json with its .sshsig beside it"))
+        choose.clicked.connect(self._choose)
+        row.addWidget(self.words, 1)
+        row.addWidget(choose)
+
+    def _choose(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("Verify a calibration"), "", "*.json")
+        if path:
+            self.dropped.emit(path)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take files."""
+        if event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Verify the first file; a signature stands for its calibration."""
+        path = event.mimeData().urls()[0].toLocalFile()
+        if path.endswith(".sshsig"):
+            path = path.removesuffix(".sshsig").removesuffix(".2")
+        self.dropped.emit(path)
+
+
+class CertificatePage(QWidget):
+    """Calibrations of this lab at the left; the chosen one, and what may be done with it, beside them."""
+
+    def __init__(self, desk: Desk, theme: Theme) -> None:
+        super().__init__()
+        self._desk, self._theme = desk, theme
+        self._files: dict[str, dict[str, Any]] = {}
+        self._wanted = ""
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.setSpacing(2 * GRID)
+        self.fault = FaultCard()
+        self.fault.report_asked.connect(desk.report_asked)
+        column.addWidget(self.fault)
+        row = QHBoxLayout()
+        row.setSpacing(2 * GRID)
+        row.addWidget(self._list_card(), 2)
+        self.detail = self._detail_card()
+        row.addWidget(self.detail, 3)
+        column.addLayout(row, 1)
+        self.drop = Drop()
+        self.drop.dropped.connect(self.verify)
+        column.addWidget(self.drop)
+        desk.calibrations_changed.connect(self._new)
+
+    def showEvent(self, event: object) -> None:
+        """What there is now."""
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Ask for the calibrations and the keys again."""
+        self._desk.clerk.ask("calibrations", self._known, self.fault.show_fault)
+        self._desk.clerk.ask("keys", self._keys_known, self.fault.show_fault)
+
+    def _new(self, path: str) -> None:
+        self._wanted = path
+        self.refresh()
+
+    def _list_card(self) -> Card:
+        card = Card(self.tr("Calibrations"))
+        self.list = QListWidget()
+        self.list.setAccessibleName(self.tr("Calibrations, the newest first"))
+        self.list.currentRowChanged.connect(self._show)
+        self.empty = label(self.tr("None yet. Fit a run, then trace its residual: that writes a draft."), wrap=True)
+        to_fit = button(self.tr("Go to Fit"), self.tr("Estimate a calibration"), primary=True)
+        to_fit.clicked.connect(lambda: self._desk.went.emit("Fit"))
+        self.to_fit = to_fit
+        for widget in (self.empty, to_fit):
+            card.body.addWidget(widget)
+        card.body.addWidget(self.list, 1)
+        card.body.addStretch()
+        return card
+
+    def _detail_card(self) -> Card:
+        card = Card(self.tr("Chosen calibration"), self.tr("U: k=2"))
+        self.heading, self.standing = card.heading, label("", wrap=True)
+        self.table = Table((self.tr("parameter"), self.tr("value"), "± U", self.tr("unit")))
+        self.table.right_heading(1, 2)
+        card.body.addWidget(self.standing)
+        card.body.addWidget(self.table, 1)
+        card.body.addLayout(self._approve_row())
+        card.body.addLayout(self._sign_row())
+        card.body.addLayout(self._paper_row())
+        return card
+
+    def _approve_row(self) -> QHBoxLayout:
+        self.approver = QLineEdit()
+        self.approver.setPlaceholderText(self.tr("Approver's name"))
+        self.approver.setToolTip(self.tr("Another person than the operator; must be written before anybody signs"))
+        self.approver.textChanged.connect(self._enable)
+        self.approve = button(
+            self.tr("Approve"),
+            self.tr("Write this name into the draft. After the first signature nobody can be added."),
+        )
+        self.approve.clicked.connect(self._approve)
+        row = QHBoxLayout()
+        row.addWidget(label(self.tr("1"), "title"))
+        row.addWidget(self.approver, 1)
+        row.addWidget(self.approve)
+        return row
+
+    def _sign_row(self) -> QHBoxLayout:
+        self.signer = QComboBox()
+        self.signer.setEditable(True)
+        self.signer.setPlaceholderText(self.tr("Who signs"))
+        self.signer.setToolTip(self.tr("Whose key; a name without a key here can be given a new one"))
+        self.signer.currentTextChanged.connect(self._enable)
+        self.passphrase = QLineEdit()
+        self.passphrase.setEchoMode(QLineEdit.EchoMode.Password)
+        self.passphrase.setPlaceholderText(self.tr("Passphrase"))
+        self.passphrase.setToolTip(self.tr("Asked each time, never kept"))
+        self.passphrase.textChanged.connect(self._enable)
+        self.sign = button(
+            self.tr("Sign"), self.tr("Sign these exact bytes. A signed file can no longer be changed."), primary=True
+        )
+        self.sign.clicked.connect(self._sign)
+        self.new_key = button(
+            self.tr("New key"), self.tr("Make a key for this name under this passphrase, and trust it in this lab")
+        )
+        self.new_key.clicked.connect(self._new_key)
+        row = QHBoxLayout()
+        row.addWidget(label(self.tr("2"), "title"))
+        row.addWidget(self.signer, 1)
+        row.addWidget(self.passphrase, 1)
+        row.addWidget(self.new_key)
+        row.addWidget(self.sign)
+        return row
+
+    def _paper_row(self) -> QHBoxLayout:
+        self.report = button(self.tr("Report …"), self.tr("The report for people, as .html or .pdf"))
+        self.report.clicked.connect(self._report)
+        self.said = label("", "caption", wrap=True)
+        row = QHBoxLayout()
+        row.addWidget(self.said, 1)
+        row.addWidget(self.report)
+        return row
+
+    def chosen(self) -> dict[str, Any] | None:
+        """The calibration that is chosen."""
+        row = self.list.currentRow()
+        return self._files.get(self.list.item(row).data(Qt.ItemDataRole.UserRole)) if row >= 0 else None
+
+    def _known(self, files: list[dict[str, Any]]) -> None:
+        kept = self._wanted or (self.chosen() or {}).get("path", "")
+        self._files = {one["path"]: one for one in files}
+        self.list.clear()
+        for one in files:
+            self.list.addItem(f"{self._word(one)}  {one['dut']['serial']}  ·  {Path(one['path']).stem}")
+            self.list.item(self.list.count() - 1).setData(Qt.ItemDataRole.UserRole, one["path"])
+        paths = list(self._files)
+        self.list.setCurrentRow(paths.index(kept) if kept in paths else 0)
+        for widget in (self.empty, self.to_fit):
+            widget.setVisible(not files)
+        self._wanted = ""
+        self._show()
+
+    def _word(self, one: dict[str, Any]) -> str:
+        if not one["signatures"]:
+            return self.tr("○ draft")
+        if not one["valid"]:
+            return self.tr("✕ not valid")
+        return self.tr("▲ provisional") if one["provisional"] else self.tr("✓ signed")
+
+    def _keys_known(self, names: list[str]) -> None:
+        typed = self.signer.currentText()
+        self.signer.clear()
+        self.signer.addItems(names)
+        self.signer.setCurrentText(typed if typed else (names[0] if names else ""))
+        self._enable()
+
+    def _show(self) -> None:
+        one = self.chosen()
+        self.detail.setVisible(one is not None)
+        self.list.setVisible(bool(self._files))
+        if one is not None:
+            self.heading.setText(f"{one['dut']['serial']}  ·  {one['run_id']}")
+            draft = not one["signatures"]
+            state = "" if draft else "bad" if not one["valid"] else "warning" if one["provisional"] else "good"
+            words = [self.tr("Draft: not signed.")] if draft else one["sentences"]
+            approved = ", ".join(one["approvers"]) or self.tr("nobody yet")
+            words = [*words, self.tr("Operator {0}; approved by {1}.").format(one["operator"] or "–", approved)]
+            self.standing.setText(" ".join(words))
+            set_state(self.standing, state)
+            self._show_numbers(one)
+        self._enable()
+
+    def _show_numbers(self, one: dict[str, Any]) -> None:
+        u = one["u"] or [None] * 12
+        K = [v for row in one["K"] for v in row]
+        gain = f"nT/{one['dut']['unit']}"
+        rows = [
+            (f"k {axis}", value, u[9 + n], "nT", 1)
+            for n, (axis, value) in enumerate(zip("xyz", one["k_nT"], strict=True))
+        ]
+        names = [f"K {a}{b}" for a in "xyz" for b in "xyz"]
+        rows += [(name, value, s, gain, 6) for name, value, s in zip(names, K, u, strict=False)]
+        for effect in (*one["effects"], *one["findings"]):
+            name = effect["effect"] + (f" ({', '.join(effect['channels'])})" if effect["channels"] else "")
+            rows += [(f"{name} {p['name']}", p["value"], p["u"], p["unit"], 2) for p in effect["parameters"]]
+        self.table.setRowCount(len(rows))
+        for row, (name, value, s, unit, decimals) in enumerate(rows):
+            self.table.set_cell(row, 0, name)
+            self.table.set_cell(row, 1, number(value, decimals), right=True)
+            self.table.set_cell(row, 2, "–" if s is None else number(2 * s, decimals, signed=False), right=True)
+            self.table.set_cell(row, 3, unit)
+
+    def _enable(self) -> None:
+        one, name = self.chosen(), self.signer.currentText().strip()
+        known = name in [self.signer.itemText(n) for n in range(self.signer.count())]
+        words = bool(self.passphrase.text())
+        self.approve.setEnabled(one is not None and not one["signatures"] and bool(self.approver.text().strip()))
+        self.sign.setEnabled(one is not None and known and words)
+        self.new_key.setEnabled(bool(name) and not known and words)
+        self.report.setEnabled(one is not None)
+
+    def _approve(self) -> None:
+        if (one := self.chosen()) is not None:
+            self._ask("approve", path=one["path"], name=self.approver.text().strip())
+            self.approver.clear()
+
+    def _sign(self) -> None:
+        if (one := self.chosen()) is not None:
+            self._ask("sign", path=one["path"], name=self.signer.currentText(), passphrase=self.passphrase.text())
+            self.passphrase.clear()
+
+    def _ask(self, do: str, **what: str) -> None:
+        self.fault.show_fault(None)
+        self._desk.clerk.ask(do, lambda said: self.refresh(), self.fault.show_fault, **what)
+
+    def _new_key(self) -> None:
+        self._ask("new_key", name=self.signer.currentText().strip(), passphrase=self.passphrase.text())
+
+    def _report(self) -> None:
+        one = self.chosen()
+        if one is None:
+            return
+        start = str(Path.home() / f"{Path(one['path']).stem}.html")
+        out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the report"), start, "HTML (*.html);;PDF (*.pdf)")
+        if out:
+            self.write_report(one["path"], out)
+
+    def write_report(self, source: str, out: str) -> None:
+        """Write the report of a calibration to `out`."""
+        self.said.setText(self.tr("Writing the report …"))
+        written = self.tr("Written: {0}").format(out)
+        self._desk.clerk.ask(
+            "report", lambda _: self.said.setText(written), self.fault.show_fault, source=source, out=out
+        )
+
+    def verify(self, path: str) -> None:
+        """Check the file at `path` and say how it stands."""
+        self._desk.clerk.ask("verify", self._verified, self.fault.show_fault, path=path)
+
+    def _verified(self, said: dict[str, Any]) -> None:
+        shape = "✓" if said["valid"] else "✕"
+        faults = [f"{name}: {objection}" for name, _, objection in said["signatures"] if objection]
+        self.drop.words.setText(f"{shape} {Path(said['path']).name}: {' '.join([*said['sentences'], *faults])}")
+        set_state(self.drop.words, "bad" if not said["valid"] else "warning" if said["provisional"] else "good")

@@ -1,0 +1,205 @@
+"""History: find a run by DUT, date, operator or verdict; the trend of a DUT's parameters; open any run read-only."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QVBoxLayout, QWidget
+
+from labcal.gui.desk import Desk
+from labcal.gui.fault_card import FaultCard
+from labcal.gui.measurement_table import Table
+from labcal.gui.plots import plot
+from labcal.gui.theme import GRID, Theme
+from labcal.gui.widgets import Card, button, label
+
+HEADINGS = ("started (UTC)", "DUT", "procedure", "operator", "status", "verdict", "run")
+FORMATS = {"Bundle (*.zip)": "bundle", "CSV (*.csv)": "csv", "HDF5 (*.h5)": "hdf5", "MATLAB (*.mat)": "mat"}
+PARAMETERS = {"k": (9, ("k x", "k y", "k z"), "nT"), "gain": (0, ("K xx", "K yy", "K zz"), "ppm from the first")}
+
+
+def matches(one: dict[str, Any], words: str) -> bool:
+    """Whether every word stands somewhere in the run's line."""
+    line = " ".join(
+        str(one[key]) for key in ("started_utc", "dut_serial", "procedure", "operator", "status", "verdict", "run_id")
+    )
+    return all(word.casefold() in line.casefold() for word in words.split())
+
+
+class HistoryPage(QWidget):
+    """The store's runs, and the calibrations of the DUT that is chosen over time."""
+
+    def __init__(self, desk: Desk, theme: Theme) -> None:
+        super().__init__()
+        self._desk, self._theme = desk, theme
+        self._runs: list[dict[str, Any]] = []
+        self._calibrations: list[dict[str, Any]] = []
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.setSpacing(2 * GRID)
+        self.fault = FaultCard()
+        self.fault.report_asked.connect(desk.report_asked)
+        column.addWidget(self.fault)
+        column.addWidget(self._runs_card(), 3)
+        column.addWidget(self._trend_card(), 2)
+        desk.run.ended.connect(self.refresh)
+
+    def showEvent(self, event: object) -> None:
+        """What there is now."""
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Ask for runs and calibrations again."""
+        self._desk.clerk.ask("runs", self._runs_known, self.fault.show_fault)
+        self._desk.clerk.ask("calibrations", self._calibrations_known, self.fault.show_fault)
+
+    def _runs_card(self) -> Card:
+        card = Card(self.tr("Runs"))
+        self.search = QLineEdit()
+        self.search.setPlaceholderText(self.tr("Search: DUT, date, operator, procedure, verdict …"))
+        self.search.setToolTip(self.tr("Several words narrow it down: EM-07 2026-11 explained"))
+        self.search.setClearButtonEnabled(True)
+        self.search.textChanged.connect(self._show)
+        self.open = button(
+            self.tr("Open"), self.tr("Look at this run on the Fit page; nothing recorded is ever changed"), primary=True
+        )
+        self.open.clicked.connect(self._open)
+        self.export = button(self.tr("Export …"), self.tr("As bundle, CSV, HDF5 or MATLAB file"))
+        self.export.clicked.connect(self._export)
+        take = button(self.tr("Import …"), self.tr("Take a run bundle (.zip) into the store, byte for byte"))
+        take.clicked.connect(self._import)
+        row = QHBoxLayout()
+        row.addWidget(self.search, 1)
+        for widget in (self.open, self.export, take):
+            row.addWidget(widget)
+        self.table = Table(HEADINGS, stretch=6)
+        self.table.itemSelectionChanged.connect(self._chosen)
+        self.table.doubleClicked.connect(self._open)
+        self.empty = label(
+            self.tr("No run fits. A run from the Run page, or an imported bundle, comes up here."), "caption"
+        )
+        card.body.addLayout(row)
+        card.body.addWidget(self.empty)
+        card.body.addWidget(self.table, 1)
+        return card
+
+    def _trend_card(self) -> Card:
+        card = Card(self.tr("Calibrations over time"), self.tr("bars: U, k=2"))
+        self.trend_heading = card.heading
+        self.parameter = QComboBox()
+        self.parameter.addItems(list(PARAMETERS))
+        self.parameter.setToolTip(self.tr("k: offsets in nT; gain: the diagonal of K, ppm from the first calibration"))
+        self.parameter.activated.connect(self._draw)
+        self.plot = plot(self._theme, "", "")
+        self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem(utcOffset=0)})
+        self.plot.addLegend(offset=(-8, 8), labelTextColor=self._theme.text)
+        card.body.addWidget(self.parameter)
+        self.none = label(
+            self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day.")
+        )
+        card.body.addWidget(self.none)
+        card.body.addWidget(self.plot, 1)
+        card.body.addStretch()
+        return card
+
+    def chosen(self) -> dict[str, Any] | None:
+        """The run that is chosen."""
+        items = self.table.selectedItems()
+        run_id = self.table.item(items[0].row(), 6) if items else None
+        return next((one for one in self._runs if run_id is not None and one["run_id"] == run_id.text()), None)
+
+    def _runs_known(self, runs: list[dict[str, Any]]) -> None:
+        self._runs = runs
+        self._show()
+
+    def _calibrations_known(self, files: list[dict[str, Any]]) -> None:
+        self._calibrations = files
+        self._draw()
+
+    def _show(self) -> None:
+        found = [one for one in self._runs if matches(one, self.search.text())]
+        self.empty.setVisible(not found)
+        self.table.setRowCount(len(found))
+        for row, one in enumerate(found):
+            when, status = one["started_utc"][:19].replace("T", " "), one["status"].partition(":")[0]
+            cells = (
+                when,
+                one["dut_serial"],
+                one["procedure"] or "bundle",
+                one["operator"],
+                status,
+                one["verdict"],
+                one["run_id"],
+            )
+            for column, text in enumerate(cells):
+                self.table.set_cell(row, column, text or "–", tip=one["status"] if column == 4 else "")
+        self._chosen()
+
+    def _chosen(self) -> None:
+        one = self.chosen()
+        for widget in (self.open, self.export):
+            widget.setEnabled(one is not None and one["status"] not in ("running", "interrupted"))
+        self._draw()
+
+    def _open(self) -> None:
+        if (one := self.chosen()) is not None and self.open.isEnabled():
+            self._desk.study_asked.emit(one["run_id"])
+
+    def _export(self) -> None:
+        one = self.chosen()
+        if one is None:
+            return
+        start = str(Path.home() / one["run_id"])
+        out, kind = QFileDialog.getSaveFileName(self, self.tr("Export the run"), start, ";;".join(FORMATS))
+        if out:
+            said = self.tr("Exported: {0}").format(out)
+            self._desk.clerk.ask("export", lambda _: self._desk.lab.update(message=said), self.fault.show_fault,
+                                 run=one["run_id"], format=FORMATS[kind], out=out)  # fmt: skip
+
+    def _import(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("Import a run bundle"), "", "*.zip")
+        if path:
+            self._desk.clerk.ask("import", lambda _: self.refresh(), self.fault.show_fault, path=path)
+
+    def dut(self) -> str:
+        """Of the chosen run, else the one at the top of the window."""
+        one = self.chosen()
+        return str(one["dut_serial"]) if one is not None else self._desk.lab.state.dut_serial
+
+    def _draw(self) -> None:
+        dut = self.dut()
+        mine = [c for c in reversed(self._calibrations) if c["dut"]["serial"] == dut]
+        self.trend_heading.setText(self.tr("Calibrations of {0}").format(dut or "–"))
+        self.plot.clear()
+        for widget, shown in ((self.none, not mine), (self.plot, bool(mine)), (self.parameter, bool(mine))):
+            widget.setVisible(shown)
+        times = [self._when(one) for one in mine]
+        start, names, unit = PARAMETERS[self.parameter.currentText()]
+        self.plot.getPlotItem().setLabel("left", f"{self.parameter.currentText()}  {unit}", color=self._theme.muted)
+        for axis, (name, colour) in enumerate(zip(names, self._theme.axes, strict=True)):
+            self._line(np.array(times), mine, start, axis, name, colour)
+        if times:
+            self.plot.autoRange(padding=0.1)
+
+    def _line(self, t: Any, files: list[dict[str, Any]], start: int, axis: int, name: str, colour: str) -> None:
+        if not files:
+            return
+        at = 9 + axis if start == 9 else 4 * axis
+        flat = [[v for row in one["K"] for v in row] + list(one["k_nT"]) for one in files]
+        value, U = np.array([f[at] for f in flat]), np.array([2 * one["u"][at] if one["u"] else 0.0 for one in files])
+        if start == 0:
+            value, U = 1e6 * (value / value[0] - 1), 1e6 * U / abs(value[0])
+        self.plot.addItem(pg.ErrorBarItem(x=t, y=value, height=2 * U, beam=0, pen=pg.mkPen(colour, width=2)))
+        self.plot.plot(
+            t, value, pen=pg.mkPen(colour), symbol="o", symbolSize=7, symbolBrush=colour, symbolPen=None, name=name
+        )
+
+    def _when(self, one: dict[str, Any]) -> float:
+        started = next((run["started_utc"] for run in self._runs if run["run_id"] == one["run_id"]), None)
+        if started is None:
+            return datetime.fromtimestamp(Path(one["path"]).stat().st_mtime, UTC).timestamp()
+        return datetime.fromisoformat(started.replace("Z", "+00:00")).timestamp()

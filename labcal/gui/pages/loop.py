@@ -1,0 +1,240 @@
+"""Loop: what is left over → who could have done it → what changes if it is added → what we still do not know."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
+
+from labcal.gui.chooser import RunChooser
+from labcal.gui.desk import Desk
+from labcal.gui.fault_card import FaultCard
+from labcal.gui.measurement_table import Table
+from labcal.gui.numbers import number
+from labcal.gui.study_plots import Bars, Residuals
+from labcal.gui.theme import GRID, Theme
+from labcal.gui.widgets import Card, button, label, set_state
+from labcal.gui.wire import unpack
+
+WORDS = {
+    "clean": ("✓ CLEAN", "good"),
+    "explained": ("✓ EXPLAINED", "good"),
+    "partly-explained": ("▲ PARTLY EXPLAINED", "warning"),
+    "ambiguous": ("? AMBIGUOUS", "warning"),
+    "unexplained": ("✕ UNEXPLAINED", "bad"),
+}
+
+
+def cause(effect: dict[str, Any]) -> str:
+    """An effect and its channels: "offset-current (i_radio)"."""
+    channels = ", ".join(effect["channels"])
+    return f"{effect['effect']} ({channels})" if channels else str(effect["effect"])
+
+
+class LoopPage(QWidget):
+    """Shows the loop of `desk.study_vm`."""
+
+    def __init__(self, desk: Desk, theme: Theme) -> None:
+        super().__init__()
+        self._desk, self._study, self._theme = desk, desk.study_vm, theme
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.setSpacing(2 * GRID)
+        column.addLayout(self._head())
+        self.fault = FaultCard()
+        self.fault.report_asked.connect(desk.report_asked)
+        column.addWidget(self.fault)
+        self.empty = label(self.tr("Choose a run above, then let its residual be traced to a cause."), "ask", wrap=True)
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        column.addWidget(self.empty, 1)
+        self.story = self._story()
+        column.addWidget(self.story, 1)
+        self._study.changed.connect(self._show)
+        self._show()
+
+    def _head(self) -> QHBoxLayout:
+        self.chooser = RunChooser(self._desk)
+        self.chooser.chosen.connect(self._study.open)
+        self.waiting = label("", "caption")
+        self.close_loop = button(
+            self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
+        )
+        self.close_loop.clicked.connect(self._study.close_loop)
+        self.cancel = button(self.tr("Give up"), self.tr("End what is being computed"))
+        self.cancel.clicked.connect(self._study.cancel)
+        self.sign = button(
+            self.tr("To the certificate"), self.tr("The draft with the accepted effects: approve and sign it")
+        )
+        self.sign.clicked.connect(lambda: self._desk.went.emit("Certificate"))
+        row = QHBoxLayout()
+        row.addWidget(self.chooser)
+        row.addWidget(self.waiting, 1)
+        for widget in (self.cancel, self.close_loop, self.sign):
+            row.addWidget(widget)
+        return row
+
+    def _story(self) -> QWidget:
+        holder = QWidget()
+        grid = QGridLayout(holder)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(2 * GRID)
+        grid.addWidget(self._verdict_card(), 0, 0, 1, 2)
+        for at, card in enumerate((self._left_card(), self._who_card(), self._change_card(), self._unknown_card())):
+            grid.addWidget(card, 1 + at // 2, at % 2)
+            grid.setColumnStretch(at % 2, 1)
+            grid.setRowStretch(1 + at // 2, 1)
+        return holder
+
+    def _verdict_card(self) -> Card:
+        card = Card()
+        self.verdict, self.summary = label("", "ask"), label("", wrap=True)
+        self.before_after, self.noise = label("", "large"), label("", "caption")
+        words, numbers = QVBoxLayout(), QVBoxLayout()
+        words.addWidget(self.verdict)
+        words.addWidget(self.summary)
+        for widget in (self.before_after, self.noise):
+            widget.setAlignment(Qt.AlignmentFlag.AlignRight)
+            numbers.addWidget(widget)
+        row = QHBoxLayout()
+        row.addLayout(words, 1)
+        row.addSpacing(4 * GRID)
+        row.addLayout(numbers)
+        card.body.addLayout(row)
+        return card
+
+    def _left_card(self) -> Card:
+        card = Card(self.tr("1  What is left over"), self.tr("band: noise, k=2"))
+        self.left = Residuals(self._theme)
+        card.body.addWidget(self.left)
+        return card
+
+    def _who_card(self) -> Card:
+        card = Card(self.tr("2  Who could have done it"), "")
+        self.bars = Bars(self._theme)
+        self.others = Table((self.tr("not named"), self.tr("why")), stretch=1)
+        card.body.addWidget(self.bars, 1)
+        card.body.addWidget(self.others, 1)
+        return card
+
+    def _change_card(self) -> Card:
+        card = Card(self.tr("3  What changes if it is added"), self.tr("orange: before   blue: after"))
+        self.against = QComboBox()
+        self.against.setToolTip(self.tr("What the residual is drawn against; the named cause first"))
+        self.against.activated.connect(self._show_change)
+        self.change = Residuals(self._theme)
+        card.body.addWidget(self.against)
+        card.body.addWidget(self.change, 1)
+        return card
+
+    def _unknown_card(self) -> Card:
+        card = Card(self.tr("4  What we still do not know"), "")
+        self.unknown = QPlainTextEdit()
+        self.unknown.setReadOnly(True)
+        self.next = button("", self.tr("Start the procedure that would tell the candidates apart"), primary=True)
+        self.next.clicked.connect(self._measure)
+        card.body.addWidget(self.unknown, 1)
+        card.body.addWidget(self.next)
+        return card
+
+    def _measure(self) -> None:
+        proposed = (self._study.loop or {}).get("loop", {}).get("next_experiment") or {}
+        if proposed.get("procedure"):
+            self._desk.procedure_asked.emit(proposed["procedure"])
+
+    def _show(self) -> None:
+        study = self._study
+        if study.run and self.chooser.currentData() != study.run:
+            self.chooser.show_run(study.run)
+        self.fault.show_fault(study.fault)
+        working = "loop" in study.waiting
+        self.waiting.setText(self.tr("tracing … {0}").format(study.message) if working else "")
+        self.cancel.setVisible(study.busy)
+        self.close_loop.setEnabled(bool(study.run) and not study.busy)
+        self.sign.setEnabled(study.loop is not None)
+        self.story.setVisible(study.loop is not None)
+        self.empty.setVisible(study.loop is None)
+        if working:
+            self.empty.setText(self.tr("Looking at the residual; a whole preflight takes about a minute."))
+        elif study.run:
+            self.empty.setText(self.tr("Trace the residual of this run to its cause."))
+        if study.loop is not None:
+            self._show_loop(study.loop["loop"], study.loop["remarks"])
+
+    def _show_loop(self, loop: dict[str, Any], remarks: list[str]) -> None:
+        words, state = WORDS[loop["verdict"]]
+        self.verdict.setText(words)
+        set_state(self.verdict, state)
+        self.summary.setText(loop["summary"])
+        before, after = loop["before"]["holdout_rms_nT"], loop["after"]["holdout_rms_nT"]
+        self.before_after.setText(f"{number(before, signed=False)} → {number(after, signed=False)} nT")
+        floor = number(loop["noise_floor_nT"], signed=False)
+        self.noise.setText(
+            self.tr("held-out rms, before → after; noise alone: {0} nT ({1})").format(floor, loop["noise_floor_source"])
+        )
+        self._show_candidates(loop)
+        self._show_unknown(loop, remarks)
+        self._fill_against(loop)
+        self._show_change()
+
+    def _show_candidates(self, loop: dict[str, Any]) -> None:
+        base = loop["before"]["holdout_rms_nT"]
+        rows: list[tuple[str, float, tuple[float, float] | None, str]] = [
+            (self.tr("as calibrated"), base, None, self._theme.muted)
+        ]
+        for effect in loop["accepted"]:
+            gain = effect["improvement_ci95_nT"]
+            start = effect["holdout_rms_before_nT"] or base
+            interval = (start - gain[1], start - gain[0]) if gain else None
+            rows.append((f"+ {cause(effect)}", effect["holdout_rms_after_nT"] or base, interval, self._theme.accent))
+            rows += [
+                (self.tr("or {0}").format(cause(r)), r["holdout_rms_after_nT"], None, self._theme.warning)
+                for r in effect["rivals"]
+            ]
+        self.bars.show_bars(rows, loop["noise_floor_nT"])
+        self.others.setRowCount(len(loop["rejected"]))
+        for row, effect in enumerate(loop["rejected"]):
+            self.others.set_cell(row, 0, cause(effect))
+            self.others.set_cell(row, 1, effect["why"])
+
+    def _show_unknown(self, loop: dict[str, Any], remarks: list[str]) -> None:
+        lines = list(remarks)
+        aside = {name: n for name, n in loop["set_aside"].items() if n}
+        lines += [self.tr("Rows set aside: {0} {1}").format(n, name) for name, n in aside.items()]
+        for effect in loop["accepted"]:
+            lines += [
+                self.tr("{0} explains it about as well as {1}.").format(cause(r), cause(effect))
+                for r in effect["rivals"]
+            ]
+        proposed = loop["next_experiment"]
+        if proposed:
+            lines += [proposed["why"], proposed["do"]]
+        self.unknown.setPlainText("\n\n".join(lines) or self.tr("Nothing that this run could show."))
+        procedure = (proposed or {}).get("procedure")
+        self.next.setVisible(bool(procedure))
+        self.next.setText(self.tr("Measure what would tell them apart: {0}").format(procedure))
+
+    def _fill_against(self, loop: dict[str, Any]) -> None:
+        against = self._study.loop["against"] if self._study.loop else {}
+        causes = [c for effect in loop["accepted"] for c in effect["channels"]]
+        first = [name for name in against if name.split("  ")[0] in causes]
+        names = first + [name for name in against if name not in first]
+        if [self.against.itemText(n) for n in range(self.against.count())] != names:
+            self.against.clear()
+            self.against.addItems(names)
+
+    def _show_change(self) -> None:
+        said = self._study.loop
+        if said is None:
+            return
+        before, after, theme = unpack(said["before"]), unpack(said["after"]), self._theme
+        noise = said["loop"]["noise_floor_nT"] / before.shape[1] ** 0.5
+        clouds = [
+            (f"{axis}", colour, before[:, n])
+            for n, (axis, colour) in enumerate(zip("xyz", theme.axes, strict=True))
+            if n < before.shape[1]
+        ]
+        self.left.show_residual("time  s", unpack(said["against"]["time  s"]), clouds, noise)
+        name = self.against.currentText()
+        both = [(self.tr("before"), theme.axis_x, before), (self.tr("after"), theme.accent, after)]
+        self.change.show_residual(name, unpack(said["against"][name]), both, noise)

@@ -1,0 +1,163 @@
+"""Start, the page of seven in the morning: what holds from yesterday, what is due, and one button."""
+
+from __future__ import annotations
+
+import re
+from datetime import UTC, date, datetime
+from typing import Any
+
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from labcal.gui.chooser import run_words
+from labcal.gui.desk import Desk
+from labcal.gui.numbers import number
+from labcal.gui.theme import GRID, STATES, Theme
+from labcal.gui.widgets import Card, button, flat, label, set_state
+
+DUE_DAYS = 365
+MORNING = ("morning-check", "axes-check")  # the first that is installed
+
+
+class StartPage(QWidget):
+    """Answers "may I begin?" before it is asked."""
+
+    def __init__(self, desk: Desk, theme: Theme) -> None:
+        super().__init__()
+        self._desk = desk
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.setSpacing(2 * GRID)
+        column.addWidget(flat(self._hello_card()))
+        self.interrupted = flat(Card(self.tr("▲ An interrupted run")))
+        self.interrupted.hide()
+        column.addWidget(self.interrupted)
+        grid = QGridLayout()
+        grid.setSpacing(2 * GRID)
+        self.facts: dict[str, tuple[QLabel, QLabel]] = {}
+        titles = {
+            "closing": self.tr("Last closing check"),
+            "reference": self.tr("Reference sensor"),
+            "cage": self.tr("Cage calibration"),
+            "runs": self.tr("Last runs"),
+        }
+        for n, (key, title) in enumerate(titles.items()):
+            grid.addWidget(self._fact_card(key, title), n // 2, n % 2)
+            grid.setColumnStretch(n % 2, 1)
+        column.addLayout(grid)
+        column.addStretch()
+        desk.bench_changed.connect(self._bench_known)
+        desk.lab.changed.connect(self._enable)
+        desk.run.ended.connect(self.refresh)
+        self._bench_known()
+
+    def showEvent(self, event: object) -> None:
+        """What holds now."""
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Ask again."""
+        self._desk.ask("runs", self._runs_known)
+        self._desk.ask("closing", self._closing_known)
+
+    def _hello_card(self) -> Card:
+        card = Card()
+        self.date, self.question = label(f"{datetime.now(UTC):%A, %d %B %Y}", "large"), label("", wrap=True)
+        self.morning = button(
+            self.tr("Morning check"),
+            self.tr("Zero and axes, about 3 minutes; you are asked before anything is energised"),
+            primary=True,
+        )
+        self.morning.clicked.connect(self._morning)
+        self.calibrate = button(self.tr("Calibrate a DUT"), self.tr("The preflight on the Run page"))
+        self.calibrate.clicked.connect(lambda: self._desk.procedure_asked.emit("preflight"))
+        self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
+        self.simulated.clicked.connect(lambda: self._desk.ask("simulated_bench", self._desk.open_bench))
+        row = QHBoxLayout()
+        words = QVBoxLayout()
+        words.addWidget(self.date)
+        words.addWidget(self.question)
+        row.addLayout(words, 1)
+        for widget in (self.simulated, self.calibrate, self.morning):
+            row.addWidget(widget)
+        card.body.addLayout(row)
+        return card
+
+    def _fact_card(self, key: str, title: str) -> Card:
+        card = Card(title)
+        word, detail = label("…", "ask"), label("", wrap=True)
+        self.facts[key] = word, detail
+        card.body.addWidget(word)
+        card.body.addWidget(detail)
+        card.body.addStretch()
+        return card
+
+    def _say(self, key: str, word: str, detail: str, state: str = "") -> None:
+        shown, beside = self.facts[key]
+        shown.setText(word)
+        set_state(shown, state)
+        beside.setText(detail)
+
+    def _morning(self) -> None:
+        self._desk.procedure_asked.emit("|".join(MORNING))
+
+    def _enable(self) -> None:
+        objection = self._desk.objection()
+        self.question.setText(
+            objection
+            or self.tr("Ready. {0} stands on {1}.").format(self._desk.lab.state.dut_serial, self._desk.facts["name"])
+        )
+        self.simulated.setVisible(not self._desk.facts)
+        for widget in (self.morning, self.calibrate):
+            widget.setEnabled(bool(self._desk.facts) and not self._desk.run.alive)
+
+    def _bench_known(self) -> None:
+        self._show_reference((self._desk.facts.get("reference") or {}).get("calibration") or "")
+        self._show_cage(self._desk.facts.get("cage") or {})
+        self._enable()
+
+    def _show_reference(self, said: str) -> None:
+        dated = re.search(r"\d{4}-\d{2}-\d{2}", said)
+        if dated is None:
+            words = self.tr("The bench file states no calibration of the reference with a date.")
+            return self._say("reference", self.tr("not stated"), words)
+        days = (datetime.now(UTC).date() - date.fromisoformat(dated.group())).days
+        words = self.tr("Calibrated {0}, {1} days ago.").format(dated.group(), days)
+        if days > DUE_DAYS:
+            return self._say("reference", self.tr("▲ due"), words, "warning")
+        return self._say("reference", self.tr("✓ in date"), words, "good")
+
+    def _show_cage(self, cage: dict[str, Any]) -> None:
+        if not cage:
+            return self._say("cage", self.tr("not known"), self.tr("No bench is open."))
+        if not cage["matrix_nT_per_A"]:
+            words = self.tr("The bench file states coil constants only; run cage-calibration to measure the matrix.")
+            return self._say("cage", self.tr("▲ not measured"), words, "warning")
+        words = self.tr("The bench file states a measured matrix, without a date; cage-calibration checks it.")
+        return self._say("cage", self.tr("✓ measured"), words, "good")
+
+    def _closing_known(self, said: dict[str, Any] | None) -> None:
+        if said is None:
+            return self._say(
+                "closing", self.tr("none yet"), self.tr("No finished run in the store has a closing check.")
+            )
+        worst, run = said["measurement"], said["run"]
+        shape, state = STATES.get(said["verdict"], ("", ""))
+        value = f"{worst['name']}: {number(worst['value'])} ± {number(2 * worst['u'], signed=False)} {worst['unit']}"
+        return self._say("closing", f"{shape} {said['verdict']}", f"{value}\n{run_words(run)}", state)
+
+    def _runs_known(self, runs: list[dict[str, Any]]) -> None:
+        lines = [run_words(one) for one in runs[:5]]
+        self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
+        while (old := self.interrupted.body.takeAt(0)) is not None:
+            if (widget := old.widget()) is not None:
+                widget.deleteLater()
+        broken = [one for one in runs if one["status"] == "interrupted"][:3]
+        self.interrupted.setVisible(bool(broken))
+        for one in broken:
+            again = button(
+                self.tr("Go on with  {0}").format(run_words(one)),
+                self.tr("After its last finished step; you are asked whether the mounting stands"),
+            )
+            again.clicked.connect(lambda _=False, o=one: self._desk.resume(o["run_id"], o["procedure"]))
+            again.setEnabled(bool(self._desk.facts))
+            self.interrupted.body.addWidget(again)

@@ -1,0 +1,113 @@
+"""A run under study: its fits, method by method, and its loop. No widgets."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from labcal.gui.client import Works
+from labcal.gui.wire import Fault
+
+
+class StudyViewModel(QObject):
+    """One run at a time; asking for another forgets the first. `changed` after everything that is learned."""
+
+    changed = Signal()
+    drafted = Signal(str)  # path of a calibration file
+
+    def __init__(self, worker: Works) -> None:
+        super().__init__()
+        self._worker = worker
+        worker.progress.connect(self._progress)
+        self.methods: list[str] = []
+        self._forget("")
+
+    def _forget(self, run: str) -> None:
+        self.run = run
+        self.look: dict[str, Any] | None = None
+        self.fits: dict[str, dict[str, Any]] = {}
+        self.loop: dict[str, Any] | None = None
+        self.fault: Fault | None = None
+        self.waiting: list[str] = []
+        self.message = ""
+
+    @property
+    def busy(self) -> bool:
+        """Whether the worker has something to do."""
+        return bool(self.waiting)
+
+    def open(self, run: str) -> None:
+        """Take `run` as the run under study."""
+        if run == self.run and self.look is not None:
+            return
+        self.cancel()
+        self._forget(run)
+        self._ask("look", "look", self._looked, run=run)
+        if not self.methods:
+            self._ask("methods", "methods", self._methods_known)
+
+    def fit(self, *methods: str) -> None:
+        """Estimate by each of `methods`, in order."""
+        for method in methods:
+            self._ask(method, "fit", lambda said, m=method: self.fits.update({m: said}), run=self.run, method=method)
+
+    def fit_all(self) -> None:
+        """Estimate by every method that was not tried yet."""
+        self.fit(*(method for method in self.methods if method not in self.fits and method not in self.waiting))
+
+    def close_loop(self) -> None:
+        """Trace the residual to its cause."""
+        if "loop" not in self.waiting:
+            self.loop = None
+            self._ask("loop", "loop", self._looped, run=self.run)
+
+    def draft(self, method: str) -> None:
+        """Write the draft calibration of a method."""
+        self._ask("draft", "draft", self.drafted.emit, run=self.run, method=method)
+
+    def cancel(self) -> None:
+        """Give up what is under way."""
+        if self.busy:
+            self.waiting, self.message = [], self.tr("given up")
+            self._worker.kill()
+            self.changed.emit()
+
+    def best(self) -> str | None:
+        """Of the methods that came to a result, the first one in their own order."""
+        done = [m for m in self.methods or list(self.fits) if m in self.fits and self.fits[m]["fit"]["ok"]]
+        return done[0] if done else None
+
+    def _ask(self, name: str, do: str, then: Any, **what: Any) -> None:
+        run = self.run
+
+        def known(said: Any) -> None:
+            if run == self.run:
+                self.waiting = [one for one in self.waiting if one != name]
+                then(said)
+                self.changed.emit()
+
+        def failed(fault: Fault) -> None:
+            if run == self.run and name in self.waiting:
+                self.waiting = [] if fault.kind == "crash" else [one for one in self.waiting if one != name]
+                self.fault = fault
+                self.changed.emit()
+
+        self.fault = None
+        self.waiting.append(name)
+        self._worker.ask(do, known, failed, **what)
+        self.changed.emit()
+
+    def _looked(self, said: dict[str, Any]) -> None:
+        self.look = said
+
+    def _methods_known(self, said: list[str]) -> None:
+        self.methods = said
+
+    def _looped(self, said: dict[str, Any]) -> None:
+        self.loop, self.message = said, ""
+        self.drafted.emit(said["draft"])
+
+    def _progress(self, text: str) -> None:
+        self.message = text
+        self.changed.emit()

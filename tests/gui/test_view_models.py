@@ -1,0 +1,168 @@
+"""View-models without widgets, against a worker that only takes down what it is told."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QObject, Signal
+
+from labcal.bench.parameters import Limits, ParameterSpec
+from labcal.errors import InputError, InstrumentError
+from labcal.gui.form import title_of
+from labcal.gui.run_vm import Order, RunViewModel
+from labcal.gui.study_vm import StudyViewModel
+from labcal.gui.wire import Fault, fault_of, item_from_json, item_to_json, pack, unpack
+from labcal.record import Segment
+from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+
+
+class Deaf(QObject):
+    """A worker that answers only when it is told to."""
+
+    items = Signal(list)
+    progress = Signal(str)
+
+    def __init__(self):
+        super().__init__()
+        self.asked, self.said, self.killed = [], [], 0
+
+    def ask(self, do, then, failed, **what):
+        self.asked.append((do, then, failed, what))
+
+    def say(self, do, **what):
+        self.said.append((do, what))
+
+    def kill(self):
+        self.killed += 1
+
+
+@pytest.fixture
+def worker(qapp):
+    return Deaf()
+
+
+@pytest.fixture
+def run(worker):
+    made = RunViewModel(worker, nominal_nT_per_unit=4.0)
+    made.start(Order("preflight", "bench.toml", {"axes": "x"}, "EM-07", "J. Doe"))
+    return made
+
+
+def send(worker, *items):
+    worker.items.emit([item_to_json(item) for item in items])
+
+
+def block(stream, columns, t, values):
+    return Block(
+        stream, "cage" if stream == "channel" else stream, columns, np.asarray(t, float), np.atleast_2d(values)
+    )
+
+
+def test_a_run_asks_its_worker_and_takes_no_second(run, worker):
+    do, _, _, what = worker.asked[0]
+    assert (do, what["procedure"], what["given"], what["dut"]) == ("run", "preflight", {"axes": "x"}, "EM-07")
+    with pytest.raises(RuntimeError):
+        run.start(Order("preflight", "bench.toml"))
+
+
+def test_steps_are_marked_as_they_come(run, worker):
+    send(worker, Step(0.0, 1, 3, "zero", 60.0, ("zero", "x", "closing")), Step(5.0, 2, 3, "x", 50.0))
+    assert run.steps() == [("zero", "done"), ("x", "now"), ("closing", "next")]
+    send(worker, Event(6.0, "skip", "x skipped", {"step": "x"}), Step(7.0, 3, 3, "closing", 10.0))
+    assert run.steps() == [("zero", "done"), ("x", "skipped"), ("closing", "now")]
+
+
+def test_time_left_runs_down_with_the_samples_and_never_below_zero(run, worker):
+    send(worker, Step(0.0, 1, 1, "zero", 20.0, ("zero",)))
+    send(worker, block("dut", ("dut_x", "dut_y", "dut_z"), [12.0], [1.0, 2.0, 3.0]))
+    assert run.left_s() == pytest.approx(8.0)
+    send(worker, block("dut", ("dut_x", "dut_y", "dut_z"), [99.0], [1.0, 2.0, 3.0]))
+    assert run.left_s() == 0.0
+
+
+def test_samples_come_in_nanotesla_and_only_a_segment_s_go_on_the_sphere(run, worker):
+    axes = ("dut_x", "dut_y", "dut_z")
+    send(worker, block("dut", axes, [1.0], [1.0, 2.0, 3.0]), SegmentOpened(2.0, Segment("x-20uT", "rotation")))
+    send(worker, block("dut", axes, [3.0], [10.0, 20.0, 30.0]), block("angle", ("angle_deg",), [3.0], [[7.0]]))
+    send(worker, SegmentClosed(4.0), block("dut", axes, [5.0], [1.0, 2.0, 3.0]))
+    assert len(run.dut) == 3
+    np.testing.assert_allclose(run.field_rows(), [[40.0, 80.0, 120.0]])
+    assert run.coverage() == pytest.approx(1 / 24)
+
+
+def test_an_answer_goes_to_the_prompt_it_is_for_and_only_once(run, worker):
+    send(worker, Prompt(1.0, "mount-x", "Mount it.", ("done",), True))
+    assert run.state == "asking"
+    run.answer("done")
+    run.answer("done")
+    assert worker.said == [("answer", {"key": "mount-x", "text": "done"})]
+
+
+def test_the_light_of_an_axis_is_the_worst_of_what_was_measured_about_it(run, worker):
+    send(worker, Measurement(1.0, "x+20uT-nominal: missing sectors", 0.0, 0.0, "", 0.0))
+    assert run.axis_light("x") == "PASS"
+    send(worker, Measurement(2.0, "closure x", 900.0, 1.0, "nT", 500.0))
+    assert (run.axis_light("x"), run.axis_light("y")) == ("FAIL", "")
+
+
+def test_currents_and_field_follow_set_points_and_read_backs(run, worker):
+    send(worker, Event(1.0, "set-point", "field", {"field_nT": [1.0, 2.0, 3.0], "read_back_A": [0.1, 0.2, 0.3]}))
+    assert (run.field_set_nT, run.coil_A, run.coils_at_zero) == ((1.0, 2.0, 3.0), (0.1, 0.2, 0.3), False)
+    send(worker, Event(2.0, "read-back", "coils NOT confirmed at zero", {"faults": ["supply_x is silent"]}))
+    assert run.coils_at_zero is False
+    send(worker, Event(3.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]}))
+    assert run.coils_at_zero is True
+
+
+def test_a_failure_ends_the_run_with_its_words(run, worker):
+    worker.asked[0][2](Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
+    assert (run.state, run.fault.kind) == ("ended", "crash")
+    assert not run.alive
+
+
+@pytest.mark.parametrize("word", ["stop", "abort"])
+def test_after_stop_no_answer_goes_out(run, worker, word):
+    send(worker, Prompt(1.0, "ready", "Ready?", ("done",), True))
+    getattr(run, word)()
+    run.answer("done")
+    assert worker.said == [(word, {})]
+
+
+def test_a_study_forgets_what_belongs_to_another_run(worker):
+    study = StudyViewModel(worker)
+    study.open("one")
+    study.fit("ml")
+    late = worker.asked[-1][1]
+    study.open("two")
+    assert worker.killed == 1
+    late({"fit": {"ok": True}})
+    assert study.fits == {}
+
+
+def test_a_study_that_crashes_waits_for_nothing(worker):
+    study = StudyViewModel(worker)
+    study.open("one")
+    study.close_loop()
+    worker.asked[-1][2](Fault("crash", "gone"))
+    assert not study.busy
+    assert study.fault.kind == "crash"
+
+
+def test_what_goes_over_the_wire_comes_back_the_same():
+    sent = block("dut", ("dut_x", "dut_y", "dut_z"), [1.0, 2.0], [[1.0, np.nan, 3.0], [4.0, 5.0, 6.0]])
+    back = item_from_json(item_to_json(sent))
+    np.testing.assert_array_equal(back.values, sent.values)
+    prompt = Prompt(1.0, "mount-x", "Mount", ("yes", "no"), True, {"body_from_cage": [[1.0, 0.0, 0.0]] * 3})
+    assert item_from_json(item_to_json(prompt)) == prompt
+    array = np.arange(6.0).reshape(2, 3)
+    np.testing.assert_array_equal(unpack(pack(array)), array)
+
+
+def test_faults_keep_their_remedy():
+    fault = fault_of(InstrumentError("The stage is stuck.", fault="stuck", remedy="Free it."))
+    assert (fault.kind, fault.text, fault.remedy) == ("instrument", "The stage is stuck.", "Free it.")
+    assert fault_of(InputError("no")).kind == "input"
+    assert fault_of(ZeroDivisionError("x")).kind == "crash"
+
+
+def test_a_parameter_is_named_without_its_unit():
+    spec = ParameterSpec("rate_deg_per_s", "number", 0.0, limits=Limits(0, 60, "deg/s"))
+    assert title_of(spec) == "Rate"

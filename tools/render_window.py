@@ -1,0 +1,190 @@
+"""Renders every page of the window, in both themes, with real data of a simulated lab, into docs/images.
+
+    xvfb-run -a python tools/render_window.py [--home DIR] [--only run-prompt,fit] [--out DIR]
+
+A preflight is run through the real worker, fitted, traced and signed; `--home` keeps that lab for the next time.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QApplication
+
+ROOT = Path(__file__).parents[1]
+SIZE = 1360, 860
+METHODS = ("ml", "centered", "twostep", "ekf", "pso-axis", "pso-scalar")
+NAMES = (
+    "start",
+    "bench",
+    "run-choose",
+    "run-prompt",
+    "run-live",
+    "run-over",
+    "fault",
+    "fit",
+    "loop",
+    "certificate",
+    "history",
+)
+
+
+class Studio:
+    """One window, and the patience to wait for it."""
+
+    def __init__(self, home: Path, out: Path, only: tuple[str, ...]) -> None:
+        from labcal.gui.desk import Desk
+        from labcal.gui.theme import DARK, LIGHT
+        from labcal.gui.window import Window
+
+        self.themes, self.out, self.only = (LIGHT, DARK), out, only
+        settings = QSettings(str(home / "render.ini"), QSettings.Format.IniFormat)
+        settings.clear()
+        settings.setValue("pace", "100 times")
+        settings.setValue("seed", 3)
+        self.desk = Desk(settings)
+        self.window = Window(self.desk, LIGHT)
+        self.window.resize(*SIZE)
+        self.window.show()
+        self.desk.who(operator="J. Doe", dut="EM-07")
+        self.desk.open_bench(str(ROOT / "examples" / "simulated.toml"))
+        self.wait(lambda: bool(self.desk.facts))
+
+    def wait(self, until: Callable[[], bool], seconds: float = 300) -> None:
+        """Let the window live until something is so."""
+        end = time.monotonic() + seconds
+        while not until():
+            if time.monotonic() > end:
+                sys.exit("waited too long")
+            QApplication.processEvents()
+            time.sleep(0.005)
+
+    def live(self, seconds: float) -> None:
+        """Let the window live for a moment."""
+        end = time.monotonic() + seconds
+        self.wait(lambda: time.monotonic() > end)
+
+    def shoot(self, name: str, page: str) -> None:
+        """One picture in each theme."""
+        if self.only and name not in self.only:
+            return
+        for theme in self.themes:
+            self.window.set_theme(theme)
+            self.window.open_page(page)
+            self.window.rail.setFocus()
+            self.live(1.2)
+            file = self.out / f"{name}-{theme.name}.png"
+            self.window.grab().save(str(file))
+            print(file.relative_to(ROOT) if file.is_relative_to(ROOT) else file, file.stat().st_size // 1024, "kB")
+
+    def wants(self, *names: str) -> bool:
+        """Whether any of these pictures is asked for."""
+        return not self.only or bool(set(names) & set(self.only))
+
+    def preflight(self) -> str:
+        """A whole preflight, with pictures on the way; returns its run id."""
+        run = self.desk.run
+        self.desk.start("preflight", {})
+        asked = 0
+        while True:
+            self.wait(lambda: run.state in ("asking", "ended"))
+            if run.state == "ended":
+                return run.run_id
+            asked += 1
+            if asked == 1:
+                self.shoot("run-prompt", "Run")
+            run.answer(run.prompt.choices[0])
+            if asked == 7:
+                self.wait(lambda: run.state == "ended" or run.coverage() > 0.6)
+                self.shoot("run-live", "Run")
+
+    def study(self, run: str) -> None:
+        """Fits and the loop, drawn."""
+        study = self.desk.study_vm
+        study.open(run)
+        self.wait(lambda: not study.busy)
+        if self.wants("fit"):
+            study.fit(*METHODS)
+            self.wait(lambda: not study.busy)
+            self.shoot("fit", "Fit")
+        if self.wants("loop"):
+            study.close_loop()
+            self.wait(lambda: not study.busy)
+            self.shoot("loop", "Loop")
+
+    def sign(self) -> None:
+        """Two keys, one approval, one signature."""
+        done: list[object] = []
+        self.desk.ask("calibrations", done.append)
+        self.wait(lambda: bool(done))
+        files = done[0]
+        assert isinstance(files, list)
+        if files and not files[0]["signatures"]:
+            path = files[0]["path"]
+            for do, what in (("new_key", {"name": "jdoe@lab", "passphrase": "render"}),
+                             ("approve", {"path": path, "name": "A. Smith"}),
+                             ("sign", {"path": path, "name": "jdoe@lab", "passphrase": "render"})):  # fmt: skip
+                self.desk.clerk.ask(do, done.append, done.append, **what)
+            self.wait(lambda: len(done) == 4)
+
+
+def main() -> None:
+    """Render what is asked for."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--home", type=Path, help="where the rendered lab lives (default: a temporary folder)")
+    parser.add_argument("--only", default="", help=f"some of {','.join(NAMES)}")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
+    given = parser.parse_args()
+    home = given.home or Path(tempfile.mkdtemp(prefix="labcal-render-"))
+    given.out.mkdir(parents=True, exist_ok=True)
+    os.environ["LABCAL_HOME"] = str(home)
+    application = QApplication(sys.argv[:1])
+    studio = Studio(home, given.out, tuple(name for name in given.only.split(",") if name))
+    render(studio)
+    studio.window.close()
+    application.quit()
+
+
+def render(studio: Studio) -> None:
+    """All pages in the order of the work."""
+    from labcal.gui.wire import Fault
+
+    desk = studio.desk
+    studio.shoot("run-choose", "Run")
+    if studio.wants("bench"):
+        studio.window.page("Bench").check_all()
+        studio.live(8)
+    runs: list[list[dict[str, str]]] = []
+    desk.ask("runs", runs.append)
+    studio.wait(lambda: bool(runs))
+    finished = [one["run_id"] for one in runs[0] if one["status"] == "finished"]
+    run = finished[0] if finished and not studio.wants("run-prompt", "run-live", "run-over") else studio.preflight()
+    studio.shoot("run-over", "Run")
+    studio.shoot("start", "Start")
+    studio.shoot("bench", "Bench")
+    if studio.wants("fit", "loop"):
+        studio.study(run)
+    if studio.wants("certificate", "history"):
+        studio.sign()
+        studio.shoot("certificate", "Certificate")
+        studio.shoot("history", "History")
+    desk.fault.emit(
+        Fault(
+            "instrument",
+            "The reference sensor has sent nothing for 2 s.",
+            "Check its plug; the coils are at zero.",
+            "…",
+        )
+    )
+    studio.shoot("fault", "Run")
+
+
+if __name__ == "__main__":
+    main()
