@@ -17,7 +17,7 @@ from labcal.twin.config import TwinTruth
 from labcal.twin.sensor import response
 
 BenchFile = Callable[..., Path]
-SHORT = {"rate_deg_per_s": "12", "zero_s": "4", "dwell_s": "2"}
+SHORT = {"rate_deg_per_s": "20", "zero_s": "4", "dwell_s": "2"}
 
 
 def test_it_records_every_axis_magnitude_sign_and_mode_as_a_whole_turn(bench_file: BenchFile) -> None:
@@ -39,7 +39,7 @@ def test_it_records_every_axis_magnitude_sign_and_mode_as_a_whole_turn(bench_fil
 
 def test_a_fit_of_the_record_finds_the_truth_of_the_twin(bench_file: BenchFile) -> None:
     """The DUT reads (R b + bias) / 4 nT, so K = 4 R⁻¹ and k = R⁻¹ bias: signs, frames and units all hold."""
-    outcome = session.run("preflight", bench_file(), SHORT | {"rate_deg_per_s": "6"}, seed=5)
+    outcome = session.run("preflight", bench_file(), SHORT | {"rate_deg_per_s": "8", "modes": "nominal"}, seed=5)
     fit, truth = ml(session.load_run(outcome.run_id)), TwinTruth().dut
     assert fit.affine is not None, fit.why_not
     R = response(*(np.array(v) for v in (truth.scale, truth.nonorthogonality_deg, truth.misalignment_deg)))
@@ -76,7 +76,7 @@ def test_the_fastest_allowed_rate_follows_from_the_timing_uncertainty(bench_file
 
 
 def test_a_closure_beyond_its_limit_fails_the_run(bench_file: BenchFile) -> None:
-    drift = 'effects = { "offset-step" = { } }'
+    drift = 'effects = { "offset-step" = { at_s = 160.0 } }'
     outcome = session.run("preflight", bench_file(drift), SHORT | {"closure_nT": "40"}, seed=4)
     assert outcome.status.startswith("failed: closure")
     assert "something moved or drifted" in outcome.status

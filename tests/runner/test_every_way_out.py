@@ -106,6 +106,7 @@ def failing_clean_up(lab: Lab) -> None:
     supply.set_current = failing  # type: ignore[method-assign]
 
 
+ALWAYS = ("axes-check", "z+20uT-nominal", "closing")  # the other steps in the slow set
 EVERYWHERE = [
     (stop, "stopped"),
     (exception, "failed: a fault in the procedure"),
@@ -121,7 +122,8 @@ ONCE = [
 
 @pytest.mark.parametrize(
     ("at", "happens", "status"),
-    [(at, *case) for at in STEPS for case in EVERYWHERE] + [("z+20uT-nominal", *case) for case in ONCE],
+    [pytest.param(at, *case, marks=() if at in ALWAYS else pytest.mark.slow) for at in STEPS for case in EVERYWHERE]
+    + [("z+20uT-nominal", *case) for case in ONCE],
     ids=lambda value: value.__name__ if callable(value) else "",
 )
 def test_the_coils_are_at_zero_and_that_is_recorded(
