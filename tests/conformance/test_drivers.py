@@ -58,6 +58,8 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "korad-ka3005p": [b"SAV1", b"RCL1", b"rcl2\n", b"TRACK1"],
     "newport-esp301": [b"1PR5\r", b"1MV+\r", b"1DH\r", b"SM\r", b"RS\r", b"1PA5;1PR5\r", b"1SN7\r"],
     "newport-smc100": [b"1PR5\r\n", b"1PW1\r\n", b"1RS\r\n", b"1SA2\r\n", b"1ZX3\r\n"],
+    "oriental-az": [bytes.fromhex(h) for h in ("01060058", "011000580010200000000000000002", "0110007C00020400000040")],
+    "leadshine": [bytes.fromhex(h) for h in ("010618012211", "010618014001", "010660020021", "0110620000060C0041")],
 }
 LONGER = {
     "Hmr2300": "two formats in two modes each",
