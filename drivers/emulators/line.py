@@ -15,6 +15,7 @@ class Lab(Protocol):
 
     coils: Any
     platform: Any
+    reference_nT_per_unit: float
 
     def reference_nT(self, t_s: Any) -> Any:
         """Readings (n, 3) of the reference in its own unit."""

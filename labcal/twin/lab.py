@@ -104,6 +104,11 @@ class Lab:
             field = field + effect(self.moment(t_s), self._reference_place)
         return sensor.read(field @ self._reference_turned.T, self._rng_reference)
 
+    @property
+    def reference_nT_per_unit(self) -> float:
+        """What one of the reference's own units is."""
+        return self._truth.reference.nT_per_unit
+
     def dut_reading(self, t_s: Array) -> tuple[Array, dict[str, Array]]:
         """Readings (n, 3) of the DUT in its own unit, and the housekeeping (n,) that it sends with them."""
         true, late_s = self.housekeeping.true(t_s), sum(f.late_s for f in self._faults)

@@ -40,6 +40,7 @@ ROLES: dict[str, type] = {
 FIRST = {"coil": "coil-x"}
 SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     "waveshare-relay": {"x": 0, "y": 1, "z": 2},
+    "replay": {"file": str(Path(__file__).parents[1] / "drivers" / "replayed.csv")},
     "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
 }
 FORBIDDEN = {  # a message of each driver's deny-list
@@ -50,6 +51,12 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "waveshare-relay": [bytes.fromhex(h) for h in ("010500005500", "010500FFFF00", "010602000007", "010F00000008")],
     "csv-line": [b"x"],
     "pmag": [b"$"],
+    "lemi-025": [b"L"],
+    "replay": [b"1"],
+    "rm3100": [b"\x01"],
+    "text-line": [b"x"],
+    "alphalab": [bytes([code, 0, 0, 0, 0, 0]) for code in (0x04, 0x05, 0x0B, 0x0C, 0x0E, 0x14)],
+    "metrolab": [b"*RST\n", b":CAL\n", b":SYST:PRES\n", b":INIT;*SAV 1\n", b":MEM:DATA?\n"],
     "ccsds": [b"\xc0"],
     "kepco-bop": [b"DIAG:TST?\n", b"diag:tst?\n", b"*RST\n", b"*TST?\n", b"CAL:CURR\n", b"OUTP 1;DIAG:TST?\n"],
     "riden-rd60xx": [bytes.fromhex(h) for h in ("010601001601", "010600360001", "01060013", "000601001601", "0110")],

@@ -1,0 +1,33 @@
+"""Asking on a steady beat, for instruments that do not stream."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from labcal.bench.clock import Clock
+
+
+class Polls:
+    """Moments to ask at, `rate` a second; a beat that was missed is left out, not made up for."""
+
+    def __init__(self, clock: Clock, rate: float) -> None:
+        self._clock, self._period_s, self._next_s = clock, 1 / rate, math.inf
+
+    def start(self) -> None:
+        """The first moment is now."""
+        self._next_s = self._clock.now()
+
+    def stop(self) -> None:
+        """No more."""
+        self._next_s = math.inf
+
+    def due(self, t_s: float) -> Iterator[float]:
+        """Wait for each moment up to `t_s` and give the time when it is there; then wait for `t_s`."""
+        while self._next_s <= t_s:
+            self._clock.wait_until(self._next_s)
+            now = self._clock.now()
+            yield now
+            missed = math.floor((now - self._next_s) / self._period_s)
+            self._next_s += self._period_s * (1 + max(missed, 0))
+        self._clock.wait_until(t_s)

@@ -1,0 +1,140 @@
+"""Metrolab THM1176 (Hall) and TFM1186 (fluxgate) three-axis magnetometers, SCPI (USB 488.2 in the lab), polled."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from drivers.framing.mishaps import Mishaps
+from drivers.framing.polling import Polls
+from labcal.bench.clock import Clock
+from labcal.bench.links import Link
+from labcal.bench.roles import Identity
+from labcal.errors import InstrumentError
+from labcal.record.stream import Block, Event
+
+VALUE = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-zµ]+)\s*")
+NT = {"T": 1e9, "mT": 1e6, "MT": 1e6, "uT": 1e3, "UT": 1e3, "µT": 1e3, "nT": 1.0, "NT": 1.0, "G": 1e5, "mG": 100.0,
+      "kG": 1e8}  # fmt: skip
+OVERFLOW = 9.9e37
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`range_T`: "" leaves the range of the instrument, "AUTO" lets it choose. `average`: readings to one value.
+
+    `full_scale_nT` is what counts as overloaded.
+    """
+
+    rate: float = 10.0
+    average: int = 100
+    range_T: str = ""
+    digits: int = 9
+    full_scale_nT: float = 100_000.0
+    models: str = "THM|TFM"
+    timeout_s: float = 2.0
+
+    def __post_init__(self) -> None:
+        if not 0 < self.rate <= 50 or not 1 <= self.average <= 10_000 or not 1 <= self.digits <= 12:
+            raise ValueError("rate is up to 50 a second, average 1 to 10000, digits 1 to 12")
+        if self.range_T and not re.fullmatch(r"AUTO|\d+(\.\d+)?", self.range_T):
+            raise ValueError('range_T is "", "AUTO" or a number of tesla such as "0.1"')
+
+
+class Metrolab:
+    """Each reading is triggered, so that none comes twice; its unit is read from the reply, never assumed."""
+
+    roles = ("reference",)
+    never = (rb"\*RST", rb"\*SAV", rb"\*RCL", rb":CAL", rb":MEM", rb":FLAS", rb":SYST:(?!ERR)")
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.name, self.settings, self._link, self._clock = name, settings, link, clock
+        self._polls, self._mishaps = Polls(clock, settings.rate), Mishaps(name)
+
+    def identify(self) -> Identity:
+        """Ask who it is. Raises InstrumentError where it is no magnetometer of this family."""
+        maker, model, serial, firmware = (*self._ask("*IDN?").split(","), "", "", "")[:4]
+        if "METROLAB" not in maker.upper() or not re.search(self.settings.models, model):
+            raise InstrumentError(
+                f"{self.name}: {maker} {model} answered, not a Metrolab magnetometer.", fault="another instrument"
+            )
+        self._no_error("before")
+        return Identity(maker.strip(), model.strip(), serial.strip(), firmware.strip())
+
+    def start(self) -> None:
+        """Stop what it does, set format, averaging and range, and see that it took them."""
+        s = self.settings
+        range_words = (f":SENS:FLUX:RANG {s.range_T}{'' if s.range_T == 'AUTO' else 'T'}",) if s.range_T else ()
+        for words in (":ABOR", ":INIT:CONT OFF", ":FORM:DATA ASCII", f":AVER:COUN {s.average}", ":TRIG:SOUR IMM",
+                      ":TRIG:COUN 1", *range_words):  # fmt: skip
+            self._link.send(words.encode() + b"\n")
+            self._no_error(words)
+        self._polls.start()
+
+    def read_until(self, t_s: float) -> list[Block]:
+        """Readings triggered up to `t_s` [nT, its own axes]."""
+        good = [(stamp, *taken) for stamp in self._polls.due(t_s) if (taken := self._reading(stamp)) is not None]
+        if not good:
+            return []
+        stamps, values, raw = np.array([g[0] for g in good]), np.array([g[1] for g in good]), [g[2] for g in good]
+        if np.abs(values).max() >= self.settings.full_scale_nT:
+            raise InstrumentError(
+                f"{self.name}: a reading at full scale.",
+                fault="overloaded",
+                remedy="Coils go to zero; lower the field or widen the range.",
+            )
+        return [Block("reference", self.name, ("ref_x", "ref_y", "ref_z"), stamps, values, "\n".join(raw).encode())]
+
+    def events(self) -> list[Event]:
+        """Replies that were no good."""
+        return self._mishaps.events()
+
+    def stop(self) -> None:
+        """Trigger no more."""
+        self._polls.stop()
+        self._link.send(b":ABOR\n")
+
+    def make_safe(self) -> None:
+        """Trigger no more."""
+        self.stop()
+
+    def close(self) -> None:
+        """Let go of the link."""
+        self._link.close()
+
+    def _reading(self, stamp: float) -> tuple[list[float], str] | None:
+        """x, y, z [nT] and the reply; None, noted, where it is no good."""
+        fetch = ";".join(f":FETC:ARR:{axis}? 1,{self.settings.digits}" for axis in "XYZ")
+        reply = self._ask(f":INIT;{fetch}")
+        values = [nanotesla(part) for part in reply.split(";")]
+        good = [v for v in values if v is not None]
+        if len(values) != 3 or len(good) != 3:
+            self._mishaps.note("bad frame", stamp)
+            self._link.flush()
+            return None
+        return good, reply
+
+    def _ask(self, text: str) -> str:
+        reply = self._link.ask(text.encode() + b"\n", end=b"\n", timeout_s=self.settings.timeout_s)
+        return reply.decode("utf-8", "replace").strip()
+
+    def _no_error(self, after: str) -> None:
+        """Empty the queue of errors. Raises InstrumentError with what it says about `after`."""
+        errors = []
+        for _ in range(50):
+            error = self._ask(":SYST:ERR?;*STB?").split(";")[0]
+            if re.match(r"[+-]?0\s*(,|$)", error):
+                break
+            errors.append(error)
+        if errors and after != "before":
+            raise InstrumentError(f"{self.name}: {after!r} failed: {errors[0]}.", fault="refused")
+
+
+def nanotesla(text: str) -> float | None:
+    """A number with its unit [nT], inf where it is out of range; None where either is not there or not known."""
+    found = VALUE.fullmatch(text)
+    if found is None or found[2] not in NT:
+        return None
+    return float(found[1]) * NT[found[2]] if abs(float(found[1])) < OVERFLOW else float("inf")
