@@ -111,11 +111,13 @@ def stops(from_deg: float, to_deg: float, step_deg: float) -> list[float]:
 def _by_hand(bench: Bench, rotation: Rotation) -> Work[Blocks]:
     """Ask for each angle in turn: a dial has no motor, but a person who reads it."""
     kept: Blocks = []
-    wanted = stops(bench.platform.angle_deg(), rotation.to_deg, rotation.step_deg or SECTOR_DEG)
+    begun, step = bench.platform.angle_deg(), rotation.step_deg or SECTOR_DEG
+    half = np.copysign(step / 2, rotation.to_deg - begun)  # the middle of a sector, not its edge
+    wanted = [round(angle - half, 1) for angle in stops(begun, rotation.to_deg, step)]
     for _ in range(TRIES_BY_HAND):
         for angle in wanted:
-            text = f"Turn the platform to {angle:.0f}°, right-handed about its axis, then take your hands off."
-            yield Prompt(bench.clock.now(), f"turn-{angle:.0f}", text, acts=True, drawing={"angle_deg": angle})
+            text = f"Turn the platform to {angle:g}°, right-handed about its axis, then take your hands off."
+            yield Prompt(bench.clock.now(), f"turn-{angle:g}", text, acts=True, drawing={"angle_deg": angle})
             kept += yield from record(bench, rotation.dwell_s)
         wanted = [float(a) + SECTOR_DEG / 2 for a in missing_sectors(kept)]
         if not wanted:

@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from drivers.zaber import ZaberStage
 from labcal import session
+from labcal.record.stream import Prompt
 from labcal.twin.coils import square_coils
 from labcal.twin.config import TwinTruth
 
@@ -151,3 +153,13 @@ def test_turns_are_made_as_asked_in_one_mounting(ran: Run, name: str, given: dic
         middle = (angle > 120) & (angle < 240)
         assert np.polyfit(t[middle], angle[middle], 1)[0] == pytest.approx(rate, rel=0.01)
         assert np.nanmax(angle) - np.nanmin(angle) == pytest.approx(span, abs=2)
+
+
+def test_a_dial_without_a_motor_is_turned_by_a_person_until_no_sector_is_missing(
+    ran: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(ZaberStage, "motorised", False)
+    found = ran("rotate-axis", zero_s=2)
+    asked = [i.drawing["angle_deg"] for i in found.items if isinstance(i, Prompt) and "angle_deg" in i.drawing]
+    assert asked == pytest.approx([15.0 * n - 7.5 for n in range(1, 25)], abs=0.1)
+    assert found.measured["z-50uT: missing sectors"].verdict == "PASS"
