@@ -122,10 +122,10 @@ def _without_phases(N: Array, q: int) -> Array:
 def _feigned(seen: Observations, noise: Noise, found: Solution) -> Array:
     """Σ w G ⊗ cov(m̂) (12, 12): the information that the noise left in the estimated readings would seem to give."""
     out = np.zeros((3, 3, 4, 4))
-    K, variance = found.theta[:9].reshape(3, 3), (noise.reading / seen.scale) ** 2
+    K, spread = found.theta[:9].reshape(3, 3), noise.covariance(seen.scale)
     for rows, part, part_noise in blocks(seen, noise):
         G = evaluate(part, part_noise, found.theta, found.phase).information
-        left = variance * np.eye(3) - variance**2 * (K.T @ G @ K)
+        left = spread - spread @ (K.T @ G @ K) @ spread
         weighted = (found.weight[rows][:, None, None] * G).reshape(-1, 9)
         out[:, :, :3, :3] += (weighted.T @ left.reshape(-1, 9)).reshape(3, 3, 3, 3)
     return np.asarray(out.transpose(0, 2, 1, 3).reshape(12, 12)[np.ix_(CONTRACT_ORDER, CONTRACT_ORDER)])

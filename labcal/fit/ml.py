@@ -14,13 +14,14 @@ from labcal.fit.observations import SCALAR, Observations, observe
 from labcal.fit.result import Fit
 from labcal.fit.solve import KNEE, LEAST_SQUARES, ROBUST, Form, FormName, Loss, Solution, form, solve
 from labcal.fit.start import starts
-from labcal.fit.system import Noise, blocks, evaluate, map_of
+from labcal.fit.system import Noise, WhiteIn, blocks, evaluate, map_of
 from labcal.model import AffineMap
 from labcal.record import Run
 
 Array = NDArray[np.float64]
 MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
 SUBSAMPLE = 500  # rows on which the starts compete
+ROUNDS = 8  # of noise and fit
 POLISHED = 2  # starts that are followed to their minimum
 
 
@@ -47,18 +48,20 @@ class Estimate:
         return np.asarray(self.identified.covariance * np.outer(unit, unit))
 
 
-def ml(run: Run, *, robust: bool = True) -> Fit:
+def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
     """Maximum likelihood: K and k (and the starting phases) from vectors, axes and magnitudes, with covariance.
 
+    `white_in` says where the sensor's noise is white, its axes alike: in the readings, as instruments have it, or in
+    the field before K⁻¹ distorts it (Riwanto et al. 2017, (2a)); `dut.noise_nT` and `noise_nT` are meant there.
     Where the rotation cannot be seen K is symmetric, the covariance has rank 9 and `frame_known` is False; a run that
     does not determine the map gets `ok=False` with the reason. `robust=False` is least squares.
     """
     if run.reference.kind == "none":
         return _refused("there is no reference, so the scale is open: a field of known magnitude is needed")
     try:
-        found = estimate(run, robust=robust)
+        found = estimate(run, robust=robust, white_in=white_in)
         if found.identified.why_not and (found.seen.kind != SCALAR).any():
-            scalar = estimate(run, as_scalar=True, robust=robust)
+            scalar = estimate(run, as_scalar=True, robust=robust, white_in=white_in)
             found = scalar if scalar.identified.why_not is None else found
     except (np.linalg.LinAlgError, ArithmeticError):
         return _refused("no map comes near these readings: they do not follow the reference at all")
@@ -78,7 +81,14 @@ def ml(run: Run, *, robust: bool = True) -> Fit:
     )
 
 
-def estimate(run: Run, *, allowed: FormName | None = None, as_scalar: bool = False, robust: bool = True) -> Estimate:
+def estimate(
+    run: Run,
+    *,
+    allowed: FormName | None = None,
+    as_scalar: bool = False,
+    robust: bool = True,
+    white_in: WhiteIn = "reading",
+) -> Estimate:
     """Fit the form `allowed` (affine, or symmetric where all rows are magnitudes) to the usable rows of `run`.
 
     Raises ValueError where the rows are too few, or the sensor or the reference is dead.
@@ -91,7 +101,7 @@ def estimate(run: Run, *, allowed: FormName | None = None, as_scalar: bool = Fal
     _require_life(seen, shape)
     noise = _declared(run, seen)
     start = _best_start(seen, noise, shape, nominal)
-    found, noise, loss, scale = _settle(run, seen, noise, shape, start, robust=robust)
+    found, noise, loss, scale = _settle(run, seen, noise, shape, start, robust=robust, white_in=white_in)
     identified = identify(seen, noise, shape, found, loss, scale)
     return Estimate(seen, noise, shape, found, identified, scale)
 
@@ -144,23 +154,33 @@ def _best_start(seen: Observations, noise: Noise, shape: Form, nominal: float) -
 
 
 def _settle(
-    run: Run, seen: Observations, noise: Noise, shape: Form, start: Solution, *, robust: bool
+    run: Run, seen: Observations, noise: Noise, shape: Form, start: Solution, *, robust: bool, white_in: WhiteIn
 ) -> tuple[Solution, Noise, Loss, float]:
     """Alternate the fit with the scale of its residuals until both stand: solution, noise, loss, scale left over.
 
     The scale goes into the reading's noise where none is declared; else it widens the covariance, never narrows it.
     """
     found, scale, loss = start, 1.0, LEAST_SQUARES
-    for _ in range(8):
+    for _ in range(ROUNDS):
+        last = found.theta
+        if white_in == "field":
+            noise = replace(noise, shape=_through(found.theta, seen.scale * run.dut.nominal_nT_per_unit))
         at_start = solve(seen, noise, shape, found.theta, found.phase, LEAST_SQUARES, iterations=0)
         loss = replace(ROBUST, knee=_knee(seen, at_start)) if robust else LEAST_SQUARES
         found = solve(seen, noise, shape, found.theta, found.phase, loss)
         before, scale = scale, _scale(seen, found, shape)
         if run.dut.noise_nT is None:
             noise, before, scale = replace(noise, reading=noise.reading * scale), 1.0 / scale, 1.0
-        if abs(scale / before - 1) < 0.005:
+        moved = np.linalg.norm(found.theta - last) / np.linalg.norm(last)
+        if abs(scale / before - 1) < 0.005 and (white_in == "reading" or moved < 1e-6):
             break
     return found, noise, loss, max(scale, 1.0)
+
+
+def _through(theta: Array, nominal: float) -> Array:
+    """Covariance (3, 3) that noise white in the field has in the readings, over its own in nominal units."""
+    inverse = nominal * np.linalg.inv(theta[:9].reshape(3, 3))
+    return np.asarray(inverse @ inverse.T)
 
 
 def _knee(seen: Observations, found: Solution) -> float:

@@ -74,6 +74,7 @@ class Loss:
 
 
 TOLERANCE = 1e-8  # of a step's squared length in standard uncertainties
+SLACK = 0.1  # rise of the loss at which the equations still decide: unbiased, they are not quite its gradient
 LEAST_SQUARES = Loss(knee=np.inf, reach=np.inf)
 ROBUST = Loss()
 
@@ -113,9 +114,10 @@ def solve(
         step = _step(here.normal, here.gradient, damping)
         there = _assemble(seen, noise, allowed, y + step, B, loss, correction)
         expected = float(step @ here.normal @ step)
-        if there.loss <= here.loss + expected:  # the normal equations decide, not the last digits of the loss
+        unit = max(1.0, here.loss / len(seen))
+        if there.loss <= here.loss + max(expected, SLACK * unit):
             y, here, damping = y + step, there, max(damping / 10, 1e-12)
-            if expected < TOLERANCE * max(1.0, here.loss / len(seen)):
+            if expected < TOLERANCE * unit:
                 converged = True
                 break
         else:

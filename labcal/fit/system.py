@@ -4,15 +4,18 @@ Row i gives the residual r = b − p of rank 3 (vector), 2 (known axis, no angle
 by an information matrix G (3, 3) of that rank and the pull h = G r (3,), so that any column d(residual)/d(parameter)
 = E (n, 3) adds Σ EᵀGE to the normal matrix and Σ Eᵀh to the gradient: the map's own columns, the phases, and effects.
 
-The readings carry noise, so the map's columns stand at the estimated true reading m̂ = m − Σ Kᵀ h: with them the
-normal equations are the exact gradient of Σ rᵀ C⁻¹ r with C = K Σ Kᵀ + Σ_ref + … (Deming's weights). That is the
-likelihood of the *readings*: the normaliser log|det K| of the field's noise and the Jacobian of m → K m cancel.
+The readings carry noise of covariance Σ, so the map's columns stand at the estimated true reading m̂ = m − Σ Kᵀ h: with
+them the normal equations are the gradient of Σ rᵀ C⁻¹ r with C = K Σ Kᵀ + Σ_ref + … (Deming's weights). That is the
+likelihood of the *readings*: the normaliser of C and the Jacobian of m → K m both are log|det K|, and cancel. Noise
+that is white in the field (σ² I in place of K Σ Kᵀ) leaves the Jacobian alone, n log|det K|; the same fit with
+Σ = σ² (KᵀK)⁻¹, renewed as K is found, replaces its gradient n K⁻ᵀ by the Σ h hᵀ K⁻ᵀ σ² of the rows at hand.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +24,7 @@ from labcal.fit.observations import AXIS, SCALAR, VECTOR, Observations
 
 Array = NDArray[np.float64]
 Rows = slice | NDArray[np.intp] | NDArray[np.bool_]
+WhiteIn = Literal["reading", "field"]
 BLOCK = 1 << 15  # rows evaluated at once: bounds the memory
 # (3, 4) rows [K_a · scale, k_a] against the contract's order, K row by row, then k
 CONTRACT_ORDER = np.array([0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11])
@@ -34,11 +38,16 @@ class Noise:
     reference_nT: float = 0.0
     angle_rad: Array | float = 0.0  # (n,) or one number
     time_s: Array | float = 0.0  # (n,) or one number
+    shape: Array | None = None  # (3, 3) covariance of the reading's noise over reading²; white where None
 
     def select(self, rows: Rows) -> Noise:
         """Return the noise of these rows."""
         angle, time = (v[rows] if isinstance(v, np.ndarray) else v for v in (self.angle_rad, self.time_s))
-        return Noise(self.reading, self.reference_nT, angle, time)
+        return replace(self, angle_rad=angle, time_s=time)
+
+    def covariance(self, scale: float) -> Array:
+        """Covariance (3, 3) of the reading's noise, in units of `scale`²."""
+        return np.asarray((self.reading / scale) ** 2 * (np.eye(3) if self.shape is None else self.shape))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,8 +80,8 @@ def evaluate(
     K, k = theta[:9].reshape(3, 3), theta[9:]
     field = seen.reading @ K.T - k - correction
     prediction = _turn(seen, phase, seen.target)
-    sigma = noise.reading / seen.scale
-    base = sigma**2 * (K @ K.T) + noise.reference_nT**2 * np.eye(3)
+    spread = noise.covariance(seen.scale)
+    base = K @ spread @ K.T + noise.reference_nT**2 * np.eye(3)
     tangent = cross(seen.axis, prediction)
     G, residual = np.empty((len(seen), 3, 3)), np.empty((len(seen), 3))
     for kind, rows in _kinds(seen.kind):
@@ -80,11 +89,12 @@ def evaluate(
             G[rows] = _inverse(base, _spreads(seen, noise, phase, tangent, rows))
             residual[rows] = field[rows] - prediction[rows]
         else:
-            G[rows], residual[rows] = _magnitude_rows(seen, rows, field[rows], base, with_axis=kind == AXIS)
+            offers = _axis_rows if kind == AXIS else _magnitude_rows
+            G[rows], residual[rows] = offers(seen, rows, field[rows], base)
     pull = np.einsum("nab,nb->na", G, residual)
     cost = np.sum(pull * residual, axis=1)
     columns = np.full((len(seen), 4), -1.0)
-    columns[:, :3] = seen.reading - sigma**2 * (pull @ K)
+    columns[:, :3] = seen.reading - pull @ K @ spread
     tangent[seen.group < 0] = 0.0
     return Evaluated(field, prediction, residual, G, pull, cost, columns, tangent)
 
@@ -170,32 +180,43 @@ def cross(a: Array, b: Array) -> Array:
     )
 
 
-def _magnitude_rows(seen: Observations, rows: Rows, b: Array, base: Array, *, with_axis: bool) -> tuple[Array, Array]:
-    """Information and residual of rows that know |b|, and `axis · b` where `with_axis`.
+def _magnitude_rows(seen: Observations, rows: Rows, b: Array, base: Array) -> tuple[Array, Array]:
+    """Information and residual of rows that know |b| alone.
 
-    The mean of |b| is above the true one by (tr C − uᵀCu) / 2|b|, from the noise across it. The axis is taken
-    across u = b/|b| (its part along u tells nothing new); rows within half a degree of it give the magnitude alone.
+    The mean of |b| is above the true one by (tr C − uᵀCu) / 2|b|, from the noise across u = b/|b|.
     """
     length = np.maximum(np.linalg.norm(b, axis=1), 1e-9)
     u = b / length[:, None]
-    along = np.einsum("na,ab,nb->n", u, base, u)
+    along = np.sum(u @ base * u, axis=1)
     bias = (np.trace(base) - along) / (2 * np.maximum(length, np.sqrt(np.trace(base))))
-    excess = length - bias - seen.magnitude[rows]
-    residual = excess[:, None] * u
-    if not with_axis:
-        return u[:, :, None] * u[:, None, :] / along[:, None, None], residual
-    cosine = np.sum(seen.axis[rows] * u, axis=1)
-    across = seen.axis[rows] - cosine[:, None] * u
-    sine = np.linalg.norm(across, axis=1)
-    usable = sine > 0.01
-    e = np.where(usable[:, None], across / np.maximum(sine, 0.01)[:, None], 0.0)
-    lateral = (np.sum(seen.axis[rows] * b, axis=1) - seen.along[rows] - cosine * excess) / np.maximum(sine, 0.01)
-    ue, ee = np.einsum("na,ab,nb->n", u, base, e), np.einsum("na,ab,nb->n", e, base, e)
-    ee = np.where(usable, ee, 1.0)
-    G = ee * _outer(u, u) - ue * (_outer(u, e) + _outer(e, u)) + along * _outer(e, e)
-    return np.moveaxis(G / (along * ee - ue**2), -1, 0), residual + np.where(usable, lateral, 0.0)[:, None] * e
+    return _outer(u, u / along[:, None]), (length - bias - seen.magnitude[rows])[:, None] * u
+
+
+def _axis_rows(seen: Observations, rows: Rows, b: Array, base: Array) -> tuple[Array, Array]:
+    """Information and residual of rows that know `axis · b` and |b|: b up to a turn about the axis.
+
+    That is a height along the axis and a radius across it. The mean radius is above the true one by tᵀCt / 2ρ, from the
+    noise along the turn t. Where the circle is small against the noise or the field, the height says all.
+    """
+    axis, height = seen.axis[rows], seen.along[rows]
+    radius = np.sqrt(np.maximum(seen.magnitude[rows] ** 2 - height**2, 0.0))
+    h = np.sum(axis * b, axis=1)
+    across = b - h[:, None] * axis
+    rho = np.maximum(np.linalg.norm(across, axis=1), 1e-9)
+    u = across / rho[:, None]
+    t = cross(axis, u)
+    aC, uC = axis @ base, u @ base
+    aa, au, uu = np.sum(aC * axis, axis=1), np.sum(aC * u, axis=1), np.sum(uC * u, axis=1)
+    tt = np.sum(t @ base * t, axis=1)
+    circle = radius > np.maximum(0.01 * seen.magnitude[rows], 3 * np.sqrt(np.trace(base)))
+    au = np.where(circle, au, 0.0)
+    det = aa * uu - au**2
+    to_axis = (uu / det)[:, None] * axis - (au / det)[:, None] * u
+    to_u = np.where(circle, aa / det, 0.0)[:, None] * u - (au / det)[:, None] * axis
+    excess = np.where(circle, rho - tt / (2 * np.maximum(rho, np.sqrt(tt))) - radius, 0.0)
+    return _outer(axis, to_axis) + _outer(u, to_u), (h - height)[:, None] * axis + excess[:, None] * u
 
 
 def _outer(a: Array, c: Array) -> Array:
-    """A cᵀ of each row, (3, 3, n)."""
-    return np.asarray(a.T[:, None, :] * c.T[None, :, :])
+    """A cᵀ of each row, (n, 3, 3)."""
+    return np.asarray(a[:, :, None] * c[:, None, :])

@@ -76,6 +76,39 @@ def test_rotating_the_readings_turns_the_matrix_back(bench) -> None:
     assert np.allclose(b.affine.k_nT, a.affine.k_nT, rtol=1e-6)
 
 
+@pytest.mark.parametrize("offers", ["vector", "axis"])
+def test_noise_white_in_the_field_makes_the_answer_follow_any_linear_map_of_the_readings(bench, offers: str) -> None:
+    run, _, _ = bench(offers=offers, noise_nT=300.0)
+    A = np.array([[0.749, 0.354, 0.677], [-0.242, 1.122, -0.209], [-0.395, -1.043, 2.433]])
+    a, b = (ml(r, white_in="field") for r in (run, replace(run, reading=run.reading @ A.T)))
+    assert np.allclose(b.affine.K @ A, a.affine.K, atol=1e-5)
+    assert np.allclose(b.affine.k_nT, a.affine.k_nT, atol=0.2)
+    assert np.allclose(np.diag(b.covariance)[9:], np.diag(a.covariance)[9:], rtol=1e-3)
+    assert b.noise_nT == pytest.approx(a.noise_nT, rel=1e-3)
+
+
+@pytest.mark.parametrize("offers", ["vector", "axis", "scalar"])
+def test_where_the_noise_is_white_hardly_matters_when_it_is_small(bench, offers: str) -> None:
+    run, _, _ = bench(offers=offers, noise_nT=1.0, rows=300)
+    a, b = ml(run), ml(run, white_in="field")
+    size = np.sqrt(np.diag(a.covariance))
+    assert np.all(np.abs(b.affine.parameters - a.affine.parameters) < 0.3 * size)
+    assert np.allclose(np.sqrt(np.diag(b.covariance)), size, rtol=0.1)  # K is within 8 % of a rotation
+
+
+def test_the_error_is_as_large_as_the_covariance_says_where_the_field_is_noisy(bench) -> None:
+    S, seeds, errors = np.array([[0.749, 0.354, 0.677], [-0.242, 1.122, -0.209], [-0.395, -1.043, 2.433]]), 20, []
+    for seed in range(seeds):
+        run, true, b = bench(offers="vector", K=np.linalg.inv(S), noise_nT=0.0, seed=seed, rows=60)
+        noise = 2000.0 * np.random.default_rng([seed, 1]).normal(size=b.shape)
+        noisy = replace(run, reading=(b + true.k_nT + noise) @ S.T)
+        found = ml(noisy, white_in="field")
+        assert found.noise_nT == pytest.approx(2000.0, rel=0.15)
+        errors.append(normalised(found, true.parameters))
+    band = 3.3 * np.sqrt(2 / (12 * seeds))
+    assert 1 - band < np.mean(errors) / 12 < 1 + band
+
+
 def test_ten_wild_rows_in_a_thousand_do_not_move_the_answer(bench) -> None:
     clean, true, _ = bench(rows=170)
     spoilt = clean.reading.copy()

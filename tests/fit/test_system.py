@@ -18,12 +18,18 @@ def half_cost(seen, noise, y: np.ndarray) -> float:
     return 0.5 * float(evaluate(seen, noise, y[:12], y[12:]).cost.sum())
 
 
-@pytest.mark.parametrize(("offers", "reading_noise", "close"), [("vector", 25.0, 1e-5), ("scalar", 1.0, 2e-3)])
+UNEVEN = np.array([[1.4, 0.3, -0.5], [0.3, 0.7, 0.2], [-0.5, 0.2, 1.9]])
+
+
+@pytest.mark.parametrize("shape", [None, UNEVEN], ids=["white", "uneven"])
+@pytest.mark.parametrize(
+    ("offers", "reading_noise", "close"), [("vector", 25.0, 1e-5), ("axis", 1.0, 2e-3), ("scalar", 1.0, 2e-3)]
+)
 def test_the_normal_equations_are_the_derivative_of_the_cost(
-    bench, offers: str, reading_noise: float, close: float
+    bench, offers: str, reading_noise: float, close: float, shape
 ) -> None:
     run, true, _ = bench(offers=offers, rows=20, noise_nT=reading_noise)
-    seen, noise = observe(run), Noise(reading_noise, 0.0 if offers == "scalar" else 8.0)
+    seen, noise = observe(run), Noise(reading_noise, 8.0 if offers == "vector" else 0.0, shape=shape)
     y = np.r_[true.K.ravel() * seen.scale, true.k_nT, np.full(len(seen.phase_names), 0.3)]
     at = evaluate(seen, noise, y[:12], y[12:])
     _, gradient = normal(seen, at, np.ones(len(seen)))

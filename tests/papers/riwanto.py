@@ -150,9 +150,11 @@ class Campaign:
     published: Array
     value: Array  # (seeds,) F_g
     polished: Array  # from the published swarm's best place
-    ml: Array
+    ml: Array  # told that the noise is white in the field
     ml_refused: int
-    ml_white_reading: Array  # on the same model with the noise white in the readings
+    ml_holds: Array  # (seeds, 12) whether its 95 % interval holds the truth
+    ml_default: Array  # takes the noise as white in the readings
+    ml_white_reading: Array  # the same on readings whose noise is so
 
     def table(self) -> Array:
         """(seeds, 13): the columns of Table II, then F_g."""
@@ -169,7 +171,8 @@ def campaign(model: Model, seeds: range) -> Campaign:
     runs = [simulate(model, seed) for seed in seeds]
     found = [published(run, seed) for run, seed in zip(runs, seeds, strict=True)]
     likely = [polish(loci_of(run), best.theta, white_in="field") for run, best in zip(runs, found, strict=True)]
-    ml = [estimate(run) for run in runs]
+    ml = [estimate(run, white_in="field") for run in runs]
+    default = [estimate(run) for run in runs]
     white = [estimate(simulate(model, seed, white_in="reading")) for seed in seeds]
     return Campaign(
         model,
@@ -178,6 +181,8 @@ def campaign(model: Model, seeds: range) -> Campaign:
         np.array([one.theta for one in likely]),
         np.array([one.affine.parameters for one in ml]),
         sum(one.identified.why_not is not None for one in ml),
+        np.array([np.abs(one.affine.parameters - TRUTH) < 1.96 * np.sqrt(np.diag(one.covariance)) for one in ml]),
+        np.array([one.affine.parameters for one in default]),
         np.array([one.affine.parameters for one in white]),
     )
 
@@ -240,9 +245,9 @@ def error_row(c: Campaign) -> str:
     pairs = [errors(c.published), errors(c.ml), errors(c.polished)]
     pairs.append((float(np.sqrt(np.mean(crb[:9] ** 2))), float(np.sqrt(np.mean(crb[9:] ** 2)))))
     ratios = [over_bound(t, c.model) for t in (c.published, c.ml, c.polished)]
-    ratios.append(over_bound(c.ml_white_reading, c.model, "reading"))
+    ratios += [over_bound(c.ml_default, c.model), over_bound(c.ml_white_reading, c.model, "reading")]
     cells = [f"{K:.4f}, {k:.0f}" for K, k in pairs] + [f"{r:.2f}" for r in ratios]
-    return f"| {c.model.number} | " + " | ".join(cells) + f" | {c.ml_refused} |"
+    return f"| {c.model.number} | " + " | ".join(cells) + f" | {100 * c.ml_holds.mean():.1f} % | {c.ml_refused} |"
 
 
 TEXT = """## Riwanto, Tikka, Kestilä & Praks 2017, Table II
@@ -261,15 +266,15 @@ in (10), as we find, and not the printed 16 511.
 {table}
 
 How far from the truth: rms error of an entry of K, and of k in nT; then squared error over the Cramér-Rao bound (CRB),
-averaged over the parameters. "Polished" is Gauss-Newton from the published swarm's best place to the most likely map;
-"refused" counts the seeds on which `ml` says that the run does not determine the map.
+averaged over the parameters. `ml` is told `white_in="field"`; "polished" is Gauss-Newton from the published swarm's best
+place to the most likely map, log-determinant included; "held" are the truths inside `ml`'s 95 % intervals, "refused" the
+seeds on which `ml` says that the run does not determine the map.
 
-| no. | published | `ml` | polished | CRB | published/CRB | `ml`/CRB | polished/CRB | `ml`/CRB, other noise | refused |
-|---|---|---|---|---|---|---|---|---|---|
+| no. | published | `ml` | polished | CRB | published/CRB | `ml`/CRB | polished/CRB | default/CRB | default, other noise | held | refused |
+|---|---|---|---|---|---|---|---|---|---|---|---|
 {errors}
 
 The paper's noise stands inside the bracket of (2a): white in the corrected field and, through this S, far from white in
-the readings. The polish takes it so and is at the bound. `ml` takes the noise as white in the readings, as instruments
-have it; "other noise" is the same model with such noise, where `ml` is at the bound but for the bias of 5500 nT. On the
-paper's noise of 5500 nT `ml` is no better than the swarm, and refuses: the field would be too uncertain.
+the readings. By default `ml` takes the noise as white in the readings, as instruments have it: here that costs it a
+third to a half of its efficiency ("default"); on the same models with such noise it is at the bound ("other noise").
 """

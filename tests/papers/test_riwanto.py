@@ -5,7 +5,9 @@ import pytest
 import riwanto
 from riwanto import MODELS, TRUTH, campaign, errors, over_bound, simulate, table_ii
 
-MODEL_1, MODEL_2, _, _, MODEL_5 = MODELS
+from labcal.fit.ml import estimate
+
+MODEL_1, MODEL_5 = MODELS[0], MODELS[4]
 
 
 def test_the_truth_is_the_papers_reference_column():
@@ -28,6 +30,19 @@ def test_few_seeds_of_two_models():
     assert errors(arcs.polished)[0] < 0.7 * errors(arcs.published)[0]
     assert errors(arcs.ml)[0] < 0.7 * errors(arcs.published)[0]
     assert over_bound(first.polished, MODEL_1) < 2
+    assert over_bound(first.ml, MODEL_1) < 2
+    assert first.ml_refused == arcs.ml_refused == 0
+
+
+@pytest.mark.parametrize("model", MODELS, ids=lambda m: f"model-{m.number}")
+def test_the_kind_of_noise_matters_and_is_honestly_propagated(model):
+    seeds = 12
+    runs = [simulate(model, seed) for seed in range(seeds)]
+    told, default = [estimate(run, white_in="field") for run in runs], [estimate(run) for run in runs]
+    ratio = over_bound(np.array([one.affine.parameters for one in told]), model)
+    assert ratio == pytest.approx(1, abs=4 * np.sqrt(2 / (seeds * 6)))  # as if half the parameters were independent
+    assert ratio < over_bound(np.array([one.affine.parameters for one in default]), model)
+    assert all(one.identified.why_not is None for one in told)
 
 
 @pytest.mark.slow
@@ -36,10 +51,13 @@ def test_table_ii(model):
     found = campaign(model, range(50))
     assert np.max(np.abs(found.printed_in_sigma())) < 3
     assert 0.8 < over_bound(found.polished, model) < 1.25  # fifty seeds
-    if model not in (MODEL_2, MODEL_5):
-        assert 0.8 < over_bound(found.ml_white_reading, model, "reading") < 1.3
+    assert 0.85 < over_bound(found.ml, model) < 1.15
+    assert 0.8 < over_bound(found.ml_white_reading, model, "reading") < 1.2
+    assert 0.92 < found.ml_holds.mean() < 0.98
+    assert found.ml_refused == 0
+    for closer in (found.ml, found.polished):
+        assert errors(closer)[0] < 0.85 * errors(found.published)[0]
+        assert errors(closer)[1] < 0.65 * errors(found.published)[1]
     if model is MODEL_5:
         assert errors(found.ml)[0] < 0.5 * errors(found.published)[0]
         assert errors(found.ml)[1] < 0.5 * errors(found.published)[1]
-    assert errors(found.polished)[0] < 0.85 * errors(found.published)[0]
-    assert errors(found.polished)[1] < 0.65 * errors(found.published)[1]
