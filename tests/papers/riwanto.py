@@ -266,11 +266,11 @@ in (10), as we find, and not the printed 16 511.
 {table}
 
 How far from the truth: rms error of an entry of K, and of k in nT; then squared error over the Cramér-Rao bound (CRB),
-averaged over the parameters. `ml` is told `white_in="field"`; "polished" is Gauss-Newton from the published swarm's best
-place to the most likely map, log-determinant included; "held" are the truths inside `ml`'s 95 % intervals, "refused" the
-seeds on which `ml` says that the run does not determine the map.
+averaged over the parameters (columns with ²). `ml` is told `white_in="field"`; "polished" is Gauss-Newton from the
+published swarm's best place to the most likely map, log-determinant included; "held" are the truths inside `ml`'s
+95 % intervals, "refused" the seeds on which `ml` says that the run does not determine the map.
 
-| no. | published | `ml` | polished | CRB | published/CRB | `ml`/CRB | polished/CRB | default/CRB | default, other noise | held | refused |
+| no. | published | `ml` | polished | CRB | published² | `ml`² | polished² | default² | other noise² | held | refused |
 |---|---|---|---|---|---|---|---|---|---|---|---|
 {errors}
 
