@@ -17,7 +17,7 @@ from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noi
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, NextExperiment, Pictures, Verdict
 from labcal.loop.search import NAMED, Candidate, Search, Weighed, expand
-from labcal.loop.setaside import at_rail, outliers
+from labcal.loop.setaside import at_rail, farness, outliers
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
 from labcal.model.effects import family
@@ -26,6 +26,7 @@ from labcal.record import Run
 Array = NDArray[np.float64]
 AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
 SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
+GROSS = 10.0  # standard deviations: nearer rows may be a detail that an effect's shape lacks
 A_FEW = 3  # rows set aside before they are named as a cause
 AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
 CONTENDERS = 4  # rivals that are tried on held-out data
@@ -58,12 +59,11 @@ def weighed(search: Search, level: Floor) -> Evidence:
         accepted = _preferred(search, accepted, refused)
         blocks = plan(search.problem, _correlation_s(search, accepted))
         steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
-        idle = next((c.cause for c, step in zip(accepted, steps, strict=True) if not _helps(step)), None)
+        idle = next((i for i, step in enumerate(steps) if not _helps(step)), None)
         if idle is None:
             break
-        refused.add(idle)
-    else:
-        accepted, steps = [], []
+        refused.add(accepted[idle].cause)
+        accepted, steps = accepted[:idle], steps[:idle]
     shortlist = _shortlist(search, rankings)
     while True:
         honest = held_out(shortlist, blocks, _choice(len(accepted), refused))
@@ -71,7 +71,8 @@ def weighed(search: Search, level: Floor) -> Evidence:
             break
         accepted, steps = accepted[:-1], steps[:-1]
     rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
-    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks)
+    far = farness(search.residual(accepted), search.rows)
+    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks, far)
 
 
 def _shortlist(search: Search, rankings: Sequence[Sequence[Weighed]]) -> Search:
@@ -129,6 +130,7 @@ class Evidence:
     steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
     level: Floor
     blocks: Plan
+    far: float  # how far the rows that were set aside typically lie, in standard deviations of the others
 
 
 def prepared(run: Run) -> tuple[Problem, Floor, int]:
@@ -210,7 +212,7 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
     rows = found.search.rows
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
     verdict = _verdict(found, aside, len(problem))
-    accepted = [*_of_the_data(aside, problem, verdict), *_records(found, after)]
+    accepted = [*_of_the_data(aside, problem, verdict, found.far), *_records(found, after)]
     affine = problem.affine
     return ClosedLoop(
         run_id=run.run_id,
@@ -263,7 +265,7 @@ def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
         return "explained" if reaches and not lying else "partly-explained"
     if lying:
         return "partly-explained"
-    if max(aside.values()) >= A_FEW and reaches:
+    if (aside["saturation"] >= A_FEW or (aside["outliers"] >= A_FEW and found.far > GROSS)) and reaches:
         return "explained"
     return "clean" if reaches else "unexplained"
 
@@ -310,11 +312,12 @@ def _p_value(weighed: Weighed, tried: int) -> float:
     return float(min(1.0, tried * chi2.sf(2 * max(weighed.gain, 0.0), max(weighed.rank, 1))))
 
 
-def _of_the_data(aside: dict[str, int], problem: Problem, verdict: Verdict) -> list[EffectRecord]:
+def _of_the_data(aside: dict[str, int], problem: Problem, verdict: Verdict, far: float) -> list[EffectRecord]:
     """Rows set aside are named as a cause where they are more than chance and the rest is understood."""
     found = []
     for effect, count in aside.items():
-        if count >= A_FEW and verdict != "unexplained":
+        gross = effect != "outliers" or far > GROSS
+        if count >= A_FEW and gross and verdict != "unexplained":
             part = count / (len(problem) + count)
             rows = Parameter("rows", float(count), 0.0, "1")
             why = f"{count} rows ({100 * part:.1f} %) set aside"

@@ -30,6 +30,14 @@ def outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None =
     return np.asarray(far & ~_long(np.asarray(far)))
 
 
+def farness(residual: Array, good: Mask) -> float:
+    """The median size of the rows set aside, over the rms of the others; 0 where none is."""
+    if good.all():
+        return 0.0
+    sizes = np.abs(residual).max(axis=1)
+    return float(np.median(sizes[~good]) / np.sqrt(np.mean(residual[good] ** 2)))
+
+
 def _jumps(effects: Array) -> Array:
     """The span of the effects over each row and its two neighbours (n, q)."""
     padded = np.pad(effects, ((1, 1), (0, 0)), mode="edge")
