@@ -36,5 +36,10 @@ slow: $(VENV)/.dev
 papers: $(VENV)/.dev
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/papers:tests/fit $(BIN)/python tests/papers/tables.py docs/papers.md
 
+BLIND_RUNS ?= 448
+blind: $(VENV)/.dev
+	@rm -rf blind-out && $(BIN)/python tests/blind/simulate.py blind-out $(BLIND_RUNS) 2026
+	@$(BIN)/python tests/blind/score.py blind-out
+
 clean:
 	rm -rf $(VENV) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

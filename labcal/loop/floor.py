@@ -14,6 +14,7 @@ from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 Source = Literal["declared", "static", "differences"]
+SEVERAL = 3.0  # steps of the encoder between two rows
 STILL = 0.002  # of the field: a static stretch moves no more than this
 
 
@@ -56,13 +57,19 @@ def _expected(problem: Problem) -> float:
 
 
 def _angle_step(problem: Problem) -> float:
-    """Variance [nT²] of the field across the axis from the angle's rounding."""
+    """Variance [nT²] of the field across the axis from the angle's rounding.
+
+    The smallest difference of two angles is the rounding only where the motion between rows is several times that.
+    """
     rig, angle = problem.scene.rig, problem.run.angle_deg
     if rig is None or angle is None or not np.isfinite(rig.angle_rad).any():
         return 0.0
     turning = np.isfinite(rig.angle_rad)
     steps = np.diff(np.unique(np.round(angle[turning], 9)))
     step = np.radians(float(steps.min())) if len(steps) else 0.0
+    moves = np.abs(np.diff(np.unwrap(rig.angle_rad[turning])))
+    if step * SEVERAL > np.median(moves):
+        return 0.0
     across = np.cross(np.nan_to_num(rig.axis_body), rig.prediction_nT)
     return float(np.mean(np.sum(across**2, axis=1)) * step**2 / 12)
 

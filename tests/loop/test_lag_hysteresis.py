@@ -1,0 +1,30 @@
+"""The kernels that remember, against what they must do by definition."""
+
+import numpy as np
+
+from labcal.model.effects.hysteresis import dahl, stop
+from labcal.model.effects.regressors import low_passed, shifted
+
+
+def test_a_stop_follows_until_its_threshold_and_back() -> None:
+    drive = np.array([[0.0], [5.0], [20.0], [15.0], [-20.0]])
+    assert stop(drive, 10.0)[:, 0].tolist() == [0.0, 5.0, 10.0, 5.0, -10.0]
+
+
+def test_a_dahl_loop_comes_within_one_part_in_e_of_its_branch_over_its_width() -> None:
+    drive = np.linspace(0, 3000, 301)[:, None]
+    assert np.isclose(dahl(drive, 3000.0)[-1, 0], 1 - np.exp(-1))
+
+
+def test_a_first_order_response_to_a_step_reaches_63_per_cent_after_tau() -> None:
+    t = np.arange(0, 60, 0.01)
+    out = low_passed(t, np.zeros(len(t), dtype=np.intp), (t >= 20).astype(float), 8.0)
+    assert abs(out[np.searchsorted(t, 28.0)] - (1 - np.exp(-1))) < 2e-3
+
+
+def test_a_shift_is_exact_for_a_parabola_and_stops_at_a_segment() -> None:
+    t, segment = np.arange(0.0, 20.0), np.repeat([0, 1], 10)
+    values = np.where(segment == 0, t**2, 5.0)[:, None]
+    moved = shifted(t, segment, values, 0.25)
+    assert np.allclose(moved[1:8, 0], (t[1:8] + 0.25) ** 2)
+    assert np.allclose(moved[10:, 0], 5.0)
