@@ -15,6 +15,8 @@ from numpy.typing import ArrayLike
 from labcal.bench.cage import Cage
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.guardian.proxies import GuardedInstrument
 from labcal.bench.links import Link
 from labcal.bench.roles import (
     ChannelSpec,
@@ -59,11 +61,16 @@ class Bench:
         reference: Magnetometer,
         dut: DutStream,
         hands: Hands | None = None,
-        links: Mapping[str, Link] | None = None,
+        links: Mapping[str, Link | GuardedInstrument] | None = None,
+        guardian: GuardianClient | None = None,
     ) -> None:
         self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated
         self.platform, self.reference, self.dut = platform, reference, dut
-        self.cage = Cage(config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until)
+        self._guardian = guardian
+        self.cage = Cage(
+            config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
+            guardian=guardian.zero if guardian else None,
+        )  # fmt: skip
         self._instruments, self.hands = dict(instruments), hands
         self._links, self._known = links or {}, dict[str, Identity]()
         self._pending: list[Block] = []
@@ -136,6 +143,8 @@ class Bench:
     def close(self) -> None:
         """Let go of every link."""
         with ExitStack() as steps:
+            if self._guardian is not None:
+                steps.callback(self._guardian.close)
             for instrument in self._instruments.values():
                 steps.callback(instrument.close)
 

@@ -13,7 +13,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
 from labcal.bench.roles import CoilSupply
 from labcal.bench.watch import Windings
-from labcal.bench.zero import RAMP_STEP_S, to_zero
+from labcal.bench.zero import RAMP_STEP_S, AtZero, to_zero
 from labcal.errors import InstrumentError, LimitError
 
 Array = NDArray[np.float64]
@@ -26,6 +26,7 @@ class Cage:
 
     `ambient_nT` (3,) is the field in C with the coils at zero, as last measured by whoever measured it; `set_field`
     aims at the total field. `wait` is how time passes during ramps: the bench keeps its streams read meanwhile.
+    `guardian` brings real coils to zero in its own process, told why.
     """
 
     def __init__(
@@ -36,6 +37,7 @@ class Cage:
         *,
         dut_limits: DutLimits | None = None,
         wait: Callable[[float], None] | None = None,
+        guardian: Callable[[str], list[AtZero]] | None = None,
     ) -> None:
         self.limits: CageLimits = config.limits
         self.matrix_nT_per_A: Array = config.matrix
@@ -45,6 +47,7 @@ class Cage:
         self.supplies: Mapping[str, CoilSupply] = {axis: supplies[axis] for axis in AXES}
         self._clock = clock
         self._wait = wait or clock.wait_until
+        self._guardian = guardian
         self._closed = False
         limits = config.limits
         self._windings = Windings(limits.rms_current_A or (math.inf,) * 3, limits.rms_window_s)
@@ -87,9 +90,12 @@ class Cage:
         A failure of one axis does not skip the others; the first failure is raised at the end.
         """
         self._closed = False
-        ended = to_zero(self.supplies, self._rates(), self._clock, self._wait_whatever_fails)
-        if faults := [end.fault for end in ended.values() if end.fault is not None]:
+        ended = self._guardian("the session is done with it") if self._guardian else self._to_zero()
+        if faults := [end.fault for end in ended if end.fault is not None]:
             raise faults[0]
+
+    def _to_zero(self) -> list[AtZero]:
+        return list(to_zero(self.supplies, self._rates(), self._clock, self._wait_whatever_fails).values())
 
     def _wait_whatever_fails(self, t_s: float) -> None:
         """A stream that has died is told elsewhere; it does not keep the coils from zero."""

@@ -166,6 +166,17 @@ class BenchConfig(_Table):
         return self
 
     @property
+    def guarded(self) -> list[str]:
+        """The instruments that can hurt, by name: supplies and polarity relays."""
+        return [name for name, entry in self.instruments.items() if entry.role.startswith(("coil-", "polarity"))]
+
+    @property
+    def guarded_links(self) -> list[str]:
+        """The real links of these."""
+        links = [self.instruments[name].link for name in self.guarded]
+        return [link for link in links if not link.startswith("emulated://")]
+
+    @property
     def simulated(self) -> bool:
         """Whether every link is emulated."""
         return all(i.link.startswith("emulated://") for i in self.instruments.values())

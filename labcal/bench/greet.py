@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.config import read_config
+from labcal.bench.guardian.client import ask_once, found
 from labcal.bench.loading import Loader
+from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
 
@@ -30,10 +33,18 @@ def greet(path: Path) -> list[Greeting]:
     return [_greet(loader, name) for name in config.instruments]
 
 
+def _asked(loader: Loader, name: str) -> Identity:
+    """Who answers: through the guardian where one lives and owns the port, else on a link of our own."""
+    if name in loader.config.guarded and (guardian := found([loader.config.instruments[name].link])) is not None:
+        with closing(guardian):
+            return Identity(**ask_once(guardian, "identify", name=name))
+    return loader.instrument(name).identify()
+
+
 def _greet(loader: Loader, name: str) -> Greeting:
     entry = loader.config.instruments[name]
     try:
-        who = loader.instrument(name).identify()
+        who = _asked(loader, name)
     except InstrumentError as error:
         return Greeting(name, entry.role, entry.link, fault=error)
     words = " ".join(part for part in (who.manufacturer, who.model, who.serial, who.firmware) if part)

@@ -15,6 +15,8 @@ from pydantic import TypeAdapter, ValidationError
 from labcal.bench.bench import Bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
+from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
 from labcal.bench.hands import SimulatedHands
 from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
 from labcal.bench.platform import BenchPlatform
@@ -45,8 +47,6 @@ class Loader:
         """The driver of the instrument `name`, on the kind of link and with the settings that its `__init__` states."""
         entry = self.config.instruments[name]
         driver, hints, settings = self.driver(name)
-        if entry.role.split("-")[0] not in driver.roles:
-            self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
         modbus = speaks_modbus(hints)
         link = self.modbus(name, entry, settings) if modbus else self.link(name, entry, settings)
         self.links[self.line_of(name)].never.add(driver.never, settings.address if modbus else None)
@@ -55,7 +55,9 @@ class Loader:
     def driver(self, name: str) -> tuple[Any, dict[str, Any], Any]:
         """The driver's class, the types that its `__init__` states, and its checked settings."""
         driver = self._load(DRIVERS, self.config.instruments[name].driver, ("instruments", name, "driver"))
-        hints = get_type_hints(driver.__init__)
+        entry, hints = self.config.instruments[name], get_type_hints(driver.__init__)
+        if entry.role.split("-")[0] not in driver.roles:
+            self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
         return driver, hints, self.settings(name, hints["settings"])
 
     def settings(self, name: str, kind: type[T]) -> T:
@@ -146,16 +148,36 @@ def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
         clock = VirtualClock(datetime.now(UTC)) if config.simulated else RealClock()
     loader = Loader(path, config, clock, seed or 0)
     with ExitStack() as on_failure:
+        guardian = _guardian(loader)
+        if guardian is not None:
+            on_failure.callback(guardian.close)
         instruments: dict[str, Instrument] = {}
         for name in config.instruments:
-            instruments[name] = loader.instrument(name)
+            instruments[name] = _instrument(loader, name, guardian)
             on_failure.callback(instruments[name].close)
-        bench = _in_roles(loader, instruments)
+        bench = _in_roles(loader, instruments, guardian)
         on_failure.pop_all()
         return bench
 
 
-def _in_roles(loader: Loader, instruments: Mapping[str, Instrument]) -> Bench:
+def _guardian(loader: Loader) -> GuardianClient | None:
+    """The guardian of a bench with real supplies or contacts; those of a simulated one die with the session."""
+    config = loader.config
+    if not config.guarded_links:
+        return None
+    for name in config.guarded:
+        loader.driver(name)  # what is wrong with the file is said here, not by another process
+    return GuardianClient(loader.path, config, loader.clock)
+
+
+def _instrument(loader: Loader, name: str, guardian: GuardianClient | None) -> Instrument:
+    if guardian is None or name not in loader.config.guarded:
+        return loader.instrument(name)
+    role = loader.config.instruments[name].role
+    return GuardedSupply(role[-1], guardian) if role.startswith("coil-") else GuardedInstrument(name, guardian)
+
+
+def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: GuardianClient | None) -> Bench:
     config = loader.config
     roles: dict[str, Any] = {entry.role: instruments[name] for name, entry in config.instruments.items()}
     try:
@@ -163,15 +185,20 @@ def _in_roles(loader: Loader, instruments: Mapping[str, Instrument]) -> Bench:
             config,
             loader.clock,
             instruments,
-            coil_supplies(roles, loader.clock),
+            coil_supplies(roles, loader.clock) if guardian is None else {axis: roles[f"coil-{axis}"] for axis in AXES},
             BenchPlatform(roles["platform"], config.platform, config.dut.limits),
             roles["reference"],
             roles["dut"],
             SimulatedHands(loader.twin, loader.clock) if config.simulated else None,
-            {name: loader.links[loader.line_of(name)] for name in instruments},
+            {name: _link(loader, name, instrument) for name, instrument in instruments.items()},
+            guardian,
         )
     except LimitError as error:
         loader.refuse(str(error), ("cage", "limits"))
+
+
+def _link(loader: Loader, name: str, instrument: Instrument) -> Link | GuardedInstrument:
+    return instrument if isinstance(instrument, GuardedInstrument) else loader.links[loader.line_of(name)]
 
 
 def coil_supplies(roles: Mapping[str, Any], clock: Clock) -> dict[str, CoilSupply]:

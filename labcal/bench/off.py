@@ -2,22 +2,50 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
+import os
+import time
+from contextlib import ExitStack, closing, suppress
 from pathlib import Path
 from typing import cast
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import AXES, read_config
+from labcal.bench.guardian.client import ask_once, found
+from labcal.bench.guardian.wire import zero_of
+from labcal.bench.links import ports
 from labcal.bench.loading import Loader
 from labcal.bench.roles import CoilSupply
 from labcal.bench.zero import AtZero, to_zero
 from labcal.errors import InstrumentError
 
+FREE_S = 5.0
+
 
 def coils_off(path: Path, clock: Clock | None = None) -> list[AtZero]:
-    """Bring every coil of `path` to zero and open it; one report an axis, faults included. Raises InputError."""
+    """Bring every coil of `path` to zero and open it; one report an axis, faults included. Raises InputError.
+
+    The guardian does it where one lives; else the ports are opened here, and held against everybody meanwhile.
+    """
     config = read_config(path)
-    loader = Loader(path, config, clock or RealClock(), 0)
+    real = config.guarded_links
+    deadline = time.monotonic() + FREE_S
+    while time.monotonic() < deadline:
+        with suppress(OSError):
+            if (guardian := found(real)) is not None:
+                with closing(guardian):
+                    why = f"labcal bench off, process {os.getpid()}"
+                    return [zero_of(end) for end in ask_once(guardian, "zero", why=why)]
+            if ports.hold(real):
+                try:
+                    return _with_own_hands(Loader(path, config, clock or RealClock(), 0))
+                finally:
+                    ports.let_go()
+        time.sleep(0.02)  # a guardian that comes or goes
+    raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
+
+
+def _with_own_hands(loader: Loader) -> list[AtZero]:
+    config = loader.config
     limits = dict(zip(AXES, config.cage.limits.ramp_A_per_s, strict=True))
     with ExitStack() as afterwards:
         supplies, unreachable = _reachable(loader, afterwards)

@@ -12,6 +12,7 @@ import serial
 from labcal.bench.clock import Clock
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.line import read_reply
+from labcal.bench.links.ports import refuse_if_held
 from labcal.errors import InputError, InstrumentError
 
 OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms")
@@ -56,6 +57,7 @@ class WiredLink:
     def reopen(self) -> None:
         """Open the port, again where it was lost. Who asks must then ask the instrument who it is."""
         self.close()
+        refuse_if_held(self.url)
         self._arrived, self._failure = [], None
         try:
             self._port = _open(self.url, self._address, self._options)

@@ -1,0 +1,190 @@
+"""The session's side of the guardian: it finds or starts one, gives it orders, and lets it hear that it lives."""
+
+from __future__ import annotations
+
+import json
+import os
+import select
+import socket
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from labcal.bench.clock import Clock
+from labcal.bench.config import BenchConfig
+from labcal.bench.guardian import wire
+from labcal.bench.guardian.spawn import SUCCESSOR, spawn
+from labcal.bench.links import ports
+from labcal.bench.zero import AtZero
+from labcal.errors import InstrumentError
+
+BEAT_S = 0.05
+START_S = 20.0
+REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
+CLOSE_S = 5.0
+LOST = InstrumentError(
+    "the guardian was killed; its successor takes the coils to zero.",
+    fault="guardian lost",
+    remedy="See guardian.log; start the run again.",
+)
+
+
+class Connection:
+    """One connection to a living guardian. Raises OSError where it is gone."""
+
+    def __init__(self, card: wire.Card) -> None:
+        self._socket = wire.connect(card, 2.0)
+        self._socket.settimeout(None)
+        self._received, self._number = b"", 0
+        self._socket.sendall(wire.packed({"token": card["token"]}))
+
+    def beat(self) -> None:
+        """Let it be heard; a guardian whose ear is full has heard enough."""
+        self._socket.setblocking(False)
+        try:
+            self._socket.send(b'{"beat": 1}\n')
+        except BlockingIOError:
+            pass
+        finally:
+            self._socket.setblocking(True)
+
+    def order(self, order: str, **what: Any) -> int:
+        """Send an order; returns its number."""
+        self._number += 1
+        self._socket.sendall(wire.packed({"id": self._number, "order": order, "with": what}))
+        return self._number
+
+    def reply(self, number: int, wait_s: float) -> wire.Message | None:
+        """The reply to that order, if it comes within `wait_s`."""
+        if select.select([self._socket], [], [], wait_s)[0]:
+            if not (data := self._socket.recv(65536)):
+                raise ConnectionError("the guardian closed the connection")
+            self._received += data
+        *lines, self._received = self._received.split(b"\n")
+        replies = [json.loads(line) for line in lines]
+        return next((dict(reply) for reply in replies if reply.get("id") == number), None)
+
+    def close(self) -> None:
+        """Let go."""
+        self._socket.close()
+
+
+class GuardianClient:
+    """A session's guardian: the orders of `Server`, as methods. Reconnects to the successor of one that was killed."""
+
+    def __init__(self, path: Path, config: BenchConfig, clock: Clock) -> None:
+        self._path, self._clock = path, clock
+        self._urls = config.guarded_links
+        self._connection: Connection | None = None
+        self._next_beat_s = 0.0
+        self.facts: dict[str, dict[str, Any]] = self._meet()
+        clock.while_waiting(self._beat)
+
+    def ask(self, order: str, **what: Any) -> Any:
+        """Give an order and wait for its reply; everything that waits on the clock goes on meanwhile.
+
+        Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it was killed.
+        """
+        if self._connection is None:
+            self._meet()
+        try:
+            return self._replied(self._open(), order, what)
+        except OSError as error:
+            self._lose()
+            raise LOST from error
+
+    def zero(self, why: str) -> list[AtZero]:
+        """Every coil to zero and open."""
+        return [wire.zero_of(end) for end in self.ask("zero", why=why)]
+
+    def close(self) -> None:
+        """End the session, and wait until the guardian has let go of the ports, as far as it can."""
+        connection, self._connection = self._connection, None
+        if connection is None:
+            return
+        connection.close()
+        deadline = time.monotonic() + CLOSE_S
+        while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
+            time.sleep(0.01)
+
+    def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
+        number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
+        while (reply := connection.reply(number, 0.002)) is None:
+            self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
+            if self._connection is None or time.monotonic() > deadline:
+                raise ConnectionError("no reply")
+        if "error" in reply:
+            raise wire.fault_of(reply["error"])
+        return reply["value"]
+
+    def _open(self) -> Connection:
+        if self._connection is None:
+            raise LOST
+        return self._connection
+
+    def _beat(self) -> None:
+        now = time.monotonic()
+        if self._connection is None or now < self._next_beat_s:
+            return
+        self._next_beat_s = now + BEAT_S
+        try:
+            self._connection.beat()
+        except OSError:
+            self._lose()
+
+    def _lose(self) -> None:
+        """The guardian was killed. Its standby is at it already; one more is started for when both were."""
+        if self._connection is not None:
+            self._connection.close()
+            self._connection = None
+            spawn(self._path, SUCCESSOR)
+
+    def _meet(self) -> dict[str, dict[str, Any]]:
+        """Find the guardian of these ports, or start one, and be its session."""
+        me, deadline = f"session {os.getpid()}", time.monotonic() + START_S
+        started = None
+        while time.monotonic() < deadline:
+            try:
+                if (connection := found(self._urls)) is not None:
+                    self._connection = connection
+                    hello = self._replied(connection, "hello", {"who": me, "bench": wire.fingerprint(self._path)})
+                    return dict(hello["facts"])
+                if started is None or started.poll() is not None:
+                    started = spawn(self._path)
+            except OSError:
+                self._forget()
+            except InstrumentError as fault:
+                self._forget()
+                if fault.fault != "another bench":
+                    raise
+            time.sleep(0.02)
+        raise InstrumentError(
+            "the guardian did not start.", fault="guardian lost", remedy="See guardian.log in labcal's data folder."
+        )
+
+    def _forget(self) -> None:
+        if self._connection is not None:
+            self._connection.close()
+        self._connection = None
+
+
+def ask_once(connection: Connection, order: str, **what: Any) -> Any:
+    """Give one order and wait for its reply, outside a session. Raises InstrumentError as the guardian says."""
+    number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
+    while (reply := connection.reply(number, 0.1)) is None:
+        if time.monotonic() > deadline:
+            raise LOST
+    if "error" in reply:
+        raise wire.fault_of(reply["error"])
+    return reply["value"]
+
+
+def found(urls: Iterable[str]) -> Connection | None:
+    """A connection to the guardian that holds any of these ports; None where there is none (yet)."""
+    for url in urls:
+        if card := ports.holder(url):
+            with suppress(FileNotFoundError, ConnectionRefusedError, socket.timeout):
+                return Connection(card)
+    return None

@@ -1,0 +1,115 @@
+"""The lines that the guardian owns: one lock and one clock each, so that a silent instrument delays no other line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from threading import RLock
+from typing import cast
+
+from labcal.bench.clock import Clock, RealClock
+from labcal.bench.config import BenchConfig
+from labcal.bench.loading import Loader
+from labcal.bench.roles import Identity, Instrument, PolarityRelay
+from labcal.errors import InstrumentError
+
+
+@dataclass
+class Line:
+    """One line and the instruments on it. Who talks on it holds `lock`."""
+
+    url: str
+    loader: Loader
+    lock: RLock = field(default_factory=RLock)
+    _open: dict[str, Instrument] = field(default_factory=dict)
+    _known: dict[str, Identity] = field(default_factory=dict)
+
+    @property
+    def clock(self) -> Clock:
+        """The clock of all that waits on this line."""
+        return self.loader.clock
+
+    def instrument(self, name: str) -> Instrument:
+        """The driver of `name`; its link is opened when it is asked for first. Raises InstrumentError (link lost)."""
+        with self.lock:
+            if name not in self._open:
+                self._open[name] = self.loader.instrument(name)
+            return self._open[name]
+
+    def identify(self, name: str) -> Identity:
+        """Who answers. Raises InstrumentError where it is another one than at first."""
+        with self.lock:
+            who = self.instrument(name).identify()
+            before = self._known.setdefault(name, who)
+        if who != before:
+            raise InstrumentError(
+                f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
+                fault="another instrument",
+                remedy="Coils stay at zero; plug the instruments in as bench.toml says, and begin again.",
+            )
+        return who
+
+    def reopen(self) -> None:
+        """Open the link again after it was lost. Raises InstrumentError (link lost)."""
+        with self.lock:
+            for link in self.loader.links.values():
+                link.reopen()
+
+    def close(self) -> None:
+        """Let go of the link."""
+        for link in self.loader.links.values():
+            link.close()
+
+
+def open_lines(path: Path, config: BenchConfig) -> dict[str, Line]:
+    """One Line for every owned instrument by name; those that state the same link share theirs. Opens nothing yet."""
+    lines: dict[str, Line] = {}
+    for name in config.guarded:
+        url = (loader := Loader(path, config, RealClock(), 0)).line_of(name)
+        lines[name] = next((line for line in lines.values() if line.url == url), Line(url, loader))
+    return lines
+
+
+class LockedRelay:
+    """A PolarityRelay on a line that other threads use too."""
+
+    def __init__(self, name: str, line: Line) -> None:
+        self.name, self._line = name, line
+
+    @property
+    def _relay(self) -> PolarityRelay:
+        return cast(PolarityRelay, self._line.instrument(self.name))
+
+    def identify(self) -> Identity:
+        """Who answers."""
+        return self._line.identify(self.name)
+
+    def reverses(self, axis: str) -> bool:
+        """Whether contacts are wired into `axis`."""
+        return self._relay.reverses(axis)
+
+    def set_polarity(self, axis: str, sign: int) -> None:
+        """Switch, confirmed by read-back."""
+        with self._line.lock:
+            self._relay.set_polarity(axis, sign)
+
+    def polarity(self, axis: str) -> int:
+        """+1 or -1, read back."""
+        with self._line.lock:
+            return self._relay.polarity(axis)
+
+    def make_safe(self) -> None:
+        """Leave the contacts where they are."""
+        with self._line.lock:
+            self._relay.make_safe()
+
+    def close(self) -> None:
+        """Let go of the line."""
+        self._relay.close()
+
+
+def relay_of(config: BenchConfig, lines: Mapping[str, Line]) -> LockedRelay | None:
+    """The reversing contacts of the bench, if it has any."""
+    names = [name for name, entry in config.instruments.items() if entry.role == "polarity"]
+    return LockedRelay(names[0], lines[names[0]]) if names else None

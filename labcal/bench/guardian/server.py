@@ -1,0 +1,131 @@
+"""The guardian's ear: sessions and callers on its socket, one thread each, so that no order hides a heartbeat."""
+
+from __future__ import annotations
+
+import hmac
+import json
+import socket
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+from labcal.bench.guardian.keeper import Guardian
+from labcal.bench.guardian.wire import Message, fault_message, packed, zero_message
+from labcal.errors import InstrumentError
+
+STALE_S = 3.0  # a session that has been silent so long, with the coils at zero, makes room for another
+
+
+@dataclass
+class Caller:
+    """Whoever is connected. `heard_s`: when anything last came from it (monotonic clock)."""
+
+    socket: socket.socket
+    who: str = "a caller"
+    heard_s: float = field(default_factory=time.monotonic)
+    gone: bool = False
+
+    def send(self, message: Message) -> None:
+        """Answer; a caller that has left, or reads nothing, is not waited for."""
+        with suppress(OSError):
+            self.socket.sendall(packed(message))
+
+
+class Server:
+    """Takes orders for a guardian. `session` is the one caller that may energise; others may ask and say off."""
+
+    def __init__(self, guardian: Guardian, listener: socket.socket, token: str, fingerprint: str) -> None:
+        self.session: Caller | None = None
+        self.had_session = False
+        self.dismissed = threading.Event()  # asked to make room for a session with another bench file
+        self._guardian, self._listener, self._token, self._fingerprint = guardian, listener, token, fingerprint
+        self.ready = threading.Event()  # set when the first zero has been tried
+        self._orders: dict[str, Callable[..., Any]] = {
+            "facts": guardian.facts,
+            "identify": lambda name: asdict(guardian.identify(name)),
+            "reopen": guardian.reopen,
+            "set_current": guardian.set_current,
+            "set_point": guardian.set_point,
+            "measure_current": guardian.measure_current,
+            "output": guardian.output,
+        }
+
+    def start(self) -> None:
+        """Listen from now on."""
+        threading.Thread(target=self._accept, daemon=True).start()
+
+    def part(self, session: Caller) -> None:
+        """This session has ended."""
+        if self.session is session:
+            self.session = None
+
+    def _accept(self) -> None:
+        while True:
+            try:
+                connection, _ = self._listener.accept()
+            except OSError:
+                return
+            threading.Thread(target=self._hear, args=(Caller(connection),), daemon=True).start()
+
+    def _hear(self, caller: Caller) -> None:
+        """Read lines; orders go to a thread of their own and are worked off in turn."""
+        with caller.socket, ThreadPoolExecutor(1) as worker, suppress(OSError, ValueError):
+            lines = caller.socket.makefile("rb")
+            if not hmac.compare_digest(str(json.loads(lines.readline()).get("token")), self._token):
+                return
+            for line in lines:
+                message = json.loads(line)
+                caller.heard_s = time.monotonic()
+                if "order" in message:
+                    worker.submit(self._answer, caller, message)
+        caller.gone = True
+
+    def _answer(self, caller: Caller, message: Message) -> None:
+        try:
+            reply = {"value": self._obey(caller, message["order"], message.get("with", {}))}
+        except InstrumentError as fault:
+            reply = {"error": fault_message(fault)}
+        except Exception as error:  # whatever it is, the caller hears of it and the guardian lives
+            what = f"the guardian failed at {message['order']}: {type(error).__name__}: {error}."
+            reply = {"error": fault_message(InstrumentError(what, fault="guardian failed"))}
+        caller.send({"id": message.get("id")} | reply)
+
+    def _obey(self, caller: Caller, order: str, what: Message) -> Any:
+        self.ready.wait()
+        if order == "hello":
+            return self._welcome(caller, **what)
+        if order == "status":
+            return {"energised": self._guardian.energised, "unresolved": sorted(self._guardian.unresolved)}
+        if order == "zero":
+            ended = self._guardian.zero(what["why"], by_session=caller is self.session)
+            return [zero_message(end) for end in ended]
+        if order in ("set_current", "output") and caller is not self.session:
+            raise InstrumentError("only the session that drives this bench sets currents.", fault="forbidden")
+        return self._orders[order](**what)
+
+    def _welcome(self, caller: Caller, who: str, bench: str) -> Message:
+        """Take the caller as the session. Refused while another one drives, or zero is not confirmed."""
+        self._refuse_second(caller)
+        if bench != self._fingerprint:
+            self.dismissed.set()
+            raise InstrumentError("the guardian has read another bench file; it makes room.", fault="another bench")
+        for fault in self._guardian.unresolved.values():
+            raise fault
+        for coil in self._guardian.coils.values():
+            coil.tripped = None
+        caller.who, self.session, self.had_session = who, caller, True
+        return {"facts": self._guardian.facts()}
+
+    def _refuse_second(self, caller: Caller) -> None:
+        other = self.session
+        if other is None or other is caller or other.gone:
+            return
+        if time.monotonic() - other.heard_s > STALE_S and not self._guardian.energised:
+            return
+        raise InstrumentError(
+            f"{other.who} drives this bench.", fault="in use", remedy="End it first; `labcal bench off` sets zero now."
+        )

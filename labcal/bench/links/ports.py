@@ -1,0 +1,108 @@
+"""Who holds a port: one lock file a port, in this user's runtime folder. The lock dies with the process that has it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+from typing import IO, Any
+
+from labcal.errors import InstrumentError
+
+_held: dict[str, IO[str]] = {}
+
+
+def runtime_folder() -> Path:
+    """The folder of sockets and locks: this user's alone. Raises InstrumentError where somebody else made it."""
+    user = str(os.getuid()) if sys.platform != "win32" else os.environ.get("USERNAME", "user")
+    folder = Path(tempfile.gettempdir()) / f"labcal-{user}"
+    folder.mkdir(mode=0o700, exist_ok=True)
+    if sys.platform != "win32" and (folder.stat().st_uid != os.getuid() or folder.stat().st_mode & 0o077):
+        raise InstrumentError(
+            f"{folder} is open to other users.", fault="forbidden", remedy="Remove it; labcal makes its own."
+        )
+    return folder
+
+
+def port_of(url: str) -> str:
+    """What two links to the same port have in common: the device file, or host and port."""
+    address = url.split("://", 1)[1].split("?")[0].removeprefix("socket://")
+    return os.path.realpath(address) if address.startswith("/") else address.lower()
+
+
+def hold(urls: Iterable[str]) -> bool:
+    """Take the locks of all these ports, for as long as this process lives; False, and none, where one is taken."""
+    taken: dict[str, IO[str]] = {}
+    for url in sorted(set(map(port_of, urls)) - set(_held)):
+        file = _lock_file(url).open("a+", encoding="utf-8")
+        if not _try_lock(file):
+            for other in (file, *taken.values()):
+                other.close()
+            return False
+        taken[url] = file
+    _held.update(taken)
+    return True
+
+
+def let_go() -> None:
+    """Give all ports of this process back."""
+    while _held:
+        _, file = _held.popitem()
+        file.close()
+
+
+def announce(card: dict[str, Any]) -> None:
+    """Write into the locks of this process how its owner is reached."""
+    for file in _held.values():
+        file.truncate(0)
+        file.write(json.dumps(card))
+        file.flush()
+
+
+def holder(url: str) -> dict[str, Any] | None:
+    """What the process that holds this port has announced ({} if nothing yet); None where nobody, or this one, does."""
+    port = port_of(url)
+    if port in _held or not _lock_file(port).exists():
+        return None
+    with _lock_file(port).open("a+", encoding="utf-8") as file:
+        if _try_lock(file):
+            return None
+        file.seek(0)
+        try:
+            return dict(json.loads(file.read()))
+        except ValueError:
+            return {}
+
+
+def refuse_if_held(url: str) -> None:
+    """Raise InstrumentError (in use) where another process holds this port."""
+    if (card := holder(url)) is not None:
+        raise InstrumentError(
+            f"{url}: a guardian (process {card.get('pid', 'unknown')}) holds this port.",
+            fault="in use",
+            remedy="End the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.",
+        )
+
+
+def _lock_file(port: str) -> Path:
+    return runtime_folder() / f"port-{hashlib.sha256(port.encode()).hexdigest()[:16]}.lock"
+
+
+def _try_lock(file: IO[str]) -> bool:
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            file.seek(1 << 20)  # far behind the text, which others must be able to read
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
