@@ -35,6 +35,7 @@ class Settings:
     zero_current_A: float = 0.005
     ramp_A_per_s: float = 4.0
     timeout_s: float = 1.5
+    interface_lock: bool = False  # while the output is on, no other interface may set anything (IFLOCK)
 
 
 class TtiSupply:
@@ -87,8 +88,11 @@ class TtiSupply:
     def output(self, on: bool) -> None:
         """Switch the output, confirmed; before it goes on, the compliance voltage is set."""
         if on:
+            self._lock()
             self.compliance = self.settings.compliance_V
         self.enabled = on
+        if not on and self.settings.interface_lock:
+            self.query("IFUNLOCK")
 
     def make_safe(self) -> None:
         """Current to zero, then output off; a failure of one does not skip the other."""
@@ -114,6 +118,14 @@ class TtiSupply:
                 f"{self.name}: {text!r} failed: {self._why(events)}.",
                 fault="restarted" if events == "128" else "refused",
                 remedy="Coils go to zero; look at the supply's panel.",
+            )
+
+    def _lock(self) -> None:
+        if self.settings.interface_lock and (reply := self.query("IFLOCK")) != "1":
+            raise InstrumentError(
+                f"{self.name}: it refuses the lock ({reply!r}): another interface holds it.",
+                fault="locked",
+                remedy="Close the other program, or unlock it on the supply's panel.",
             )
 
     def _why(self, events: str) -> str:

@@ -31,12 +31,15 @@ class TtiEmulator(Answers):
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, delay_s=0.008)
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
-        self._events, self._error = 128, 0
+        self._events, self._error, self._locked = 128, 0, False
         self._serial = 512_340 + sum(ord(role[-1]) - ord("x") for role in roles)
 
     def _reply(self, t_s: float, text: str) -> bytes:
         if text == "*IDN?":
             return f"THURLBY THANDAR, PL303QMT-P, {self._serial}, 3.02-4.06\r\n".encode()
+        if text in ("IFLOCK", "IFLOCK?", "IFUNLOCK"):
+            self._locked = self._locked if text.endswith("?") else text == "IFLOCK"
+            return b"%d\r\n" % self._locked
         if text == "*ESR?":
             events, self._events = self._events, 0
             return b"%d\r\n" % events

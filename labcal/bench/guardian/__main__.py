@@ -25,7 +25,7 @@ from labcal.bench.links import ports
 
 LOOK_S = 0.02
 RETRY_S = 0.5
-LONELY_S = 20.0  # without a session so long after its start, it ends
+LONELY_S, SUCCEEDED_S = 20.0, 2.0  # without a session so long after its start, it ends; after that of another
 TO_ZERO_S = 2.0  # from the last sign of life to zero
 READ_BACK_S = 0.35  # of that, for the read-back
 PULSE_S, HUNG_S = 0.2, 1.5
@@ -61,6 +61,7 @@ class Watch:
 
     def _watch(self, server: Server) -> None:
         begun = retried = time.monotonic()
+        alone_s = SUCCEEDED_S if self._succeeds else LONELY_S
         in_doubt = self._succeeds  # whether a coil that does not answer may carry current
         while True:
             time.sleep(LOOK_S)
@@ -72,7 +73,7 @@ class Watch:
             if self._told_to_end.is_set():
                 self._guardian.zero("the guardian was told to end")
                 return
-            lonely = server.had_session or time.monotonic() - begun > LONELY_S
+            lonely = server.had_session or time.monotonic() - begun > alone_s
             needless = server.dismissed.is_set() or (server.session is None and lonely)
             if needless and not (in_doubt and self._guardian.unresolved):
                 return

@@ -79,6 +79,7 @@ class GuardianClient:
         self._urls = config.guarded_links
         self._connection: Connection | None = None
         self._next_beat_s = 0.0
+        self._lost = False  # and nobody has been told yet
         self.facts: dict[str, dict[str, Any]] = self._meet()
         clock.while_waiting(self._beat)
 
@@ -87,12 +88,16 @@ class GuardianClient:
 
         Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it was killed.
         """
+        if self._lost:
+            self._lost = False
+            raise LOST
         if self._connection is None:
             self._meet()
         try:
             return self._replied(self._open(), order, what)
         except OSError as error:
             self._lose()
+            self._lost = False
             raise LOST from error
 
     def zero(self, why: str) -> list[AtZero]:
@@ -138,7 +143,7 @@ class GuardianClient:
         """The guardian was killed. Its standby is at it already; one more is started for when both were."""
         if self._connection is not None:
             self._connection.close()
-            self._connection = None
+            self._connection, self._lost = None, True
             spawn(self._path, SUCCESSOR)
 
     def _meet(self) -> dict[str, dict[str, Any]]:

@@ -218,8 +218,8 @@ def _line_down(coils: Sequence[Coil]) -> list[AtZero]:
 
 
 def _connect(coil: Coil) -> None:
-    """See that the link is open and the right instrument is at its end, where either is in doubt."""
-    if coil.unresolved is not None and coil.unresolved.fault == "link lost":
+    """See that the right instrument is at the end of the link, where in doubt; late replies go with the link."""
+    if coil.unresolved is not None:
         coil.line.reopen()
     if coil.unresolved is not None or not coil.energised:
         coil.line.identify(coil.name)
