@@ -155,7 +155,7 @@ def until(true: Callable[[], bool], within_s: float) -> float:
     """Wait until it is true; returns how long that took."""
     begun = time.monotonic()
     while not true():
-        assert time.monotonic() - begun < within_s, f"not within {within_s} s"
+        assert time.monotonic() - begun < within_s, f"not within {within_s} s:\n{log()}"
         time.sleep(0.01)
     return time.monotonic() - begun
 
@@ -177,6 +177,11 @@ def alive(pid: int) -> bool:
         return False
 
 
+def children_of(parent: int) -> list[int]:
+    listed = [path.read_text() for path in Path(f"/proc/{parent}/task").glob("*/children")]
+    return [int(pid) for pid in " ".join(listed).split()]
+
+
 def log() -> str:
     path = home() / "guardian.log"
     return path.read_text() if path.exists() else ""
@@ -195,7 +200,7 @@ def test_a_session_that_is_killed_leaves_the_coils_at_zero(lab: Served, session:
     until(lambda: not guardians(), 10)
 
 
-@pytest.mark.parametrize("how", ["SIGSTOP", "hang"])
+@pytest.mark.parametrize("how", ["SIGSTOP", pytest.param("hang", marks=pytest.mark.slow)])
 def test_a_session_that_stops_or_hangs_with_the_lock_held_loses_its_coils(lab: Served, session: Any, how: str) -> None:
     child = session("hang" if how == "hang" else "idle")
     if how == "SIGSTOP":
@@ -229,8 +234,8 @@ def test_a_killed_guardian_is_replaced_by_one_that_begins_with_zero(lab: Served,
 
 def test_a_guardian_killed_with_its_session_is_replaced_all_the_same(lab: Served, session: Any) -> None:
     child = session("idle")
-    time.sleep(1.0)  # the standby has to be there: it needs a moment after the start
     (first,) = guardians()
+    until(lambda: bool(children_of(first)), 10)
     os.kill(first, signal.SIGKILL)
     child.kill()
     seconds_to_zero(lab)
@@ -251,3 +256,14 @@ def test_one_silent_supply_keeps_no_other_from_zero_and_the_next_start_is_refuse
     assert "energised" not in refused.stdout
     del emulator.emit
     until(lambda: "at last: coil x +0.0000 A, zero, open" in log(), 10)
+
+
+@pytest.mark.slow
+def test_where_both_guardians_are_killed_the_session_starts_another(lab: Served, session: Any) -> None:
+    session("idle")
+    (first,) = guardians()
+    until(lambda: bool(children_of(first)), 10)
+    for pid in (*children_of(first), first):
+        os.kill(pid, signal.SIGKILL)
+    until(lambda: all(current < ZERO_A for current in lab.currents().values()), 10)
+    until(lambda: read_back_after("its successor begins"), 10)

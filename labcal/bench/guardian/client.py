@@ -6,6 +6,7 @@ import json
 import os
 import select
 import socket
+import subprocess
 import time
 from collections.abc import Iterable
 from contextlib import suppress
@@ -21,6 +22,7 @@ from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
 
 BEAT_S = 0.05
+STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S = 20.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 CLOSE_S = 5.0
@@ -79,7 +81,8 @@ class GuardianClient:
         self._urls = config.guarded_links
         self._connection: Connection | None = None
         self._next_beat_s = 0.0
-        self._lost = False  # and nobody has been told yet
+        self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
+        self._started: subprocess.Popen[bytes] | None = None
         self.facts: dict[str, dict[str, Any]] = self._meet()
         clock.while_waiting(self._beat)
 
@@ -131,6 +134,9 @@ class GuardianClient:
 
     def _beat(self) -> None:
         now = time.monotonic()
+        if self._lost and now > self._start_after_s:
+            self._start_another()
+            self._start_after_s = now + STANDBY_S
         if self._connection is None or now < self._next_beat_s:
             return
         self._next_beat_s = now + BEAT_S
@@ -140,24 +146,30 @@ class GuardianClient:
             self._lose()
 
     def _lose(self) -> None:
-        """The guardian was killed. Its standby is at it already; one more is started for when both were."""
+        """The guardian was killed. Its standby is at it already; where both were, another one is started soon."""
         if self._connection is not None:
             self._connection.close()
-            self._connection, self._lost = None, True
-            spawn(self._path, SUCCESSOR)
+            self._connection, self._lost, self._started = None, True, None
+            self._start_after_s = time.monotonic() + STANDBY_S
+
+    def _start_another(self) -> None:
+        """Start a guardian, unless there is one that has the ports or is about to take them."""
+        if self._started is not None and self._started.poll() is None:
+            return
+        if all(ports.holder(url) is None for url in self._urls):
+            self._started = spawn(self._path, *([SUCCESSOR] if self._start_after_s else []))
 
     def _meet(self) -> dict[str, dict[str, Any]]:
         """Find the guardian of these ports, or start one, and be its session."""
         me, deadline = f"session {os.getpid()}", time.monotonic() + START_S
-        started = None
         while time.monotonic() < deadline:
             try:
                 if (connection := found(self._urls)) is not None:
                     self._connection = connection
                     hello = self._replied(connection, "hello", {"who": me, "bench": wire.fingerprint(self._path)})
                     return dict(hello["facts"])
-                if started is None or started.poll() is not None:
-                    started = spawn(self._path)
+                if time.monotonic() > self._start_after_s:
+                    self._start_another()
             except OSError:
                 self._forget()
             except InstrumentError as fault:
