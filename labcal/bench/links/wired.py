@@ -17,6 +17,7 @@ from labcal.errors import InputError, InstrumentError
 
 OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms")
 CONNECT_S = 3.0
+DATAGRAM_BUFFER = 4 << 20  # what comes while nobody looks is lost beyond this (Linux caps it at rmem_max)
 
 
 class Port(Protocol):
@@ -199,6 +200,7 @@ class UdpPort:
 
     def __init__(self, host: str, port: int) -> None:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, DATAGRAM_BUFFER)
         self._socket.bind((host, port))
         self._socket.setblocking(False)
         self._other: tuple[str, int] | None = None
