@@ -20,6 +20,7 @@ NT_PER_COUNT = 1e5 / 15000
 RATES = (10, 20, 25, 30, 40, 50, 60, 100, 123, 154)
 FASTEST = {("ascii", 9600): 30, ("ascii", 19200): 50, ("binary", 9600): 100, ("binary", 19200): 154}
 FULL_SCALE = 30_000
+LOST = 1400  # bytes in which two places for the end sign stay as good as each other
 AXIS = rb"([ +-]) *(\d{1,2}),(\d{3})"
 ASCII_FRAME = re.compile(rb"%b *%b *%b *\r" % (AXIS, AXIS, AXIS))
 COLUMNS = ("ref_x", "ref_y", "ref_z")
@@ -54,7 +55,7 @@ class Hmr2300:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self._rest, self._stamp, self._streaming, self._next_poll_s = b"", 0.0, False, 0.0
-        self._mishaps = Mishaps(name)
+        self._mishaps, self._in_step = Mishaps(name), True
 
     def identify(self) -> Identity:
         """Ask for its serial number and firmware; it must not be streaming."""
@@ -77,7 +78,7 @@ class Hmr2300:
         ):
             self._ask("WE", "OK")
             self._ask(words, reply)
-        self._rest, self._streaming, self._next_poll_s = b"", True, self._clock.now()
+        self._rest, self._streaming, self._in_step, self._next_poll_s = b"", True, True, self._clock.now()
         if s.mode == "continuous":
             self._link.send(f"*{s.id:02d}C\r".encode())
 
@@ -164,12 +165,25 @@ class Hmr2300:
         return counts, frame
 
     def _take_binary(self) -> tuple[NDArray[np.int16] | None, bytes] | None:
-        """Frames of seven bytes with CR at the end; 0Dh occurs inside too, so that a slip costs a byte at a time."""
-        if len(self._rest) < 7:
+        """Frames of seven bytes with CR at the end; 0Dh occurs inside too."""
+        if len(self._rest) < 7 or not (self._in_step or self._find_step()):
             return None
-        frame = self._rest[:7]
-        if frame[6] != 0x0D:
-            self._rest = self._rest[1:]
-            return None, frame[:1]
-        self._rest = self._rest[7:]
+        if self._rest[6] != 0x0D:
+            self._in_step = False
+            return None, b""
+        frame, self._rest = self._rest[:7], self._rest[7:]
         return np.frombuffer(frame[:6], dtype=">i2").astype(np.int16), frame
+
+    def _find_step(self) -> bool:
+        """After a slip: drop bytes up to a frame, once only one of the seven places has all its end signs."""
+        while len(self._rest) >= 28:
+            places = [p for p in range(7) if not self._rest[p + 6 :: 7].strip(b"\r")]
+            if len(places) == 1:
+                self._rest, self._in_step = self._rest[places[0] :], True
+                return True
+            if len(places) > 1 and len(self._rest) < LOST:
+                return False
+            if places:
+                raise InstrumentError(f"{self.name}: its frames cannot be told apart.", fault="wrong reply")
+            self._rest = self._rest[7:]
+        return False

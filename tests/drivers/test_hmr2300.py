@@ -44,6 +44,23 @@ def test_binary_of_the_datasheet_with_a_carriage_return_inside() -> None:
     np.testing.assert_allclose(reading("binary", [frames]), [[15000, -15000, 7500], [0x0D0D, -7500, 13]])
 
 
+def test_a_byte_lost_from_binary_frames_gives_no_wrong_value() -> None:
+    frames = [bytes.fromhex(f"0001 0D{k:02X} 030D 0D") for k in range(12)]  # the end sign occurs inside
+    frames[9] = bytes.fromhex("0001 0C09 0304 0D")  # and here the field has changed
+    sent = [[1, 0x0D00 + k, 0x030D] for k in range(12)]
+    sent[9] = [1, 0x0C09, 0x0304]
+    for lost in range(7):
+        data = b"".join([*frames[:2], frames[2][:lost] + frames[2][lost + 1 :], *frames[3:]])
+        values = np.round(reading("binary", [data])).tolist()
+        assert all(row in sent for row in values)
+        assert len(values) >= 9
+
+
+def test_binary_frames_that_cannot_be_told_apart_are_a_fault() -> None:
+    with pytest.raises(InstrumentError, match="told apart"):
+        reading("binary", [b"\x00" + bytes.fromhex("0001 0D02 0304 0D") * 300])
+
+
 def test_noise_between_ascii_frames_costs_a_frame_and_no_wrong_value() -> None:
     good = b"  1,234  - 1,234   15,000  \r"
     np.testing.assert_allclose(reading("ascii", [b"\xff 1,2" + good + b"Re-enter\r" + good]), [[1234, -1234, 15000]])
