@@ -19,6 +19,7 @@ from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.proxies import GuardedInstrument
 from labcal.bench.links import Link
 from labcal.bench.roles import (
+    ByHand,
     ChannelSpec,
     CoilSupply,
     DutStream,
@@ -66,6 +67,7 @@ class Bench:
     ) -> None:
         self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated
         self.platform, self.reference, self.dut = platform, reference, dut
+        self.by_hand = next((i for i in instruments.values() if isinstance(i, ByHand)), None)
         self._guardian = guardian
         self.cage = Cage(
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
@@ -196,8 +198,9 @@ class Bench:
     def _poll_platform(self) -> None:
         t = self.clock.now()
         angle, moving = self.platform.state()
-        self._keep("angle", self.platform.name, ("angle_deg",), t, [angle])
-        self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, [float(moving)])
+        if self.by_hand is None or not moving:  # hands tell no angle before they are taken off
+            self._keep("angle", self.platform.name, ("angle_deg",), t, [angle])
+        self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, [float(moving and self.by_hand is None)])
 
     def _poll_coils(self) -> None:
         t, currents = self.clock.now(), self.cage.currents_A()

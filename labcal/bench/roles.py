@@ -110,6 +110,21 @@ class RotationPlatform(Instrument, Protocol):
 
 
 @runtime_checkable
+class ByHand(RotationPlatform, Protocol):
+    """A platform without a motor: `move_to` raises a question, and the technician's answer ends the move."""
+
+    u_reading_deg: float  # standard uncertainty of what the dial reads
+
+    def question(self) -> str:
+        """What the technician is asked to do."""
+        ...
+
+    def confirm(self, answer: str) -> None:
+        """The dial's reading, nothing for the angle asked for, or "abort". Raises InstrumentError for all else."""
+        ...
+
+
+@runtime_checkable
 class Magnetometer(Instrument, Protocol):
     """A stream of samples: the reference, or the DUT. A driver starts no thread and parses what has arrived."""
 

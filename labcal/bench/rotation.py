@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.samples import samples
-from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn
+from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, turn_by_hand
 from labcal.errors import InstrumentError
 from labcal.record.run import Segment, Vector
-from labcal.record.stream import Block, Prompt
+from labcal.record.stream import Block
 
 SECTOR_DEG = 15.0
 TRIES_BY_HAND = 3
@@ -51,7 +51,7 @@ class Rotation:
             axis_body=self.axis_body,
             axis_cage=platform.axis_cage if vector else None,
             mounting=self.mounting,
-            angle_noise_deg=platform.angle_noise_deg,
+            angle_noise_deg=platform.angle_noise_deg or (bench.by_hand.u_reading_deg if bench.by_hand else None),
             u_axis_body_deg=self.u_axis_body_deg,
             u_axis_cage_deg=platform.u_axis_cage_deg,
             u_time_s=self.u_time_s,
@@ -116,8 +116,7 @@ def _by_hand(bench: Bench, rotation: Rotation) -> Work[Blocks]:
     wanted = [round(angle - half, 1) for angle in stops(begun, rotation.to_deg, step)]
     for _ in range(TRIES_BY_HAND):
         for angle in wanted:
-            text = f"Turn the platform to {angle:g}°, right-handed about its axis, then take your hands off."
-            yield Prompt(bench.clock.now(), f"turn-{angle:g}", text, acts=True, drawing={"angle_deg": angle})
+            yield from turn_by_hand(bench, angle)
             kept += yield from record(bench, rotation.dwell_s)
         wanted = [float(a) + SECTOR_DEG / 2 for a in missing_sectors(kept)]
         if not wanted:

@@ -36,6 +36,7 @@ Work = Generator[Item, str | None, T]  # yields what it measured, receives answe
 Procedure = Work[None]
 Blocks = list[Block]
 MARGIN_S = 0.3
+AT_REST_DEG = 0.5  # a dial so near is not turned again
 TICK_S, VIRTUAL_TICK_S = 0.5, 5.0  # samples are handed on at least so often; on a virtual clock nobody waits
 
 
@@ -94,9 +95,20 @@ def turn(bench: Bench, to_deg: float, rate_deg_per_s: float) -> Work[Blocks]:
     return kept
 
 
+def turn_by_hand(bench: Bench, to_deg: float) -> Work[None]:
+    """Ask a person to turn the dial to `to_deg`, and what it then reads. Raises InstrumentError for an abort."""
+    assert bench.by_hand is not None
+    bench.platform.move_to(to_deg, bench.platform.max_rate_deg_per_s)
+    text, drawing = bench.by_hand.question(), {"angle_deg": to_deg}
+    answer = yield Prompt(bench.clock.now(), f"turn-{to_deg:g}", text, (), acts=True, drawing=drawing)
+    bench.by_hand.confirm(answer or "")
+
+
 def to_angle(bench: Bench, angle_deg: float) -> Work[None]:
-    """Bring a platform with a motor to `angle_deg`, homed first where it does not know where it is."""
-    if not bench.platform.motorised:
+    """Bring the platform to `angle_deg`, homed first where it does not know where it is; without a motor, by hand."""
+    if bench.by_hand is not None:
+        if bench.platform.moving() or abs(bench.platform.angle_deg() - angle_deg) > AT_REST_DEG:
+            yield from turn_by_hand(bench, angle_deg)
         return
     bench.platform.home()
     while bench.platform.moving():

@@ -40,6 +40,7 @@ class PlatformTruth(_Table):
 
     accel_deg_per_s2: Positive = 5.0
     wobble_deg: NotNegative = 0.003
+    misreading_deg: NotNegative = 0.0  # of a dial turned by hand: half the width of a rectangle
     axis_cage: Vector = (0.0, 0.0, 1.0)
 
 

@@ -68,7 +68,9 @@ class Lab:
         self.mode.set(t_s, mode)
 
     def turn_dial(self, t_s: float, angle_deg: float) -> None:
-        """Turn a platform without a motor."""
+        """Turn a platform without a motor, as well as its dial is read."""
+        if width := self._truth.platform.misreading_deg:
+            angle_deg += float(self._rng_hands.uniform(-width, width))
         self.platform.place(t_s, angle_deg)
 
     def switch_load(self, t_s: float, load: str, on: bool) -> None:

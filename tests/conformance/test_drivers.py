@@ -67,6 +67,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "newport-smc100": [b"1PR5\r\n", b"1PW1\r\n", b"1RS\r\n", b"1SA2\r\n", b"1ZX3\r\n"],
     "oriental-az": [bytes.fromhex(h) for h in ("01060058", "011000580010200000000000000002", "0110007C00020400000040")],
     "leadshine": [bytes.fromhex(h) for h in ("010618012211", "010618014001", "010660020021", "0110620000060C0041")],
+    "manual": [b"x"],
 }
 LONGER = {
     "Hmr2300": "two formats in two modes each",

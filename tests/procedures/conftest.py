@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -51,10 +51,12 @@ class Ran:
 
 @pytest.fixture
 def ran(bench_file: Callable[..., Path]) -> Callable[..., Ran]:
-    """Run a procedure with settings on a bench with the table [twin] `twin`; it must finish."""
+    """Run a procedure with settings on a bench with the table [twin] `twin` and `edits` of its text; it must finish."""
 
-    def run(procedure: str, twin: str = "", seed: int = 11, **given: object) -> Ran:
-        found = Ran(procedure, bench_file(twin), {key: str(value) for key, value in given.items()}, seed)
+    def run(
+        procedure: str, twin: str = "", seed: int = 11, edits: Sequence[tuple[str, str]] = (), **given: object
+    ) -> Ran:
+        found = Ran(procedure, bench_file(twin, *edits), {key: str(value) for key, value in given.items()}, seed)
         assert found.outcome.status == "finished", found.outcome.fault
         return found
 

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.zaber import ZaberStage
 from labcal import session
 from labcal.record.stream import Prompt
 from labcal.twin.coils import square_coils
@@ -155,11 +154,8 @@ def test_turns_are_made_as_asked_in_one_mounting(ran: Run, name: str, given: dic
         assert np.nanmax(angle) - np.nanmin(angle) == pytest.approx(span, abs=2)
 
 
-def test_a_dial_without_a_motor_is_turned_by_a_person_until_no_sector_is_missing(
-    ran: Run, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(ZaberStage, "motorised", False)
-    found = ran("rotate-axis", zero_s=2)
+def test_a_dial_without_a_motor_is_turned_by_a_person_until_no_sector_is_missing(ran: Run) -> None:
+    found = ran("rotate-axis", "platform = { misreading_deg = 0.1 }", edits=[('"zaber"', '"manual"')], zero_s=2)
     asked = [i.drawing["angle_deg"] for i in found.items if isinstance(i, Prompt) and "angle_deg" in i.drawing]
-    assert asked == pytest.approx([15.0 * n - 7.5 for n in range(1, 25)], abs=0.1)
+    assert asked == pytest.approx([0.0, *(15.0 * n - 7.5 for n in range(1, 25))], abs=0.1)
     assert found.measured["z-50uT: missing sectors"].verdict == "PASS"

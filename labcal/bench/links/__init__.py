@@ -8,9 +8,20 @@ from labcal.bench.links.line import Link, read_reply
 from labcal.bench.links.wired import WiredLink
 from labcal.errors import InputError
 
-__all__ = ["EmulatedLink", "Emulator", "Link", "WiredLink", "open_link", "read_reply"]
+__all__ = ["EmulatedLink", "Emulator", "Link", "Nobody", "WiredLink", "open_link", "read_reply"]
 
-SCHEMES = ("serial", "tcp", "udp", "modbus-rtu", "modbus-tcp")
+SCHEMES = ("serial", "tcp", "udp", "modbus-rtu", "modbus-tcp", "manual")
+
+
+class Nobody:
+    """The other end of manual://: a person, who is asked by prompts and not over a wire."""
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """Nobody hears."""
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        """Nobody speaks."""
+        return []
 
 
 def open_link(url: str, clock: Clock) -> Link:
@@ -18,4 +29,4 @@ def open_link(url: str, clock: Clock) -> Link:
     scheme = url.split("://", 1)[0]
     if scheme not in SCHEMES:
         raise InputError(f"link {url!r}: {scheme}:// is none of {', '.join(f'{s}://' for s in (*SCHEMES, 'emulated'))}")
-    return WiredLink(url, clock)
+    return EmulatedLink(url, Nobody(), clock) if scheme == "manual" else WiredLink(url, clock)
