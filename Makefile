@@ -30,6 +30,9 @@ test: $(VENV)/.dev
 lint: $(VENV)/.dev
 	$(BIN)/ruff check . && $(BIN)/ruff format --check . && $(BIN)/mypy && $(BIN)/lint-imports --no-cache
 
+bench: $(VENV)/.dev
+	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 $(BIN)/python benchmarks/window_budget.py
+
 slow: $(VENV)/.dev
 	$(BIN)/pytest -m slow
 

@@ -79,7 +79,9 @@ class Studio:
             self.window.set_theme(theme)
             self.window.open_page(page)
             self.window.rail.setFocus()
-            self.live(1.2)
+            self.live(0.5)
+            self.wait(lambda: not self.desk.clerk.busy)
+            self.live(0.7)
             file = self.out / f"{name}-{theme.name}.png"
             self.window.grab().save(str(file))
             print(file.relative_to(ROOT) if file.is_relative_to(ROOT) else file, file.stat().st_size // 1024, "kB")

@@ -6,12 +6,14 @@ import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from labcal.gui.pace import paced
 from labcal.gui.talk import Talk
 from labcal.gui.wire import fault_of
-from labcal.runner import Found, Outcome
+
+if TYPE_CHECKING:
+    from labcal.runner import Found, Outcome
 
 
 def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:

@@ -43,8 +43,9 @@ class Client(QObject):
     items = Signal(list)  # items as JSON, in order
     progress = Signal(str)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, command: tuple[str, ...] = ("-m", "labcal.gui.worker")) -> None:
         super().__init__(parent)
+        self._command = command
         self._process: QProcess | None = None
         self._open: dict[int, tuple[Then, Callable[[Fault], None]]] = {}
         self._number = 0
@@ -61,7 +62,7 @@ class Client(QObject):
         process.finished.connect(self._ended)
         process.errorOccurred.connect(self._not_started)
         self._process, self._errors, self._begun = process, "", b""
-        process.start(sys.executable, ["-m", "labcal.gui.worker"])
+        process.start(sys.executable, list(self._command))
 
     def ask(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
         """Ask for `do`; `then` gets the result, `failed` what went wrong."""

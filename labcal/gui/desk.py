@@ -104,6 +104,7 @@ class Desk(QObject):
         """Go on with an interrupted run."""
         self._pulse.start()
         self.run.resume(run_id, self._order(procedure, {}))
+        self.went.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> Order:
         state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))

@@ -13,6 +13,8 @@ from labcal.gui.theme import Theme
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
+MOST = 3000  # points of a locus
+JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 
 
@@ -41,7 +43,7 @@ class Traces(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         self.plot = plot(theme, "time  s", left)
         row.addWidget(self.plot)
-        self._curves = [self.plot.plot(pen=pg.mkPen(colour, width=1.6)) for colour in theme.axes]
+        self._curves = [self.plot.plot(pen=pg.mkPen(colour)) for colour in theme.axes]
         self._names = [
             pg.TextItem(name, colour, anchor=(0, 0.5)) for name, colour in zip(AXES, theme.axes, strict=True)
         ]
@@ -63,7 +65,7 @@ class Traces(QWidget):
 class Loci(QWidget):
     """Directions on the sphere, seen along z, x and y: where the field has been in the body's axes.
 
-    Points in the front half are filled, behind it they are faint.
+    Lines in the front half are strong, behind it they are faint.
     """
 
     def __init__(self, theme: Theme, *, clouds: int = 1) -> None:
@@ -72,34 +74,44 @@ class Loci(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         circle = np.linspace(0, 2 * np.pi, 181)
         colours = (theme.accent, theme.axis_x)[:clouds]
-        self._views: list[list[tuple[pg.ScatterPlotItem, pg.ScatterPlotItem]]] = []
+        self._views: list[list[tuple[pg.PlotCurveItem, pg.PlotCurveItem]]] = []
         for right, up in VIEWS:
             widget = plot(theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
             widget.setAspectLocked(True)
             widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
-            widget.plot(np.cos(circle), np.sin(circle), pen=pg.mkPen(theme.muted, width=1))
-            self._views.append([_cloud(widget, colour) for colour in colours])
+            widget.plot(np.cos(circle), np.sin(circle), pen=pg.mkPen(theme.muted))
+            self._views.append([_lines(widget, colour) for colour in colours])
             row.addWidget(widget)
 
-    def show_field(self, field_nT: Array, cloud: int = 0, most: int = 4000) -> None:
-        """Draw fields (n, 3) by their direction; at most `most` of them, evenly taken."""
-        field = field_nT[np.isfinite(field_nT).all(axis=1)]
-        field = field[:: max(1, len(field) // most)]
-        length = np.linalg.norm(field, axis=1, keepdims=True)
-        direction = field / np.where(length > 0, length, 1.0)
+    def show_field(self, field_nT: Array, cloud: int = 0, most: int = MOST) -> None:
+        """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
+        path = _broken(_directions(field_nT, most))
         for (right, up), clouds in zip(VIEWS, self._views, strict=True):
             front, behind = clouds[cloud]
-            toward = direction[:, 3 - right - up] >= 0
-            front.setData(direction[toward, right], direction[toward, up])
-            behind.setData(direction[~toward, right], direction[~toward, up])
+            x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
+            front.setData(x, np.where(toward, y, np.nan), connect="finite")
+            behind.setData(x, np.where(toward, np.nan, y), connect="finite")
 
 
-def _cloud(widget: pg.PlotWidget, colour: str) -> tuple[pg.ScatterPlotItem, pg.ScatterPlotItem]:
+def _directions(field_nT: Array, most: int) -> Array:
+    """Unit vectors along the finite rows of (n, 3), thinned."""
+    field = field_nT[np.isfinite(field_nT).all(axis=1)]
+    field = field[:: max(1, -(-len(field) // most))]
+    length = np.linalg.norm(field, axis=1, keepdims=True)
+    return np.asarray(field / np.where(length > 0, length, 1.0))
+
+
+def _broken(path: Array) -> Array:
+    """The path with a gap of NaN wherever it jumps: from one segment to the next there is no line."""
+    jumps = np.flatnonzero(np.linalg.norm(np.diff(path, axis=0), axis=1) > JUMP) + 1
+    return np.insert(path, jumps, np.nan, axis=0)
+
+
+def _lines(widget: pg.PlotWidget, colour: str) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
     """What lies in front of the sphere, and behind it."""
     faint = QColor(colour)
-    faint.setAlpha(60)
-    front = pg.ScatterPlotItem(size=3, pen=None, brush=pg.mkBrush(colour))
-    behind = pg.ScatterPlotItem(size=3, pen=None, brush=pg.mkBrush(faint))
+    faint.setAlpha(90)
+    front, behind = pg.PlotCurveItem(pen=pg.mkPen(colour)), pg.PlotCurveItem(pen=pg.mkPen(faint))
     widget.addItem(behind)
     widget.addItem(front)
     return front, behind

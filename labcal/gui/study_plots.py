@@ -59,7 +59,7 @@ class Residuals(QWidget):
         xs, ys = np.repeat(x, values.shape[1]), values.ravel()
         good = np.isfinite(xs) & np.isfinite(ys)
         cloud = pg.ScatterPlotItem(
-            xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(faint(colour, 130)), name=name
+            xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(faint(colour, 130)), name=_inked(name, colour)
         )
         self.plot.addItem(cloud)
         self._clouds.append(cloud)
@@ -67,6 +67,11 @@ class Residuals(QWidget):
     def clear(self) -> None:
         """Nothing to show."""
         self.show_residual("", np.empty(0), [], None)
+
+
+def _inked(name: str, colour: str) -> str:
+    """A legend's word in the colour of what it names."""
+    return f'<span style="color: {colour}; font-weight: 600">{name}</span>'
 
 
 class Bars(QWidget):

@@ -6,16 +6,18 @@ import json
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.fit import Fit
 from labcal.gui.talk import Talk
 from labcal.gui.wire import pack
 from labcal.home import home
 from labcal.record import Run
+
+if TYPE_CHECKING:
+    from labcal.fit import Fit
 
 MOST = 3000  # points of a picture
 

@@ -130,6 +130,7 @@ QComboBox::down-arrow { image: none; width: 0; height: 0;
 QCheckBox::indicator { width: 16px; height: 16px; border: 1px solid $muted; border-radius: 3px; background: $sunken; }
 QCheckBox::indicator:checked { background: $accent; border: 1px solid $accent; }
 QFrame#fault { background: $surface; border: 2px solid $bad; border-radius: 6px; }
+QFrame#topfault { background: $surface; border: 2px solid $bad; border-radius: 6px; margin-top: 16px; }
 QFrame#good { background: $surface; border: 2px solid $good; border-radius: 6px; }
 QLabel#ask { font-size: ${ask_pt}pt; font-weight: 600; }
 QLabel#huge { font-size: ${huge_pt}pt; font-weight: 600; }

@@ -18,6 +18,7 @@ from labcal.gui.frame import Frame
 from labcal.gui.problem import save_problem
 from labcal.gui.scanner import Scanner
 from labcal.gui.theme import DARK, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.widgets import named
 from labcal.gui.wire import Fault
 
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
@@ -77,7 +78,7 @@ class Window(Frame):
         self.later = {name: Later(partial(build_page, name, desk, lambda: self.theme)) for name in PAGES}
         super().__init__(desk.lab, dict(self.later))
         self.wall = str(desk.settings.value("wall", "no")) == "yes"
-        self.fault = FaultCard()
+        self.fault = named(FaultCard(), "topfault")
         self.above.addWidget(self.fault)
         self.fault.report_asked.connect(desk.report_asked)
         self.scanner = Scanner(self)

@@ -154,10 +154,9 @@ def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
     lab.open_page("Fit")
     lab.set_theme(DARK)
     assert lab.page("Fit").table.item(0, 0).text() == "ml"
+    before = lab.rail.width()
     lab.toggle_wall()
-    assert lab.rail.width() > 200
-    lab.toggle_wall()
-    assert lab.rail.width() < 200
+    assert lab.rail.width() > 1.5 * before
 
 
 @pytest.mark.parametrize("name", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])

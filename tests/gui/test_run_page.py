@@ -2,9 +2,13 @@
 
 import os
 import signal
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
 
 QUICK = {
     "axes": "x",
@@ -15,6 +19,7 @@ QUICK = {
     "zero_s": "2",
 }
 LONG_MS = 60_000
+BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
 
 def begin(qtbot, window, procedure="preflight", given=QUICK):
@@ -135,3 +140,38 @@ def test_no_operator_no_run(qtbot, window):
     qtbot.waitUntil(lambda: page.choose.list.count() > 0, timeout=LONG_MS)
     assert not page.choose.start.isEnabled()
     assert "operator" in page.choose.objection.text()
+
+
+def test_an_interrupted_run_is_offered_at_start_and_goes_on(qtbot, window):
+    page = begin(qtbot, window)
+    qtbot.mouseClick(page.live.prompt.choices["done"], Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: window.desk.run.state == "asking", timeout=LONG_MS)
+    os.kill(window.desk.bench_worker.pid, signal.SIGKILL)
+    qtbot.waitUntil(lambda: window.desk.run.state == "ended", timeout=LONG_MS)
+    window.open_page("Start")
+    start = window.page("Start")
+    qtbot.waitUntil(start.interrupted.isVisible, timeout=LONG_MS)
+    again = start.interrupted.findChildren(QPushButton)[0]
+    qtbot.mouseClick(again, Qt.MouseButton.LeftButton)
+    assert window.stack.currentWidget() is window.later["Run"]
+    answer_all(qtbot, window, page)
+    assert (window.desk.run.status, window.desk.run.fault) == ("finished", None)
+
+
+@pytest.mark.slow
+def test_an_instrument_that_dies_is_named_and_the_coils_are_not_called_safe(qtbot, window, tmp_path):
+    served = tmp_path / "served.toml"
+    program = "from labcal.cli import main; main()"
+    command = [sys.executable, "-c", program, "bench", "serve", str(BENCH), "--out", str(served)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as lab:
+        assert lab.stdout.readline().strip() == "ready"
+        window.desk.open_bench(str(served))
+        qtbot.waitUntil(lambda: window.desk.facts["simulated"] is False, timeout=LONG_MS)
+        page = begin(qtbot, window, "axes-check", {})
+        lab.kill()
+    qtbot.waitUntil(lambda: window.desk.run.state == "ended", timeout=LONG_MS)
+    run = window.desk.run
+    assert run.fault.kind == "instrument"
+    assert page.live.fault.isVisible()
+    assert not page.live.prompt.isVisible()
+    assert not run.coils_at_zero

@@ -179,7 +179,7 @@ class CertificatePage(QWidget):
         self._files = {one["path"]: one for one in files}
         self.list.clear()
         for one in files:
-            self.list.addItem(f"{self._word(one)}  {one['dut']['serial']}  ·  {Path(one['path']).stem}")
+            self.list.addItem(f"{self._word(one)}  {one['dut']['serial']}\n{Path(one['path']).stem}")
             self.list.item(self.list.count() - 1).setData(Qt.ItemDataRole.UserRole, one["path"])
         paths = list(self._files)
         self.list.setCurrentRow(paths.index(kept) if kept in paths else 0)

@@ -113,6 +113,9 @@ class LoopPage(QWidget):
         card = Card(self.tr("2  Who could have done it"), "")
         self.bars = Bars(self._theme)
         self.others = Table((self.tr("not named"), self.tr("why")), stretch=1)
+        header = self.others.horizontalHeader()
+        header.setSectionResizeMode(0, header.ResizeMode.Interactive)
+        self.others.setColumnWidth(0, 22 * GRID)
         card.body.addWidget(self.bars, 1)
         card.body.addWidget(self.others, 1)
         return card

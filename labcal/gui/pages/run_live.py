@@ -28,6 +28,7 @@ from labcal.gui.widgets import Card, button, label, set_state
 from labcal.gui.wire import Fault
 
 FRAME_MS = 40
+LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 SHOWN_S = 120.0  # of the traces
 
@@ -41,7 +42,7 @@ class Live(QWidget):
         super().__init__()
         self._desk, self._run, self._theme = desk, desk.run, theme
         self._asked: object = None
-        self._drawn = -1
+        self._drawn, self._ticks = -1, 0
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
@@ -117,10 +118,12 @@ class Live(QWidget):
         self.headline = card.heading
         self.loci, self.traces = Loci(self._theme), Traces(self._theme, "DUT  nT")
         self.coverage = QProgressBar()
-        self.coverage.setFormat(self.tr("%p % of the circle"))
+        self.coverage.setTextVisible(False)
+        self.covered = label("", "caption")
         self.coverage.setToolTip(self.tr("How much of the turn this segment has seen, in sectors of 15°"))
         self.lights = {axis: label("") for axis in "xyz"}
         row = QHBoxLayout()
+        row.addWidget(self.covered)
         row.addWidget(self.coverage, 1)
         for light in self.lights.values():
             row.addSpacing(2 * GRID)
@@ -225,12 +228,15 @@ class Live(QWidget):
             else run.segment or self.tr("Between segments")
         )
         self.coverage.setValue(round(100 * run.coverage()))
+        self.covered.setText(self.tr("{0:3d} % of the circle").format(round(100 * run.coverage())))
         rows = run.dut.rows()
         if len(rows) == self._drawn and run.alive and len(rows) < 10_000:
             return
         self._drawn = len(rows)
         self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
-        self.loci.show_field(run.field_rows())
+        self._ticks += 1
+        if self._ticks % LOCI_EVERY == 0 or not run.alive:
+            self.loci.show_field(run.field_rows())
 
     def _show_left(self) -> None:
         run, left = self._run, self._run.left_s()

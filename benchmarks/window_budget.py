@@ -1,0 +1,104 @@
+"""The window's budget: 20 s of 1 kHz data through a worker process, the longest event, and what got lost.
+
+    QT_QPA_PLATFORM=offscreen python benchmarks/window_budget.py
+
+Prints the longest event of the loop (by the clock, and by the processor's own time, which a busy computer does not
+stretch), the repaints a second and the rows that arrived; exit 1 beyond 50 ms of work or with a row lost.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+RATE_HZ, SECONDS, BATCH_S, LONGEST_MS = 1000, 20, 0.04, 50.0
+
+
+def feed() -> None:
+    """Be the worker: answer the first request with 20 s of samples at their true pace."""
+    from labcal.gui.talk import over_standard_streams
+    from labcal.record import Segment
+    from labcal.record.stream import Block, SegmentOpened, Step
+
+    talk = over_standard_streams()
+    ask = next(iter(talk.asks()))
+    talk.tell(Step(0.0, 1, 1, "turn", float(SECONDS), ("turn",)))
+    talk.tell(SegmentOpened(0.0, Segment("turn", "rotation")))
+    begun, sent = time.monotonic(), 0
+    while sent < RATE_HZ * SECONDS:
+        time.sleep(BATCH_S)
+        upto = min(RATE_HZ * SECONDS, int((time.monotonic() - begun) * RATE_HZ))
+        t = np.arange(sent, upto) / RATE_HZ
+        field = 2e4 * np.column_stack([np.cos(t), np.sin(t), np.full(len(t), 0.5)])
+        talk.tell(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, field))
+        talk.tell(Block("angle", "stage", ("angle_deg",), t[:1], np.degrees(t[:1, None])))
+        sent = upto
+    talk.flush()
+    talk.say("done", id=ask["id"], result={"run_id": "budget", "status": "finished", "fault": None, "failed": []})
+
+
+def main() -> int:
+    """Show the Run page while the data comes, and time every event."""
+    from PySide6.QtCore import QEvent, QObject, QSettings
+    from PySide6.QtWidgets import QApplication
+
+    class Timed(QApplication):
+        """Knows how long its longest event took."""
+
+        def __init__(self) -> None:
+            super().__init__([])
+            self.longest_ms, self.worked_ms, self.what, self.depth = 0.0, 0.0, "", 0
+
+        def notify(self, receiver: QObject, event: QEvent) -> bool:
+            begun, worked, outermost = time.perf_counter(), time.thread_time(), self.depth == 0
+            self.depth += 1
+            done = super().notify(receiver, event)
+            self.depth -= 1
+            took = 1000 * (time.perf_counter() - begun)
+            if outermost:
+                self.worked_ms = max(self.worked_ms, 1000 * (time.thread_time() - worked))
+            if outermost and took > self.longest_ms:
+                self.longest_ms, self.what = took, f"{event.type().name} of {type(receiver).__name__}"
+            return done
+
+    os.environ["LABCAL_HOME"] = tempfile.mkdtemp(prefix="labcal-budget-")
+    application = Timed()
+    from labcal.gui.client import Client
+    from labcal.gui.desk import Desk
+    from labcal.gui.run_vm import Order, RunViewModel
+    from labcal.gui.theme import LIGHT
+    from labcal.gui.window import Window
+
+    desk = Desk(QSettings(os.path.join(os.environ["LABCAL_HOME"], "w.ini"), QSettings.Format.IniFormat))
+    desk.bench_worker = Client(desk, (__file__, "feed"))
+    desk.run = RunViewModel(desk.bench_worker)
+    window = Window(desk, LIGHT)
+    window.show()
+    window.open_page("Run")
+    desk.run.start(Order("budget", "none"))
+    live = window.page("Run").live
+    drawn = live._draw
+    frames: list[float] = []
+    live._frame.timeout.disconnect()
+    live._frame.timeout.connect(lambda: (frames.append(time.perf_counter()), drawn()))
+    while len(desk.run.dut) < RATE_HZ:  # the first second builds what is built once
+        application.processEvents()
+    application.longest_ms = application.worked_ms = 0.0
+    frames.clear()
+    while desk.run.alive:
+        application.processEvents()
+        time.sleep(0.001)
+    rows = desk.run.dut._written
+    rate = len(frames) / (frames[-1] - frames[0])
+    said = f"longest event {application.longest_ms:.1f} ms ({application.what})"
+    print(f"{said}, {application.worked_ms:.1f} ms of work; {rate:.0f} repaints/s; {rows} rows arrived")
+    window.close()
+    return int(application.worked_ms > LONGEST_MS or rows != RATE_HZ * SECONDS)
+
+
+if __name__ == "__main__":
+    sys.exit(feed() if "feed" in sys.argv[1:] else main())
