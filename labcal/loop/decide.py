@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
 from labcal.loop.spectrum import transformed
+from labcal.loop.steps import steps
 
 Array = NDArray[np.float64]
 Cause = tuple[str, tuple[str, ...]]
@@ -62,8 +63,9 @@ def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed],
 
 
 def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
-    """All candidates, the periodic ones at the frequencies that the present residual shows."""
-    return [*search.candidates, *periodic(search.problem, search.residual(accepted) * search.rows[:, None])]
+    """All candidates; periods and steps at the frequencies and moments that the present residual shows."""
+    left = search.residual(accepted) * search.rows[:, None]
+    return [*search.candidates, *periodic(search.problem, left), *steps(search, accepted)]
 
 
 def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:

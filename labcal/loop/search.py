@@ -61,7 +61,7 @@ def expand(problem: Problem) -> list[Candidate]:
     """Every form of every family at every point of its grid; those that need no residual to look at."""
     found = []
     for family in families():
-        if family.id != "periodic" and _at_home(problem, family):
+        if family.id not in ("periodic", "offset-step") and _at_home(problem, family):
             for points in map(_points, family.candidates(problem.run)):
                 found += [Candidate(family, point, len(points)) for point in points]
     return found
