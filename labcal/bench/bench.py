@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,8 +16,6 @@ from labcal.bench.cage import Cage
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.guardian.client import GuardianClient
-from labcal.bench.guardian.proxies import GuardedInstrument
-from labcal.bench.links import Link
 from labcal.bench.roles import (
     ByHand,
     ChannelSpec,
@@ -46,6 +44,14 @@ COIL_CHANNELS = tuple(
 MOTOR_CHANNEL = ChannelSpec("motor_on", "1", "other", "platform")
 
 
+class Reopens(Protocol):
+    """A link that can be opened again after it was lost."""
+
+    def reopen(self) -> None:
+        """Open it. Raises InstrumentError (link lost)."""
+        ...
+
+
 class Bench:
     """Instruments in their roles. Angles are the contract's (`angle_sign` is applied), currents are signed.
 
@@ -62,7 +68,7 @@ class Bench:
         reference: Magnetometer,
         dut: DutStream,
         hands: Hands | None = None,
-        links: Mapping[str, Link | GuardedInstrument] | None = None,
+        links: Mapping[str, Reopens] | None = None,
         guardian: GuardianClient | None = None,
     ) -> None:
         self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated

@@ -48,6 +48,7 @@ class Cage:
         self._clock = clock
         self._wait = wait or clock.wait_until
         self._guardian = guardian
+        self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self._closed = False
         limits = config.limits
         self._windings = Windings(limits.rms_current_A or (math.inf,) * 3, limits.rms_window_s)
@@ -91,6 +92,7 @@ class Cage:
         """
         self._closed = False
         ended = self._guardian("the session is done with it") if self._guardian else self._to_zero()
+        self.abrupt |= {end.axis for end in ended if end.abrupt}
         if faults := [end.fault for end in ended if end.fault is not None]:
             raise faults[0]
 

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
 
-from labcal.bench.bench import Bench
+from labcal.bench.bench import Bench, Reopens
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
 from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
 from labcal.bench.hands import SimulatedHands
 from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
@@ -171,10 +172,21 @@ def _guardian(loader: Loader) -> GuardianClient | None:
 
 
 def _instrument(loader: Loader, name: str, guardian: GuardianClient | None) -> Instrument:
-    if guardian is None or name not in loader.config.guarded:
+    if guardian is None:
         return loader.instrument(name)
+    if name not in loader.config.guarded:
+        shared = loader.line_of(name) in loader.config.guarded_links
+        return _sharing(loader, name, guardian) if shared else loader.instrument(name)
     role = loader.config.instruments[name].role
     return GuardedSupply(role[-1], guardian) if role.startswith("coil-") else GuardedInstrument(name, guardian)
+
+
+def _sharing(loader: Loader, name: str, guardian: GuardianClient) -> Instrument:
+    """An instrument on a line that the guardian owns: it speaks Modbus through it."""
+    driver, hints, settings = loader.driver(name)
+    if not speaks_modbus(hints):
+        loader.refuse("this line belongs to a supply; only Modbus instruments share one", ("instruments", name, "link"))
+    return cast(Instrument, driver(name, GuardedModbus(name, guardian), loader.clock, settings))
 
 
 def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: GuardianClient | None) -> Bench:
@@ -190,15 +202,18 @@ def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: G
             roles["reference"],
             roles["dut"],
             SimulatedHands(loader.twin, loader.clock) if config.simulated else None,
-            {name: _link(loader, name, instrument) for name, instrument in instruments.items()},
+            {name: _link(loader, name, instrument, guardian) for name, instrument in instruments.items()},
             guardian,
         )
     except LimitError as error:
         loader.refuse(str(error), ("cage", "limits"))
 
 
-def _link(loader: Loader, name: str, instrument: Instrument) -> Link | GuardedInstrument:
-    return instrument if isinstance(instrument, GuardedInstrument) else loader.links[loader.line_of(name)]
+def _link(loader: Loader, name: str, instrument: Instrument, guardian: GuardianClient | None) -> Reopens:
+    if isinstance(instrument, GuardedInstrument):
+        return instrument
+    line = loader.line_of(name)
+    return loader.links[line] if guardian is None or line in loader.links else GuardedModbus(name, guardian)
 
 
 def coil_supplies(roles: Mapping[str, Any], clock: Clock) -> dict[str, CoilSupply]:

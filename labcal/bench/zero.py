@@ -24,6 +24,11 @@ class AtZero:
     fault: InstrumentError | None = None
 
     @property
+    def abrupt(self) -> bool:
+        """Whether it came to zero without its ramp: that changes the magnetic history of what is near."""
+        return self.fault is not None and self.current_A is not None
+
+    @property
     def words(self) -> str:
         """The end state in words: "zero, open", "zero, not open", or the fault."""
         if self.fault is not None:

@@ -155,6 +155,8 @@ class Drive:
             except Exception as fault:
                 faults.append(fault)
         try:
+            for axis in sorted(bench.cage.abrupt):
+                self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
             self._keep(self._read_back(faults))
         except Exception as fault:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from threading import RLock
-from typing import cast
+from typing import Any, cast
 
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.guardian.limits import CoilLimit
@@ -19,6 +19,7 @@ from labcal.bench.zero import AtZero, to_zero
 from labcal.errors import InstrumentError
 
 Note = Callable[[str], None]
+MODBUS_CALLS = ("read_coils", "read_holding", "read_input", "write_coil", "write_register", "write_registers")
 
 
 @dataclass
@@ -92,7 +93,17 @@ class Guardian:
 
     def reopen(self, name: str) -> None:
         """Open the lost link of `name` again."""
-        self._lines[name].reopen()
+        self._line_of(name).reopen()
+
+    def modbus(self, name: str, call: str, args: list[Any]) -> Any:
+        """One exchange for an instrument of the session that shares a line with a supply. Raises InstrumentError."""
+        if call not in MODBUS_CALLS or name in self._lines:
+            raise InstrumentError(f"{name}: {call} is not for the session to ask.", fault="forbidden")
+        return self._line_of(name).modbus(name, call, args)
+
+    def _line_of(self, name: str) -> Line:
+        lines = self._lines.values()
+        return next(line for line in lines if line.url == line.loader.line_of(name))
 
     def set_current(self, axis: str, current_A: float) -> None:
         """Set and read back. Raises LimitError, or InstrumentError where the coil was taken to zero meanwhile.

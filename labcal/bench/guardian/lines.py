@@ -6,13 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import RLock
-from typing import cast
+from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig
 from labcal.bench.loading import Loader
 from labcal.bench.roles import Identity, Instrument, PolarityRelay
 from labcal.errors import InstrumentError
+
+if TYPE_CHECKING:
+    from labcal.bench.links.modbus import ModbusLink
 
 
 @dataclass
@@ -24,6 +27,7 @@ class Line:
     lock: RLock = field(default_factory=RLock)
     _open: dict[str, Instrument] = field(default_factory=dict)
     _known: dict[str, Identity] = field(default_factory=dict)
+    _shared: dict[str, ModbusLink] = field(default_factory=dict)
 
     @property
     def clock(self) -> Clock:
@@ -49,6 +53,15 @@ class Line:
                 remedy="Coils stay at zero; plug the instruments in as bench.toml says, and begin again.",
             )
         return who
+
+    def modbus(self, name: str, call: str, args: list[Any]) -> Any:
+        """One exchange for an instrument that shares this line but belongs to the session."""
+        with self.lock:
+            if name not in self._shared:
+                driver, _, settings = self.loader.driver(name)
+                self._shared[name] = self.loader.modbus(name, self.loader.config.instruments[name], settings)
+                self.loader.links[self.url].never.add(driver.never, settings.address)
+            return getattr(self._shared[name], call)(*args)
 
     def reopen(self) -> None:
         """Open the link again after it was lost. Raises InstrumentError (link lost)."""

@@ -48,6 +48,7 @@ class Server:
             "facts": guardian.facts,
             "identify": lambda name: asdict(guardian.identify(name)),
             "reopen": guardian.reopen,
+            "modbus": guardian.modbus,
             "set_current": guardian.set_current,
             "set_point": guardian.set_point,
             "measure_current": guardian.measure_current,
@@ -103,7 +104,7 @@ class Server:
         if order == "zero":
             ended = self._guardian.zero(what["why"], by_session=caller is self.session)
             return [zero_message(end) for end in ended]
-        if order in ("set_current", "output") and caller is not self.session:
+        if order in ("set_current", "output", "modbus") and caller is not self.session:
             raise InstrumentError("only the session that drives this bench sets currents.", fault="forbidden")
         return self._orders[order](**what)
 

@@ -1,0 +1,87 @@
+"""What the guardian refuses: steps beyond the ramp, currents beyond the limit, ports that another process holds."""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal.bench.guardian import wire
+from labcal.bench.guardian.__main__ import patience
+from labcal.bench.guardian.limits import CoilLimit
+from labcal.bench.links import ports
+from labcal.bench.zero import AtZero
+from labcal.errors import InstrumentError, LimitError
+
+
+def test_a_current_beyond_the_limit_is_refused_with_both_numbers() -> None:
+    with pytest.raises(LimitError, match=r"coil x: -2\.6 A.*2\.5 A"):
+        CoilLimit("x", 2.5, 2.0).refuse(-2.6, 0.0)
+
+
+def test_a_ramp_of_steps_passes_and_a_jump_does_not() -> None:
+    limit = CoilLimit("x", 2.5, 2.0)
+    for step in np.arange(1, 11):
+        limit.refuse(0.2 * step, 0.1 * step)
+        limit.was_set(0.2 * step, 0.1 * step)
+    assert limit.ramp_down_s == pytest.approx(1.0)
+    with pytest.raises(LimitError, match=r"step of 2 A .* 2 A/s"):
+        limit.refuse(0.0, 100.0)
+
+
+def test_steps_that_come_too_fast_are_refused() -> None:
+    limit = CoilLimit("x", 2.5, 2.0)
+    for step in (1, 2):
+        limit.refuse(0.2 * step, 0.01 * step)
+        limit.was_set(0.2 * step, 0.01 * step)
+    with pytest.raises(LimitError):
+        limit.refuse(0.6, 0.03)
+
+
+@pytest.mark.parametrize("ramp_s", [0.0, 0.5, 1.0, 1.5])
+def test_silence_and_ramp_together_leave_time_to_read_back(ramp_s: float) -> None:
+    assert patience(ramp_s) > 0.25
+    assert patience(ramp_s) + ramp_s < 1.85
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Unix sockets")
+def test_only_this_user_reaches_the_socket() -> None:
+    listener, card = wire.listen()
+    path = Path(card["address"])
+    assert stat.S_IMODE(path.stat().st_mode) == 0o600
+    assert stat.S_IMODE(path.parent.stat().st_mode) == 0o700
+    wire.unlisten(listener, card)
+    assert not path.exists()
+
+
+def test_what_goes_over_the_socket_comes_back_the_same() -> None:
+    end = AtZero("x", 0.1, False, LimitError("too much", fault="limit reached", remedy="less"))
+    back = wire.zero_of(json.loads(wire.packed(wire.zero_message(end))))
+    assert (back.axis, back.current_A, back.opened, back.abrupt) == ("x", 0.1, False, True)
+    assert isinstance(back.fault, LimitError)
+    assert (back.fault.fault, str(back.fault)) == ("limit reached", "too much less")
+
+
+def test_a_port_that_another_process_holds_is_refused_until_it_has_died(tmp_path: Path) -> None:
+    url = f"serial://{tmp_path}/ttyUSB7?baud=9600"
+    code = (
+        "import sys; from labcal.bench.links import ports; assert ports.hold([sys.argv[1]]); "
+        "ports.announce({'pid': 7}); print('held', flush=True); sys.stdin.read()"
+    )
+    with subprocess.Popen([sys.executable, "-c", code, url], stdin=-1, stdout=-1, text=True) as other:
+        assert other.stdout is not None
+        assert other.stdout.readline() == "held\n"
+        assert ports.holder(url.replace("9600", "115200")) == {"pid": 7}
+        assert not ports.hold([url])
+        with pytest.raises(InstrumentError, match="process 7"):
+            ports.refuse_if_held(url)
+        os.kill(other.pid, 9)
+    ports.refuse_if_held(url)
+    assert ports.hold([url])
+    ports.let_go()
