@@ -120,14 +120,20 @@ def _without_phases(N: Array, q: int) -> Array:
 
 
 def _feigned(seen: Observations, noise: Noise, found: Solution) -> Array:
-    """Σ w G ⊗ cov(m̂) (12, 12): the information that the noise left in the estimated readings would seem to give."""
-    out = np.zeros((3, 3, 4, 4))
-    K, spread = found.theta[:9].reshape(3, 3), noise.covariance(seen.scale)
+    """Σ w G ⊗ cov(m̂) (12, 12): the information that the noise left in the estimated readings would seem to give.
+
+    cov(m̂) = Σ − Σ Kᵀ G K Σ is linear in G, so the sums of G and of its products serve all rows.
+    """
+    single, double = np.zeros(9), np.zeros((9, 9))
     for rows, part, part_noise in blocks(seen, noise):
         G = evaluate(part, part_noise, found.theta, found.phase).information
-        left = spread - spread @ (K.T @ G @ K) @ spread
-        weighted = (found.weight[rows][:, None, None] * G).reshape(-1, 9)
-        out[:, :, :3, :3] += (weighted.T @ left.reshape(-1, 9)).reshape(3, 3, 3, 3)
+        weighted = found.weight[rows][:, None] * G.reshape(-1, 9)
+        single, double = single + weighted.sum(axis=0), double + weighted.T @ G.reshape(-1, 9)
+    spread = noise.covariance(seen.scale)
+    pulled = spread @ found.theta[:9].reshape(3, 3).T
+    out = np.zeros((3, 3, 4, 4))
+    out[:, :, :3, :3] = single.reshape(3, 3)[:, :, None, None] * spread
+    out[:, :, :3, :3] -= np.einsum("abcd,ic,jd->abij", double.reshape(3, 3, 3, 3), pulled, pulled)
     return np.asarray(out.transpose(0, 2, 1, 3).reshape(12, 12)[np.ix_(CONTRACT_ORDER, CONTRACT_ORDER)])
 
 
