@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import pty
+import sys
 from datetime import UTC, datetime
 
 import numpy as np
@@ -10,8 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drivers.csv_line import CsvLine, Settings
-from labcal.bench.clock import VirtualClock
-from labcal.bench.links import EmulatedLink
+from labcal.bench.clock import RealClock, VirtualClock
+from labcal.bench.links import EmulatedLink, open_link
+from labcal.errors import InstrumentError
 from labcal.record.stream import Block
 
 
@@ -95,3 +99,49 @@ def test_a_column_map_that_makes_no_sense_is_refused(settings: dict[str, object]
 def test_no_bytes_crash_the_parser_and_only_finite_numbers_come_out(pieces: list[bytes]) -> None:
     blocks, _ = heard([(float(k), data) for k, data in enumerate(pieces)])
     assert all(np.isfinite(b.values).all() for b in blocks)
+
+
+def test_units_become_nanotesla_and_a_decimal_comma_is_read_where_it_is_stated() -> None:
+    blocks, _ = heard([(1, b"\n0,5;1,5;-2;3\n")], unit="uT", scale=2.0, decimal=",", delimiter=";")
+    np.testing.assert_allclose(blocks[0].values, [[3000, -4000, 6000]])
+
+
+@pytest.mark.parametrize("line", [b"0,1_0,2,3\n", b"0,0x1,2,3\n", b"0,1 1,2,3\n", b"0,1;5,2,3\n", b"0,inf,2,3\n"])
+def test_what_python_would_read_but_no_instrument_means_gives_no_value(line: bytes) -> None:
+    assert heard([(1, b"\n" + line)])[0] == []
+
+
+def test_an_empty_cell_of_housekeeping_costs_that_cell_alone() -> None:
+    columns = ("x", "y", "z", "temp_dut", "i_eps")
+    blocks, _ = heard([(1, b"\n1,2,3,20,0.1\n4,5,6,,0.2\n7,8,9,nan,0.3\n")], columns=columns)
+    assert len(blocks[0]) == 3
+    np.testing.assert_array_equal(blocks[1].values, [[20]])
+    np.testing.assert_array_equal(blocks[2].values, [[0.1], [0.2], [0.3]])
+
+
+def test_a_clock_that_begins_again_is_tied_anew_and_reported() -> None:
+    lines = [(1.0, b"\n"), (2.0, b"100,1,2,3\n"), (3.1, b"101,1,2,3\n"), (8.0, b"0.5,1,2,3\n"), (9.2, b"1.5,1,2,3\n")]
+    blocks, dut = heard(lines, stamp="device")
+    np.testing.assert_allclose(blocks[0].t_s, [2.0, 3.0, 8.0, 9.0])
+    assert [e.data["fault"] for e in dut.events()] == ["restart"]
+
+
+def test_iso_time() -> None:
+    lines = [(1.0, b"\n"), (2.0, b"2026-11-21T12:00:00Z,1,2,3\n"), (3.3, b"2026-11-21T12:00:01Z,1,2,3\n")]
+    np.testing.assert_allclose(heard(lines, stamp="device", t_unit="iso")[0][0].t_s, [2.0, 3.0])
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+def test_a_dut_that_is_unplugged_is_a_link_lost() -> None:
+    master, slave = pty.openpty()
+    clock = RealClock()
+    dut = CsvLine("dut", open_link(f"serial://{os.ttyname(slave)}", clock), clock, Settings())
+    dut.start()
+    os.write(master, b"cut\n0,1,2,3\n")
+    assert len(dut.read_until(clock.now() + 0.2)[0]) == 1
+    os.close(master)
+    os.close(slave)
+    with pytest.raises(InstrumentError) as caught:
+        dut.read_until(clock.now() + 0.2)
+    assert caught.value.fault == "link lost"
+    dut.close()
