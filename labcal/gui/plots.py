@@ -13,7 +13,7 @@ from labcal.gui.theme import Theme
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
-MOST = 3000  # points of a locus
+MOST = 1500  # points of a locus
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 
@@ -111,7 +111,7 @@ def _lines(widget: pg.PlotWidget, colour: str) -> tuple[pg.PlotCurveItem, pg.Plo
     """What lies in front of the sphere, and behind it."""
     faint = QColor(colour)
     faint.setAlpha(90)
-    front, behind = pg.PlotCurveItem(pen=pg.mkPen(colour)), pg.PlotCurveItem(pen=pg.mkPen(faint))
+    front, behind = pg.PlotCurveItem(pen=pg.mkPen(colour, width=2)), pg.PlotCurveItem(pen=pg.mkPen(faint))
     widget.addItem(behind)
     widget.addItem(front)
     return front, behind

@@ -235,7 +235,7 @@ class Live(QWidget):
         self._drawn = len(rows)
         self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
         self._ticks += 1
-        if self._ticks % LOCI_EVERY == 0 or not run.alive:
+        if self._ticks % LOCI_EVERY == 1 or not run.alive:
             self.loci.show_field(run.field_rows())
 
     def _show_left(self) -> None:
