@@ -88,7 +88,7 @@ class Watch:
             if self._guardian.energised:
                 self._guardian.zero(f"{session.who} is gone")
             server.part(session)
-        elif self._guardian.energised and silent_s > patience(self._guardian.ramp_down_s):
+        elif self._guardian.energised and silent_s > patience(self._guardian.way_down_s):
             self._guardian.zero(f"{session.who} has been silent for {silent_s:.2f} s")
 
     def _keep_standby(self) -> None:
@@ -112,9 +112,9 @@ class Watch:
             self._tell_standby(b"done\n")
 
 
-def patience(ramp_down_s: float) -> float:
-    """How long a session may be silent [s]: what two seconds leave after the ramp and the read-back."""
-    return min(0.8, max(0.3, TO_ZERO_S - READ_BACK_S - ramp_down_s))
+def patience(way_down_s: float) -> float:
+    """How long a session may be silent [s]: what two seconds leave after the way down and the read-back."""
+    return min(0.8, max(0.3, TO_ZERO_S - READ_BACK_S - way_down_s))
 
 
 def stand_by() -> str:
