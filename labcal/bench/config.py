@@ -194,7 +194,9 @@ def read_config(path: Path) -> BenchConfig:
     try:
         return BenchConfig.model_validate(table)
     except ValidationError as error:
-        first = error.errors()[0]
+        faults = error.errors()
+        # a misspelt key also leaves a key missing: name the misspelt one
+        first = next((f for f in faults if f["type"] == "extra_forbidden"), faults[0])
         keys = tuple(str(part) for part in first["loc"])
         raise InputError(_sentence(first["type"], first["msg"], keys), file=path, line=line_of(text, keys)) from error
 

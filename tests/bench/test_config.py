@@ -58,6 +58,7 @@ def test_a_good_file_is_read_and_the_twin_is_never_dumped(tmp_path: Path) -> Non
     [
         ('unit = "count"', 'unit = "furlong"', 9, "dut.unit"),
         ('serial = "EM-07"', 'serial = "EM-07"\nserail = 1', 9, "dut.serail is not a key"),
+        ('serial = "EM-07"', 'serail = "EM-07"', 8, "dut.serail is not a key"),
         ("current_A = 2.0", "current_A = -2.0", 5, "cage.limits.current_A"),
         ("current_A = 2.0", "current_A = nan", 5, "cage.limits.current_A"),
         ('role = "coil-y"', 'role = "coil-x"', None, "two instruments have the role coil-x"),
