@@ -242,6 +242,9 @@ class Frame(QMainWindow):
         return isinstance(watched, QWidget) and any(hear(watched, event) for hear in self.hearers)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Coils off before the window goes."""
+        """Coils off before the window goes; a window that is gone hears no keys."""
         self.coils_off.emit()
+        application = QApplication.instance()
+        if application is not None:
+            application.removeEventFilter(self)
         super().closeEvent(event)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from weakref import WeakSet
-
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
@@ -11,12 +9,9 @@ from PySide6.QtWidgets import QPushButton, QWidget
 HOLD_MS = 700
 
 
-ALL: WeakSet[HoldButton] = WeakSet()
-
-
 def hear(watched: QWidget, event: QKeyEvent) -> bool:
-    """Hand a key to the button whose own it is, wherever the focus is."""
-    return any(button.hear(event) for button in tuple(ALL))
+    """Hand a key to the button of the same window whose own it is, wherever the focus is."""
+    return any(button.hear(event) for button in watched.window().findChildren(HoldButton))
 
 
 class HoldButton(QPushButton):
@@ -29,7 +24,6 @@ class HoldButton(QPushButton):
         self.setAutoDefault(False)
         self._held = QTimer(self, interval=HOLD_MS, singleShot=True)
         self._held.timeout.connect(self.click)
-        ALL.add(self)
 
     def hear(self, event: QKeyEvent) -> bool:
         """Take the press and the release of its own key; says whether it was."""
