@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.observations import SCALAR
+from labcal.loop.bins import binned
 from labcal.loop.decide import Cause, forward, looks, refined
 from labcal.loop.experiments import between
 from labcal.loop.floor import Floor, floor
@@ -43,11 +44,11 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     progress("fitting the base model")
     problem, level, stuck = prepared(run)
     progress("weighing every effect")
-    search = _without_outliers(Search(problem, expand(problem), np.ones(len(problem), dtype=bool), _lowest(run)))
+    search = _without_outliers(_search(problem, _lowest(run)))
     progress("holding out blocks of time")
     found = weighed(search, level)
-    before, after = (refit(problem, [c.form for c in chosen], found.search.rows) for chosen in ((), found.accepted))
-    aside = {"outliers": int((~found.search.rows).sum()), "saturation": stuck}
+    before, after = (refit(problem, [c.form for c in chosen], found.search.good) for chosen in ((), found.accepted))
+    aside = {"outliers": int((~found.search.good).sum()), "saturation": stuck}
     return _result(run, found, before, after, aside)
 
 
@@ -71,7 +72,7 @@ def weighed(search: Search, level: Floor) -> Evidence:
             break
         accepted, steps = accepted[:-1], steps[:-1]
     rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
-    far = farness(search.residual(accepted), search.rows)
+    far = farness(search.everywhere(accepted)[0], search.good)
     return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks, far)
 
 
@@ -96,18 +97,26 @@ def _carries(honest: HeldOut, level: Floor) -> bool:
     return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > SHARE_OF_EXCESS * excess
 
 
+def _search(problem: Problem, lowest: float) -> Search:
+    """Every candidate on all rows, or on bins of them where there are many."""
+    fewer = binned(problem)
+    rows, good = (np.ones(len(p), dtype=bool) for p in (fewer, problem))
+    return Search(fewer, expand(fewer), rows, lowest, good)
+
+
 def _without_outliers(search: Search) -> Search:
     """The search on the rows that do not lie, once the effects that the others show are taken off."""
-    segment = search.problem.scene.segment
-    rows = ~outliers(search.problem.y, segment)
+    segment = search.whole.scene.segment
+    lying = outliers(search.whole.y, segment)
     for _ in range(2):
-        here = search.on(rows)
-        accepted, _ = forward(here) if not rows.all() else ([], [])
-        still = ~outliers(here.residual(accepted), segment, here.explained(accepted))
-        if bool((still == rows).all()):
+        here = search.without(lying)
+        accepted, _ = forward(here) if lying.any() else ([], [])
+        left, added = here.everywhere(accepted)
+        still = outliers(left, segment, added)
+        if bool((still == lying).all()):
             break
-        rows = still
-    return search.on(rows)
+        lying = still
+    return search.without(lying)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -191,7 +200,14 @@ def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) ->
     """Other causes that would do as well in the place of `chosen`, it first."""
     others = [c for c in accepted if c is not chosen]
     open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
-    ranking = search.rank([*open_to, chosen], others)
+    near = _near(search.rank([*open_to, chosen], others), chosen)
+    if search.problem.whole is not None and len(near) > 1:
+        near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen)
+    return near
+
+
+def _near(ranking: Sequence[Weighed], chosen: Candidate) -> list[Weighed]:
+    """`chosen`, and what weighs nearly as much."""
     own = next(w for w in ranking if w.candidate.cause == chosen.cause)
     return [own, *(w for w in ranking if w.candidate.cause != chosen.cause and w.weight > own.weight - RIVAL)]
 
@@ -209,7 +225,7 @@ def _correlation_s(search: Search, accepted: Sequence[Candidate]) -> float:
 
 def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[str, int]) -> ClosedLoop:
     problem = after.problem
-    rows = found.search.rows
+    rows = found.search.good
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
     verdict = _verdict(found, aside, len(problem))
     accepted = [*_of_the_data(aside, problem, verdict, found.far), *_records(found, after)]

@@ -54,7 +54,7 @@ def forward(
 
 def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed], total: float) -> Weighed | None:
     """The heaviest that is material; a companion on a channel already at work goes before a little better stranger."""
-    rest = float(np.mean(search.residual(accepted)[search.rows] ** 2)) - 1.0
+    rest = (float(np.mean(search.residual(accepted)[search.rows] ** 2)) - 1.0) / search.rows_each
     least = max(MATERIAL * search.lowest**2, min(SHARE * total, SHARE_OF_REST * rest))
     fit = [w for w in ranking if w.drop >= least and w.weight >= NAMED]
     used = {name for c in accepted for name in c.form.channels}

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.problem import Problem
-from labcal.loop.search import Candidate, Search, minimise
+from labcal.loop.search import Candidate, Search
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
@@ -99,16 +99,17 @@ def held_out(
     search: Search, plan: Plan, choose: Callable[[Search], Sequence[Candidate]], before: Sequence[Candidate] = ()
 ) -> HeldOut:
     """Residuals of every row by fits that did not see its block; `choose` picks the effects on the training rows."""
-    problem, good = search.problem, search.rows
-    out = np.full((2, len(problem)), np.nan)
+    problem, whole = search.problem, search.whole
+    block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (plan.block, plan.fold))
+    out = np.full((2, len(whole)), np.nan)
     for fold in np.unique(plan.fold):
-        test, train = (plan.fold == fold) & good, plan.training(problem.scene.t_s, int(fold)) & good
-        chosen = choose(search.on(train))
-        for which, effects in enumerate((before, chosen)):
-            A = np.concatenate([problem.T, *(search.columns(c) for c in effects)], axis=2)
-            left = problem.y[test] - A[test] @ minimise(A[train], problem.y[train], problem.T.shape[2])
-            out[which, test] = lengths(problem, left, test)
-    return HeldOut(plan.block[good], out[0, good], out[1, good])
+        part = search.on(plan.training(problem.scene.t_s, int(fold)) & search.rows)
+        test = (folds == fold) & search.good
+        for which, effects in enumerate((before, choose(part))):
+            A = np.concatenate([whole.T[test], *(search.whole_columns(c)[test] for c in effects)], axis=2)
+            out[which, test] = lengths(whole, whole.y[test] - A @ part.solved(effects), test)
+    good = search.good
+    return HeldOut(block[good], out[0, good], out[1, good])
 
 
 def lengths(problem: Problem, whitened: Array, rows: NDArray[np.bool_]) -> Array:

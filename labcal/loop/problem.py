@@ -32,6 +32,27 @@ ROWS = 30  # fewer usable rows than this say nothing
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Bins:
+    """Consecutive rows taken together."""
+
+    start: NDArray[np.intp]  # (bins,) the first row of each
+    count: NDArray[np.intp]  # (bins,) rows in each
+
+    def averaged(self, values: Array) -> Array:
+        """Mean (bins, ...) of values (N, ...), times the root of the number of rows: white noise keeps its variance."""
+        size = np.sqrt(self.count).reshape(-1, *[1] * (values.ndim - 1))
+        return np.asarray(np.add.reduceat(values, self.start, axis=0) / size)
+
+    def any(self, rows: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """The bins (bins,) that hold any of these rows (N,)."""
+        return np.asarray(np.logical_or.reduceat(rows, self.start))
+
+    def spread(self, values: NDArray[Any]) -> NDArray[Any]:
+        """The value (N,) of each row's bin."""
+        return np.repeat(values, self.count)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Problem:
     """A run's residual about one set of parameters, ready for linear algebra."""
 
@@ -48,9 +69,11 @@ class Problem:
     y: Array  # (n, q)
     T: Array  # (n, q, t) of the base's coordinates, then of the phases
     turning: NDArray[np.intp]  # phase groups that have rows, in the order of T's last columns
+    bins: Bins | None = None  # where the rows of scene, whiten, y and T are bins of
+    whole: Problem | None = None  # this one's rows
 
     def __len__(self) -> int:
-        return len(self.seen)
+        return len(self.y)
 
     @property
     def kind(self) -> Literal["vector", "scalar"]:
@@ -65,6 +88,8 @@ class Problem:
 
     def columns(self, candidate: Form) -> Array:
         """An effect's whitened columns (n, q, p)."""
+        if self.bins is not None and self.whole is not None:
+            return self.bins.averaged(self.whole.columns(candidate))
         return np.asarray(self.whiten @ candidate.columns(self.scene))
 
     def length_nT(self, residual_nT: Array) -> Array:

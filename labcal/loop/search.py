@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.periods import periodogram, usual
 from labcal.loop.problem import Problem
 from labcal.loop.spectrum import Bands, Likelihood, Stage, bands_of, transformed
 from labcal.model.effects import Family, Form, families
@@ -93,11 +94,10 @@ def periodic(problem: Problem, residual: Array) -> list[Candidate]:
     if family is None or not forms:
         return []
     frequency, power = periodogram(problem.scene.t_s, residual)
-    usual = _running_median(power)
     t, segment = problem.scene.t_s, problem.scene.segment
     lengths = [float(np.ptp(t[segment == s])) for s in np.unique(segment)]
     low = CYCLES / max(float(np.median(lengths)), 1e-9)
-    contrast = np.where((frequency > low) & (frequency < 0.98 * frequency[-1]), power / usual, 0.0)
+    contrast = np.where((frequency > low) & (frequency < 0.98 * frequency[-1]), power / usual(power), 0.0)
     found: list[Candidate] = []
     for _ in range(PEAKS):
         peak = int(np.argmax(contrast))
@@ -109,30 +109,6 @@ def periodic(problem: Problem, residual: Array) -> list[Candidate]:
     return found
 
 
-def periodogram(t_s: Array, residual: Array) -> tuple[Array, Array]:
-    """Frequencies [Hz] up to half the sampling rate and the power of all components; gaps count as zeros.
-
-    Times are rounded to a quarter of the sampling interval.
-    """
-    step = float(np.median(np.diff(t_s)))
-    place = np.round((t_s - t_s[0]) / (step / 4)).astype(int)
-    if place[-1] > 64 * len(t_s) + 1024:  # gaps far longer than the record: close them
-        place = np.cumsum(np.concatenate([[0], np.minimum(np.diff(place), 64)]))
-    grid = np.zeros((int(place[-1]) + 1, residual.shape[1]))
-    np.add.at(grid, place, residual - residual.mean(axis=0))
-    power = np.sum(np.abs(np.fft.rfft(grid, n=2 * len(grid), axis=0)) ** 2, axis=1)
-    frequency = np.fft.rfftfreq(2 * len(grid), step / 4)
-    inside = frequency <= 0.5 / step
-    return np.asarray(frequency[inside]), np.asarray(power[inside])
-
-
-def _running_median(power: Array, width: int = 201) -> Array:
-    blocks = max(len(power) // width, 1)
-    centres = (np.arange(blocks) + 0.5) * len(power) / blocks
-    medians = [float(np.median(part)) for part in np.array_split(power, blocks)]
-    return np.maximum(np.interp(np.arange(len(power)), centres, medians), 1e-300)
-
-
 @dataclass(eq=False)
 class Search:
     """The candidates' columns on the rows of a problem, or on some of them, in the frequency domain."""
@@ -141,6 +117,7 @@ class Search:
     candidates: list[Candidate]
     rows: NDArray[np.bool_]
     lowest: float  # of the white noise, in whitened units
+    good: NDArray[np.bool_]  # (N,) rows of the whole problem that do not lie
     bands: Bands = field(init=False)
     base: Array = field(init=False)  # (n, q, t) transformed tangent
     y: Array = field(init=False)  # (n, q, 1)
@@ -157,13 +134,33 @@ class Search:
         """Numbers that are fitted."""
         return int(self.y.size)
 
+    @property
+    def whole(self) -> Problem:
+        """The problem with all its rows, where this search looks at bins of them."""
+        return self.problem.whole or self.problem
+
+    @property
+    def rows_each(self) -> float:
+        """Rows of the whole problem for each row of this one."""
+        return len(self.whole) / len(self.problem)
+
     def on(self, rows: NDArray[np.bool_]) -> Search:
         """The same search on fewer rows."""
-        return Search(self.problem, self.candidates, rows, self.lowest, whitened=self.whitened)
+        return Search(self.problem, self.candidates, rows, self.lowest, self.good, whitened=self.whitened)
+
+    def unbinned(self) -> Search:
+        """The same search on every row of the whole problem."""
+        return Search(self.whole, self.candidates, self.good, self.lowest, self.good)
+
+    def without(self, lying: NDArray[np.bool_]) -> Search:
+        """The same search without these rows (N,) of the whole problem, and without the bins that hold one."""
+        bins = self.problem.bins
+        here = ~lying if bins is None else ~bins.any(lying)
+        return Search(self.problem, self.candidates, here, self.lowest, ~lying, whitened=self.whitened)
 
     def among(self, candidates: list[Candidate]) -> Search:
         """The same search among fewer candidates."""
-        return Search(self.problem, candidates, self.rows, self.lowest, whitened=self.whitened)
+        return Search(self.problem, candidates, self.rows, self.lowest, self.good, whitened=self.whitened)
 
     def columns(self, candidate: Candidate) -> Array:
         """Its whitened columns on all rows (n, q, p)."""
@@ -190,7 +187,8 @@ class Search:
         size = rank + candidate.size - len(candidate.form.parameters)
         gain = found.log - stage.null.log
         weight = gain - 0.5 * size * np.log(self.data) - np.log(candidate.looks)
-        return Weighed(candidate, gain, float(weight), (stage.null.rss - found.rss) / self.data, rank, found)
+        drop = (stage.null.rss - found.rss) / (self.data * self.rows_each)
+        return Weighed(candidate, gain, float(weight), drop, rank, found)
 
     def rank(
         self, candidates: Iterable[Candidate], accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()
@@ -206,18 +204,28 @@ class Search:
 
     def residual(self, accepted: Sequence[Candidate]) -> Array:
         """What plain least squares on these rows leaves of all rows of the problem (n, q)."""
-        T, y, rows = self.problem.T, self.problem.y, self.rows
-        A = np.concatenate([T, *(self.columns(c) for c in accepted)], axis=2)
-        return np.asarray(y - A @ minimise(A[rows], y[rows], T.shape[2]))
+        A = np.concatenate([self.problem.T, *(self.columns(c) for c in accepted)], axis=2)
+        return np.asarray(self.problem.y - A @ self.solved(accepted))
 
-    def explained(self, accepted: Sequence[Candidate]) -> Array:
-        """What the accepted effects add to every row of the problem (n, q), by plain least squares on these rows."""
+    def solved(self, accepted: Sequence[Candidate]) -> Array:
+        """The base's steps and the effects' parameters by plain least squares on these rows."""
         T, y, rows = self.problem.T, self.problem.y, self.rows
-        X = [self.columns(c) for c in accepted]
-        if not X:
-            return np.zeros_like(y)
-        A = np.concatenate([T, *X], axis=2)
-        return np.asarray(np.concatenate(X, axis=2) @ minimise(A[rows], y[rows], T.shape[2])[T.shape[2] :])
+        A = np.concatenate([T[rows], *(self.columns(c)[rows] for c in accepted)], axis=2)
+        return minimise(A, y[rows], T.shape[2])
+
+    def everywhere(self, accepted: Sequence[Candidate]) -> tuple[Array, Array]:
+        """Of every row of the whole problem (N, q): what that leaves, and what the accepted effects add."""
+        whole, x = self.whole, self.solved(accepted)
+        base = whole.T.shape[2]
+        added = np.zeros_like(whole.y)
+        for columns in map(self.whole_columns, accepted):
+            added += columns @ x[base : base + columns.shape[2]]
+            base += columns.shape[2]
+        return np.asarray(whole.y - whole.T @ x[: whole.T.shape[2]] - added), added
+
+    def whole_columns(self, candidate: Candidate) -> Array:
+        """Its whitened columns on every row of the whole problem (N, q, p)."""
+        return self.columns(candidate) if self.problem.whole is None else self.whole.columns(candidate.form)
 
 
 def minimise(A: Array, y: Array, base: int) -> Array:
