@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.observations import SCALAR
 from labcal.loop.bins import binned
+from labcal.loop.correlation import correlation_s, follows_itself
 from labcal.loop.decide import Cause, forward, looks, refined
 from labcal.loop.experiments import between
 from labcal.loop.floor import Floor, floor
@@ -27,6 +28,8 @@ from labcal.record import Run
 Array = NDArray[np.float64]
 AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
 SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
+SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
+SECOND_OF_NOISE = 0.25  # or this part of the noise's square
 GROSS = 10.0  # standard deviations: nearer rows may be a detail that an effect's shape lacks
 A_FEW = 3  # rows set aside before they are named as a cause
 AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
@@ -58,9 +61,9 @@ def weighed(search: Search, level: Floor) -> Evidence:
     for _ in range(REFUSALS):
         accepted, rankings = forward(search, refused=refused)
         accepted = _preferred(search, accepted, refused)
-        blocks = plan(search.problem, _correlation_s(search, accepted))
+        blocks = plan(search.problem, correlation_s(search, accepted))
         steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
-        idle = next((i for i, step in enumerate(steps) if not _helps(step)), None)
+        idle = next((i for i in range(len(steps)) if not (_helps(steps[i]) and _adds(steps[: i + 1], level))), None)
         if idle is None:
             break
         refused.add(accepted[idle].cause)
@@ -89,6 +92,12 @@ def _choice(most: int, refused: Collection[Cause]) -> Callable[[Search], Sequenc
 def _helps(step: HeldOut) -> bool:
     """Whether an effect lowers the held-out error, its whole interval above zero."""
     return step.improvement()[0] > 0
+
+
+def _adds(steps: Sequence[HeldOut], level: Floor) -> bool:
+    """Whether the last of some effects is more than a detail of those before it, on held-out data."""
+    fall, total = (step.before**2 - steps[-1].after ** 2 for step in (steps[-1], steps[0]))
+    return len(steps) == 1 or fall > min(SECOND * total, SECOND_OF_NOISE * level.nT**2)
 
 
 def _carries(honest: HeldOut, level: Floor) -> bool:
@@ -212,17 +221,6 @@ def _near(ranking: Sequence[Weighed], chosen: Candidate) -> list[Weighed]:
     return [own, *(w for w in ranking if w.candidate.cause != chosen.cause and w.weight > own.weight - RIVAL)]
 
 
-def _correlation_s(search: Search, accepted: Sequence[Candidate]) -> float:
-    """Time over which the residual forgets itself: the first lag at which its correlation is below 1/e."""
-    left = search.residual(accepted)
-    left = left - left.mean(axis=0)
-    n = len(left)
-    power = np.sum(np.abs(np.fft.rfft(left, n=2 * n, axis=0)) ** 2, axis=1)
-    correlation = np.fft.irfft(power)[: n // 4]
-    below = np.flatnonzero(correlation < correlation[0] / np.e)
-    return float(below[0] if len(below) else n // 4) * float(np.median(np.diff(search.problem.scene.t_s)))
-
-
 def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[str, int]) -> ClosedLoop:
     problem = after.problem
     rows = found.search.good
@@ -274,11 +272,12 @@ def _covariance(after: Refit) -> Array:
 
 def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     reaches = found.honest.after <= AT_FLOOR * found.level.nT
+    known = found.level.source != "differences" or not follows_itself(found.search, found.accepted)
     lying = aside["outliers"] > MOST_OUTLIERS * rows
     if any(len(r) > 1 for r in found.rivals):
         return "ambiguous"
     if found.accepted:
-        return "explained" if reaches and not lying else "partly-explained"
+        return "explained" if reaches and known and not lying else "partly-explained"
     if lying:
         return "partly-explained"
     if (aside["saturation"] >= A_FEW or (aside["outliers"] >= A_FEW and found.far > GROSS)) and reaches:
@@ -313,7 +312,7 @@ def _records(found: Evidence, after: Refit) -> list[EffectRecord]:
 
 def _why(step: HeldOut, own: Weighed) -> str:
     change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
-    return f"{change}; beside an unnamed slow process it gains {own.gain:.0f} nats of likelihood"
+    return f"{change}; evidence over a slow wander without a name {own.weight:.0f}, {NAMED:.0f} needed"
 
 
 def _rival(contender: Contender) -> Rival:
@@ -365,21 +364,23 @@ def _rejected(found: Evidence) -> list[EffectRecord]:
 
 def _why_not(w: Weighed) -> str:
     if w.weight < 0:
-        return f"gains {w.gain:.1f} nats of likelihood for {w.rank} parameters: what chance and a slow process give"
+        return f"no better than chance or a slow wander: evidence {w.weight:.1f}, {NAMED:.0f} needed"
     if w.weight < NAMED:
-        return f"weight of evidence {w.weight:.1f} nats, less than the {NAMED:.0f} that a name needs"
+        return f"too little evidence: {w.weight:.1f}, {NAMED:.0f} needed"
     return f"takes {100 * w.drop:.1f} % of the noise's square off the residual: not worth its parameters"
 
 
 def _summary(found: Evidence, verdict: Verdict, aside: dict[str, int]) -> str:
-    named = " and ".join(_name(c) for c in found.accepted)
+    names = [_name(c) for c in found.accepted]
+    named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows that lie"
+    verb = "explains" if len(names) == 1 else "explain"
     change = f"{found.honest.before:.0f} to {found.honest.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
     rows = ", ".join(f"{n} rows set aside as {what}" for what, n in aside.items() if n)
     sentences = {
         "clean": f"The base model reaches the noise: {change}.",
-        "explained": f"{named or 'Rows that lie'} explain the residual: {change}.",
-        "partly-explained": f"{named or 'Rows that lie'} explain part of the residual: {change}.",
-        "ambiguous": f"{named} explains the residual ({change}), and other effects do as well on this run.",
+        "explained": f"{named} {verb} the residual: {change}.",
+        "partly-explained": f"{named} {verb} part of the residual: {change}.",
+        "ambiguous": f"{named} {verb} the residual: {change}; but other effects do as well on this run.",
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
     return sentences[verdict] + (f" {rows}." if rows else "")
