@@ -12,17 +12,16 @@ from labcal.fit.observations import SCALAR
 from labcal.loop.bins import binned
 from labcal.loop.correlation import correlation_s, follows_itself
 from labcal.loop.decide import Cause, forward, looks, refined
-from labcal.loop.experiments import between
 from labcal.loop.floor import Floor, floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan, rms
 from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
 from labcal.loop.refit import Refit, refit
-from labcal.loop.result import ClosedLoop, Errors, NextExperiment, Pictures, Verdict
-from labcal.loop.search import NAMED, Candidate, Search, Weighed, expand
+from labcal.loop.result import ClosedLoop, Errors, Pictures, Verdict
+from labcal.loop.search import Candidate, Search, Weighed, expand
 from labcal.loop.setaside import at_rail, farness, outliers
+from labcal.loop.words import next_experiment, summary, why, why_not
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
-from labcal.model.effects import family
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -240,8 +239,8 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         accepted=tuple(accepted),
         rejected=tuple(_rejected(found)),
         verdict=verdict,
-        summary=_summary(found, verdict, aside),
-        next_experiment=_next(found, verdict),
+        summary=summary(found, verdict, aside),
+        next_experiment=next_experiment(found, verdict),
         affine=affine,
         covariance=_covariance(after),
         frame_known=not bool((problem.seen.kind == SCALAR).all()),
@@ -304,15 +303,10 @@ def _records(found: Evidence, after: Refit) -> list[EffectRecord]:
                 improvement_ci95_nT=(low, high),
                 p_value=_p_value(own.weighed, len(found.search.candidates)),
                 rivals=tuple(_rival(other) for other in others),
-                why=_why(step, own.weighed),
+                why=why(step, own.weighed),
             )
         )
     return out
-
-
-def _why(step: HeldOut, own: Weighed) -> str:
-    change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
-    return f"{change}; evidence over a slow wander without a name {own.weight:.0f}, {NAMED:.0f} needed"
 
 
 def _rival(contender: Contender) -> Rival:
@@ -356,50 +350,7 @@ def _rejected(found: Evidence) -> list[EffectRecord]:
                     belongs_to=w.candidate.family.belongs_to,
                     parameters=(),
                     p_value=_p_value(w, len(found.search.candidates)),
-                    why=_why_not(w),
+                    why=why_not(w),
                 )
             )
     return out
-
-
-def _why_not(w: Weighed) -> str:
-    if w.weight < 0:
-        return f"no better than chance or a slow wander: evidence {w.weight:.1f}, {NAMED:.0f} needed"
-    if w.weight < NAMED:
-        return f"too little evidence: {w.weight:.1f}, {NAMED:.0f} needed"
-    return f"takes {100 * w.drop:.1f} % of the noise's square off the residual: not worth its parameters"
-
-
-def _summary(found: Evidence, verdict: Verdict, aside: dict[str, int]) -> str:
-    names = [_name(c) for c in found.accepted]
-    named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows that lie"
-    verb = "explains" if len(names) == 1 else "explain"
-    change = f"{found.honest.before:.0f} to {found.honest.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
-    rows = ", ".join(f"{n} rows set aside as {what}" for what, n in aside.items() if n)
-    sentences = {
-        "clean": f"The base model reaches the noise: {change}.",
-        "explained": f"{named} {verb} the residual: {change}.",
-        "partly-explained": f"{named} {verb} part of the residual: {change}.",
-        "ambiguous": f"{named} {verb} the residual: {change}; but other effects do as well on this run.",
-        "unexplained": f"There is structure that no known effect carries: {change}.",
-    }
-    return sentences[verdict] + (f" {rows}." if rows else "")
-
-
-def _name(candidate: Candidate) -> str:
-    channels = ", ".join(candidate.form.channels)
-    return candidate.family.id + (f" ({channels})" if channels else "")
-
-
-def _next(found: Evidence, verdict: Verdict) -> NextExperiment | None:
-    if verdict == "ambiguous":
-        chosen, rivals = next((c, r) for c, r in zip(found.accepted, found.rivals, strict=True) if len(r) > 1)
-        other = rivals[1].weighed.candidate
-        do = between(chosen.family.id, other.family.id) or family(other.family.id).experiment
-        return NextExperiment(f"{_name(chosen)} and {_name(other)} do as well as each other on this run", do)
-    if verdict in ("unexplained", "partly-explained"):
-        return NextExperiment(
-            "structure remains that no known effect carries",
-            "repeat the run unchanged, then at another rate: what repeats belongs to field or angle, the rest to time",
-        )
-    return None

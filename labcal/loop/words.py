@@ -1,0 +1,67 @@
+"""The words of the verdict: for the technician in one sentence, for each cause why or why not, and what to do next."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from labcal.loop.experiments import between
+from labcal.loop.holdout import HeldOut
+from labcal.loop.result import NextExperiment, Verdict
+from labcal.loop.search import NAMED, Candidate, Weighed
+from labcal.model.effects import family
+
+if TYPE_CHECKING:
+    from labcal.loop.close import Evidence
+
+
+def summary(found: Evidence, verdict: Verdict, aside: dict[str, int]) -> str:
+    """One sentence for the technician, and the rows that were set aside."""
+    names = [name(c) for c in found.accepted]
+    named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows that lie"
+    verb = "explains" if len(names) == 1 else "explain"
+    change = f"{found.honest.before:.0f} to {found.honest.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
+    rows = ", ".join(f"{n} rows set aside as {what}" for what, n in aside.items() if n)
+    sentences = {
+        "clean": f"The base model reaches the noise: {change}.",
+        "explained": f"{named} {verb} the residual: {change}.",
+        "partly-explained": f"{named} {verb} part of the residual: {change}.",
+        "ambiguous": f"{named} {verb} the residual: {change}; but other effects do as well on this run.",
+        "unexplained": f"There is structure that no known effect carries: {change}.",
+    }
+    return sentences[verdict] + (f" {rows}." if rows else "")
+
+
+def why(step: HeldOut, own: Weighed) -> str:
+    """Why an effect was accepted."""
+    change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
+    return f"{change}; evidence over a slow wander without a name {own.weight:.0f}, {NAMED:.0f} needed"
+
+
+def why_not(w: Weighed) -> str:
+    """Why a cause that was weighed is not named."""
+    if w.weight < 0:
+        return f"no better than chance or a slow wander: evidence {w.weight:.1f}, {NAMED:.0f} needed"
+    if w.weight < NAMED:
+        return f"too little evidence: {w.weight:.1f}, {NAMED:.0f} needed"
+    return f"takes {100 * w.drop:.1f} % of the noise's square off the residual: not worth its parameters"
+
+
+def name(candidate: Candidate) -> str:
+    """What is named: the effect and its channels."""
+    channels = ", ".join(candidate.form.channels)
+    return candidate.family.id + (f" ({channels})" if channels else "")
+
+
+def next_experiment(found: Evidence, verdict: Verdict) -> NextExperiment | None:
+    """What would tell rivals apart, or show what the structure is; None where nothing is open."""
+    if verdict == "ambiguous":
+        chosen, rivals = next((c, r) for c, r in zip(found.accepted, found.rivals, strict=True) if len(r) > 1)
+        other = rivals[1].weighed.candidate
+        do = between(chosen.family.id, other.family.id) or family(other.family.id).experiment
+        return NextExperiment(f"{name(chosen)} and {name(other)} do as well as each other on this run", do)
+    if verdict in ("unexplained", "partly-explained"):
+        return NextExperiment(
+            "structure remains that no known effect carries",
+            "repeat the run unchanged, then at another rate: what repeats belongs to field or angle, the rest to time",
+        )
+    return None
