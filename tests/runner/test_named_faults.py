@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
+import time
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from datetime import UTC, datetime, timedelta
@@ -49,21 +50,35 @@ def preflight(bench: Bench, tell: Callable[[Item], None] = lambda item: None, **
 
 
 def test_a_full_disk_is_named(bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch) -> None:
-    connect = database.connect
+    connect, connections = database.connect, list[sqlite3.Connection]()
 
-    def small(path: Path) -> sqlite3.Connection:
-        connection = connect(path)
-        connection.execute("PRAGMA max_page_count = 60")
-        return connection
+    def kept(path: Path) -> sqlite3.Connection:
+        connections.append(connect(path))
+        return connections[-1]
 
-    monkeypatch.setattr(writer, "connect", small)
+    def fill(item: Item) -> None:
+        if isinstance(item, Step) and item.name == "sync-check":
+            wait_for_the_first_commit()
+            pages = connections[0].execute("PRAGMA page_count").fetchone()[0]
+            connections[0].execute(f"PRAGMA max_page_count = {pages}")
+
+    monkeypatch.setattr(writer, "connect", kept)
     with opened(bench_file) as bench:
-        outcome = preflight(bench)
+        outcome = preflight(bench, fill)
     assert isinstance(outcome.fault, InstrumentError)
     assert outcome.fault.fault == "disk full"
     with Store.open() as store:
         assert list(store.items("R"))
         assert store.status("R") in ("interrupted", outcome.status)
+
+
+def wait_for_the_first_commit() -> None:
+    """Hold the run until a first row of it is on the disk."""
+    deadline = time.monotonic() + 30
+    with Store.open() as store:
+        while not list(store.items("R")):
+            assert time.monotonic() < deadline, "nothing was committed in 30 s"
+            time.sleep(0.02)
 
 
 def test_a_locked_store_is_named(bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch) -> None:
