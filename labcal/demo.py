@@ -1,13 +1,13 @@
-"""The whole line on the simulated bench, headless: record, fit, close the loop, sign, verify, report.
+"""The whole line on the simulated bench, headless: cage check, record, fit, close the loop, sign, verify, report.
 
 The simulated DUT suffers an effect that its seed picked and that nobody downstream of the wire is told.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from importlib.resources import files
 from pathlib import Path
 
@@ -24,7 +24,8 @@ from labcal.store import Store, save_bundle
 START = datetime(2026, 1, 5, 8, 0, tzinfo=UTC)
 RUN, CALIBRATION, TRUST, REPORT = "run.zip", "calibration.json", "allowed_signers", "report.html"
 STORE = "labcal-demo.sqlite"
-STAGES = ("preflight", "close the loop", "sign and verify")
+STAGES = ("cage check", "preflight", "close the loop", "sign and verify")
+CAGE_CHECK = {"steps": "2", "dwell_s": "0.5"}  # the short form of cage-calibration
 Progress = Callable[[str], None]
 
 
@@ -48,26 +49,36 @@ def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, te
     """
     _make_room(folder)
     stage(STAGES[0])
-    outcome = _record(folder, seed, tell)
+    cage = _record("cage-calibration", folder, seed, tell, CAGE_CHECK, f"demo-{seed}-cage", START - timedelta(hours=1))
     stage(STAGES[1])
-    closed = session.close_loop(str(folder / RUN), folder / CALIBRATION, report=folder / REPORT)
+    outcome = _record("preflight", folder, seed, tell, {}, f"demo-{seed}", START)
+    with Store.open(folder / STORE) as store:
+        save_bundle(store.bundle(outcome.run_id), folder / RUN)
     stage(STAGES[2])
+    closed = session.close_loop(str(folder / RUN), folder / CALIBRATION, report=folder / REPORT)
+    stage(STAGES[3])
     sign_simulated(folder / CALIBRATION, folder / TRUST)
     verification = session.verify(folder / CALIBRATION, folder / TRUST, str(folder / RUN))
     rows = len(session.load_run(str(folder / RUN)))
-    return Demo(folder, outcome.run_id, rows, outcome.failed, closed, verification)
+    return Demo(folder, outcome.run_id, rows, (*cage.failed, *outcome.failed), closed, verification)
 
 
-def _record(folder: Path, seed: int, tell: Callable[[Item], None]) -> Outcome:
-    """The preflight, in a store of its own, its clock beginning at a fixed date; the bundle goes to `run.zip`."""
+def _record(
+    procedure: str,
+    folder: Path,
+    seed: int,
+    tell: Callable[[Item], None],
+    given: Mapping[str, str],
+    run_id: str,
+    begins: datetime,
+) -> Outcome:
+    """Run a procedure on the simulated bench into the demo's own store; its clock begins at a fixed date."""
     outcome = session.run(
-        "preflight", simulated_bench(), operator="demo", clock=VirtualClock(START), seed=seed, run_id=f"demo-{seed}",
+        procedure, simulated_bench(), given, operator="demo", clock=VirtualClock(begins), seed=seed, run_id=run_id,
         store=folder / STORE, tell=tell,
     )  # fmt: skip
     if outcome.fault is not None:
         raise outcome.fault
-    with Store.open(folder / STORE) as store:
-        save_bundle(store.bundle(outcome.run_id), folder / RUN)
     return outcome
 
 

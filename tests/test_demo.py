@@ -9,6 +9,8 @@ import zipfile
 import pytest
 
 from labcal import cli
+from labcal.record.stream import Measurement
+from labcal.store import Store
 
 SEED = "3"
 
@@ -40,6 +42,17 @@ def test_it_leaves_what_it_promises_and_says_so(demo):
     for name in ("run.zip", "calibration.json", "calibration.json.sshsig", "allowed_signers", "report.html"):
         assert (folder / name).is_file(), name
         assert name in said.replace("\n", "")
+
+
+def test_the_cage_is_checked_before_the_preflight(demo):
+    folder, said = demo
+    assert "cage check" in said
+    with Store.open(folder / "labcal-demo.sqlite") as store:
+        cage, preflight = store.runs()
+        assert (cage.procedure, cage.status) == ("cage-calibration", "finished")
+        assert cage.started_utc < preflight.started_utc
+        limits = {item.name for item in store.items(cage.run_id) if isinstance(item, Measurement) and item.limit}
+    assert "DUT: uncertainty of the matrix" in limits
 
 
 def test_everything_it_writes_says_simulated(demo):

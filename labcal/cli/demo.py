@@ -23,11 +23,10 @@ def demo(
     seed: int = typer.Option(0, min=0, help="Repeats everything: the simulated lab and the effect that it hides."),
     out: Path = typer.Option(Path("demo-out"), metavar="DIR", help="The folder for what the demo writes."),
 ) -> None:
-    """Run the whole preflight on the simulated bench: record, fit, close the loop, sign, verify, report."""
+    """Run the whole preflight on the simulated bench: cage check, record, fit, close the loop, sign, verify, report."""
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-    from labcal.demo import STAGES
     from labcal.demo import demo as run_demo
 
     began = time.monotonic()
@@ -36,7 +35,7 @@ def demo(
         task = progress.add_task("opening the simulated bench", total=None)
 
         def stage(name: str) -> None:
-            progress.update(task, description=name, total=None if name != STAGES[0] else 1)
+            progress.update(task, description=name, total=None, completed=0)
 
         done = run_demo(out, seed, stage=stage, tell=lambda item: _step(progress, task, item))
         progress.update(task, description="done", total=1, completed=1)
@@ -44,11 +43,11 @@ def demo(
 
 
 def _step(progress: Progress, task: TaskID, item: Item) -> None:
-    """Move the bar at each step of the preflight."""
+    """Move the bar at each step of a procedure."""
     from labcal.record.stream import Step
 
     if isinstance(item, Step):
-        progress.update(task, description=f"preflight: {item.name}", total=item.total, completed=item.number - 1)
+        progress.update(task, description=item.name, total=item.total, completed=item.number - 1)
 
 
 def _show(done: Demo, seconds: float) -> None:
@@ -60,7 +59,8 @@ def _show(done: Demo, seconds: float) -> None:
     table = Table(title="SIMULATED preflight", show_header=False, title_justify="left", box=None, padding=(0, 2, 0, 0))
     causes = ", ".join(" ".join((e.effect, *e.channels)) for e in closed.accepted) or "none"
     table.add_row("run", f"{done.run_id}, {done.rows} samples")
-    table.add_row("limits", "all met" if not done.limits_missed else ", ".join(m.name for m in done.limits_missed))
+    missed = ", ".join(m.name for m in done.limits_missed)
+    table.add_row("limits", missed or "all met (cage check, preflight)")
     table.add_row("held-out error", f"{closed.before.holdout_rms_nT:.1f} nT → {closed.after.holdout_rms_nT:.1f} nT")
     table.add_row("noise alone", f"{closed.noise_floor_nT:.1f} nT")
     table.add_row("cause found", causes)
