@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import cast
+from typing import Any, cast
 
 import typer
+from typer.core import TyperGroup
 
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 
@@ -18,8 +19,23 @@ UsageFault = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
 # The matrices here are small: threads of the linear algebra would only wait for each other.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+COMMANDS = (
+    *("demo", "gui", "bench", "run", "runs", "show", "import", "export"),
+    *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report"),
+)
+
+
+class InTheOrderOfTheWork(TyperGroup):
+    """The commands as the lab's day needs them, not as their files are named."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """The names of all commands; one that COMMANDS does not know is a fault of ours."""
+        return sorted(super().list_commands(ctx), key=COMMANDS.index)
+
+
 app = typer.Typer(
     name="labcal",
+    cls=InTheOrderOfTheWork,
     help="Calibrate a magnetometer before it flies: run the bench, fit, close the loop, sign.",
     no_args_is_help=True,
     add_completion=False,

@@ -11,7 +11,7 @@ from rich.table import Table
 from labcal.cli import DONE, INSTRUMENT_FAILED, app
 
 bench = typer.Typer(help="Instruments: check, serve emulated ones, coils off.", no_args_is_help=True)
-app.add_typer(bench, name="bench")
+app.add_typer(bench, name="bench", rich_help_panel="Bench")
 FILE = typer.Argument(help="bench.toml", show_default=False)
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from labcal.record.stream import Item
 
 
-@app.command("demo")
+@app.command("demo", rich_help_panel="Begin")
 def demo(
     seed: int = typer.Option(0, min=0, help="Repeats everything: the simulated lab and the effect that it hides."),
     out: Path = typer.Option(Path("demo-out"), metavar="DIR", help="The folder for what the demo writes."),

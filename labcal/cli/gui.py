@@ -11,7 +11,7 @@ import typer
 from labcal.cli import app
 
 
-@app.command("gui")
+@app.command("gui", rich_help_panel="Begin")
 def gui(bench: Path | None = typer.Option(None, help="The bench file; else the last one that was used.")) -> int:
     """Open the technician's window."""
     named = ["--bench", str(bench)] if bench is not None else []

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from labcal.certificate import Entry
 
 keys = typer.Typer(help="Keys that sign, and keys that are trusted.", no_args_is_help=True)
-app.add_typer(keys, name="keys")
+app.add_typer(keys, name="keys", rich_help_panel="Certificate")
 
 
 @keys.command("new")

@@ -9,7 +9,7 @@ import typer
 from labcal.cli import app
 
 
-@app.command()
+@app.command(rich_help_panel="Certificate")
 def report(
     source: str = typer.Argument(..., metavar="RUN|CAL", help="A run, or a calibration file (*.json)."),
     out: Path = typer.Option(..., metavar="FILE", help="FILE.html or FILE.pdf; of a calibration also FILE.xml (DCC)."),

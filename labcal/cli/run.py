@@ -38,7 +38,7 @@ class ProgressChoice(StrEnum):
     none = "none"
 
 
-@app.command("run")
+@app.command("run", rich_help_panel="Bench")
 def run(
     procedure: str | None = typer.Argument(None, help="A procedure's name, or a file ./my_test.py; none: list them."),
     bench: Path | None = typer.Option(None, help="The bench file."),

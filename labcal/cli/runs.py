@@ -27,7 +27,7 @@ class Format(StrEnum):
     mat = "mat"
 
 
-@app.command()
+@app.command(rich_help_panel="Runs")
 def runs(json: str | None = JSON) -> None:
     """List the runs of the store, the oldest first, with how each ended."""
     from dataclasses import asdict
@@ -44,7 +44,7 @@ def runs(json: str | None = JSON) -> None:
     return _console().print(table if found else "no runs yet: `labcal demo` makes one, `labcal import` takes one in")
 
 
-@app.command()
+@app.command(rich_help_panel="Runs")
 def show(run: str = RUN, json: str | None = JSON) -> None:
     """Show what a run is: DUT, reference, segments and what each offers, channels, measurements."""
     from labcal import session
@@ -59,7 +59,7 @@ def show(run: str = RUN, json: str | None = JSON) -> None:
     return None
 
 
-@app.command("import")
+@app.command("import", rich_help_panel="Runs")
 def import_(bundle: Path = typer.Argument(..., metavar="BUNDLE", help="A folder, or a zip of it.")) -> None:
     """Take a bundle into the store, byte for byte; prints its run id."""
     from labcal import session
@@ -67,7 +67,7 @@ def import_(bundle: Path = typer.Argument(..., metavar="BUNDLE", help="A folder,
     print(session.import_bundle(bundle))
 
 
-@app.command()
+@app.command(rich_help_panel="Runs")
 def export(
     run: str = RUN,
     format_: Format = typer.Option(..., "--format", help="bundle, csv (its samples), hdf5 or mat."),

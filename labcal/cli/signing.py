@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 CALIBRATION = typer.Argument(..., metavar="CAL", help="The calibration file.")
 
 
-@app.command()
+@app.command(rich_help_panel="Certificate")
 def approve(
     calibration: Path = CALIBRATION, name: str = typer.Option(..., "--as", help="The approver; not the operator.")
 ) -> None:
@@ -27,7 +27,7 @@ def approve(
     print(f"{calibration}: approved by {', '.join(approvers)}; their own signature makes it more than a name")
 
 
-@app.command()
+@app.command(rich_help_panel="Certificate")
 def sign(calibration: Path = CALIBRATION, key: str = typer.Option(..., help="The person whose key signs.")) -> None:
     """Sign a calibration: the signature goes to CAL.sshsig, a second person's to CAL.2.sshsig."""
     from labcal import session
@@ -37,7 +37,7 @@ def sign(calibration: Path = CALIBRATION, key: str = typer.Option(..., help="The
         print("PROVISIONAL: no approver is named, and after a signature none can be.")
 
 
-@app.command()
+@app.command(rich_help_panel="Certificate")
 def verify(
     calibration: Path = CALIBRATION,
     allowed_signers: Path | None = typer.Option(None, help="Trust this list instead of the lab's."),
