@@ -1,7 +1,8 @@
-"""The cage measured: currents up, down and up again on each coil, the reference at the DUT's place, then at its own."""
+"""The cage measured: each coil up, down and up again in either polarity, at the DUT's place and at the reference's."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import Annotated
@@ -20,16 +21,29 @@ from labcal.record.stream import Event, Prompt
 Array = NDArray[np.float64]
 AT_DUT = (0.0, 0.0, 0.0)
 READS = 4  # of the currents at each step
+SPREAD = 0.04  # of each step: no two alike, so that what a supply's last digit hides differs every time
+GOLDEN = 0.6180339887498949
+
+
+@dataclass(frozen=True, slots=True)
+class Rung:
+    """One step of a ladder: the signed fraction of the largest current, and whether |I| came to it from below."""
+
+    fraction: float
+    rising: bool
+    sign: int  # of the polarity relay, also where no current flows
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sweep:
-    """Every step of one place: `currents_A` (n, 3) as measured, `fields_nT` (n, 3) in C, `coil` (n,), `up` (n,)."""
+    """Every step of one place: `currents_A` (n, 3) as measured, `fields_nT` (n, 3) in C, `coil` and `sign` (n,)."""
 
+    t_s: Array
     currents_A: Array
     fields_nT: Array
     coil: NDArray[np.intp]
-    up: NDArray[np.bool_]
+    sign: NDArray[np.intp]
+    rising: NDArray[np.bool_]
     noise_nT: float
     settling_s: float
 
@@ -41,6 +55,8 @@ def cage_calibration(
     steps: Annotated[int, Limits(2, 20), "steps of one sign, from zero to the largest"] = 3,
     dwell_s: Annotated[float, Limits(0.5, 60, unit="s"), "recorded at each step"] = 2.0,
     limit_ppm: Annotated[float, Limits(1, 1e5, unit="ppm"), "largest uncertainty of the matrix that passes"] = 500.0,
+    change_ppm: Annotated[float, Limits(1, 1e6, unit="ppm"), "largest change from bench.toml that passes"] = 3_000.0,
+    relay_ppm: Annotated[float, Limits(1, 1e6, unit="ppm"), "largest difference of the polarities"] = 5_000.0,
     linearity_nT: Annotated[float, Limits(1, 1e5, unit="nT"), "largest departure from the line that passes"] = 150.0,
     hysteresis_nT: Annotated[float, Limits(1, 1e5, unit="nT"), "largest difference of up and down that passes"] = 100.0,
 ) -> Procedure:
@@ -49,26 +65,29 @@ def cage_calibration(
         raise InputError("cage-calibration needs a vector reference")
     own = bench.config.reference.position_m
     places = {"DUT": AT_DUT} if own is None else {"DUT": AT_DUT, "reference": own}
-    ladder = _ladder(steps)
-    seconds = len(places) * 3 * len(ladder) * (dwell_s + 1.0) / len(places)
-    plan = Plan(tuple((f"sweep at the {place}'s place", seconds) for place in places))
+    rungs = ladder(steps)
+    plan = Plan(tuple((f"sweep at the {place}'s place", 3 * len(rungs) * (dwell_s + 1.0)) for place in places))
+    limits = (limit_ppm, change_ppm, relay_ppm, linearity_nT, hysteresis_nT)
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        found: dict[str, CageFit] = {}
+        found: dict[str, tuple[Sweep, CageFit]] = {}
         for place, position_m in places.items():
             yield plan.begin(bench, f"sweep at the {place}'s place")
             yield from _reference_at(bench, place, position_m)
             yield from ready(bench, f"Each coil goes to ±{field_nT / 1000:g} µT in turn. Hands off?")
-            sweep = yield from _sweep(bench, field_nT, ladder, dwell_s)
-            found[place] = fit_cage(sweep.currents_A, sweep.fields_nT)
-            yield from _judge(bench, place, sweep, found[place], (limit_ppm, linearity_nT, hysteresis_nT))
+            sweep = yield from _sweep(bench, field_nT, rungs, dwell_s)
+            fit = fit_cage(sweep.currents_A, sweep.fields_nT, sweep.coil, sweep.t_s)
+            found[place] = sweep, fit
+            yield from _judge(bench, place, sweep, fit, limits)
         yield _draft(bench, found)
 
 
-def _ladder(steps: int) -> list[tuple[float, bool]]:
-    """Fractions of the largest current and whether they are approached from below: up, down, up, through both signs."""
-    up = [n / steps for n in range(-steps, steps + 1)]
-    return [*((f, True) for f in up), *((f, False) for f in reversed(up)), *((f, True) for f in up)]
+def ladder(steps: int) -> list[Rung]:
+    """Up, down and up again from zero in the one polarity, then in the other: the contacts switch once, at zero."""
+    up = [n / steps for n in range(1, steps + 1)]
+    once = [*((f, True) for f in up), *((f, False) for f in (*reversed(up[:-1]), 0.0)), *((f, True) for f in up)]
+    spread = (1 - SPREAD * (n * GOLDEN % 1) for n in range(2 * len(once)))
+    return [Rung(sign * f * next(spread), rising, sign) for sign in (1, -1) for f, rising in once]
 
 
 def _reference_at(bench: Bench, place: str, position_m: tuple[float, float, float]) -> Work[None]:
@@ -78,71 +97,126 @@ def _reference_at(bench: Bench, place: str, position_m: tuple[float, float, floa
     yield Prompt(bench.clock.now(), f"reference-at-{place}", text, acts=True, drawing={"reference_m": list(position_m)})
 
 
-def _sweep(bench: Bench, field_nT: float, ladder: list[tuple[float, bool]], dwell_s: float) -> Work[Sweep]:
-    """Every coil by itself, with the ladder's currents, approached from the side that the ladder says."""
-    currents, fields, coils, ups, noises = list[Array](), list[Array](), list[int](), list[bool](), list[float]()
-    settling = 0.0
+def _sweep(bench: Bench, field_nT: float, rungs: list[Rung], dwell_s: float) -> Work[Sweep]:
+    """Every coil by itself, rung by rung."""
+    times, currents, fields = list[float](), list[Array](), list[Array]()
+    noises, settling = list[float](), 0.0
     for coil in range(3):
         largest_A = field_nT / float(np.linalg.norm(bench.cage.matrix_nT_per_A[:, coil]))
-        for fraction, up in ladder:
+        for rung in rungs:
             begun = bench.clock.now()
-            yield from drive(bench, fraction * largest_A * np.eye(3)[coil])
+            yield from drive(bench, rung.fraction * largest_A * np.eye(3)[coil])
             driven = bench.clock.now()
             blocks = yield from record(bench, dwell_s, from_s=begun)
             seen = samples(blocks, "reference")
             still = seen.between(driven + dwell_s / 4, np.inf)
+            times.append(float(still.t_s.mean()))
             currents.append(np.mean([bench.cage.currents_A() for _ in range(READS)], axis=0))
             fields.append(still.mean)
-            coils.append(coil)
-            ups.append(up)
             noises.append(float(np.sqrt(np.mean(np.diff(still.values, axis=0) ** 2) / 2)))
-            settling = max(settling, settling_time(seen.t_s - begun, seen.values[:, coil], 5 * noises[-1]))
+            ramped = driven - bench.config.cage.settle_s
+            settling = max(settling, settling_time(seen.t_s - ramped, seen.values[:, coil], 5 * noises[-1]))
     yield from coils_off(bench)
-    return Sweep(np.array(currents), np.array(fields), np.array(coils), np.array(ups), float(np.mean(noises)), settling)
+    return Sweep(
+        np.array(times), np.array(currents), np.array(fields), np.repeat(np.arange(3), len(rungs)),
+        np.tile([r.sign for r in rungs], 3), np.tile([r.rising for r in rungs], 3), float(np.mean(noises)), settling,
+    )  # fmt: skip
 
 
 def settling_time(t_s: Array, values: Array, within_nT: float) -> float:
-    """When `values` (n,) last lay further than `within_nT` from where they end [s]."""
+    """When `values` (n,) last lay further than `within_nT` from where they end [s after the ramp]; 0 where never."""
     outside = np.flatnonzero(np.abs(values - np.median(values[-3:])) > within_nT)
-    return float(t_s[outside[-1]]) if len(outside) else 0.0
+    return max(float(t_s[outside[-1]]), 0.0) if len(outside) else 0.0
 
 
-def hysteresis(sweep: Sweep, fit: CageFit) -> tuple[float, float]:
-    """The largest mean difference of residuals up less down over the coils [nT], and its standard uncertainty."""
-    worst, u = 0.0, 0.0
+def hysteresis(sweep: Sweep) -> tuple[float, float]:
+    """How much more field [nT] the worst coil makes where |I| came from below than from above, and its uncertainty.
+
+    The last term of b = m I + b0 + d t + h (±1/2), each coil's own component.
+    """
+    found = []
     for coil in range(3):
-        along = fit.residual_nT[:, coil]
-        up, down = along[(sweep.coil == coil) & sweep.up], along[(sweep.coil == coil) & ~sweep.up]
-        difference = float(up.mean() - down.mean())
-        if abs(difference) >= abs(worst):
-            worst, u = difference, float(np.sqrt(up.var(ddof=1) / len(up) + down.var(ddof=1) / len(down)))
-    return worst, u
+        rows = sweep.coil == coil
+        side = sweep.sign[rows] * (sweep.rising[rows] - 0.5)
+        columns = np.column_stack([_steady(sweep, rows), sweep.currents_A[rows, coil], side])
+        found.append(_last_of(columns, sweep.fields_nT[rows, coil]))
+    return _worst(found)
 
 
-def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[float, float, float]) -> Work[None]:
-    size = np.linalg.norm(fit.matrix_nT_per_A, axis=0)
-    ppm = float(1e6 * np.max(fit.u_matrix_nT_per_A / size))
-    up_down, u_up_down = hysteresis(sweep, fit)
+def polarities(sweep: Sweep) -> tuple[float, float]:
+    """The largest difference [ppm] of one coil's constant in either polarity, and its standard uncertainty.
+
+    The last term of b = m I + b0 + d t + m δ |I| / 2, from the steps that were approached from below.
+    """
+    found = []
+    for coil in range(3):
+        rows = (sweep.coil == coil) & sweep.rising
+        amps, field = sweep.currents_A[rows, coil], sweep.fields_nT[rows, coil]
+        constant = float(np.polyfit(amps, field, 1)[0])
+        columns = np.column_stack([_steady(sweep, rows), amps, 1e-6 * constant * np.abs(amps) / 2])
+        found.append(_last_of(columns, field))
+    return _worst(found)
+
+
+def _steady(sweep: Sweep, rows: NDArray[np.bool_]) -> Array:
+    t = sweep.t_s[rows]
+    return np.column_stack([np.ones_like(t), t - t.mean()])
+
+
+def _last_of(columns: Array, field_nT: Array) -> tuple[float, float]:
+    """The coefficient of the last of `columns` (n, p) in `field_nT` (n,) by least squares, and its uncertainty."""
+    solution, left, _, _ = np.linalg.lstsq(columns, field_nT, rcond=None)
+    variance = float(left[0]) / (len(columns) - columns.shape[1]) * np.linalg.inv(columns.T @ columns)[-1, -1]
+    return float(solution[-1]), float(np.sqrt(variance))
+
+
+def _worst(found: Iterable[tuple[float, float]]) -> tuple[float, float]:
+    return max(found, key=lambda value_u: abs(value_u[0]))
+
+
+def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[float, ...]) -> Work[None]:
+    u_ppm = 1e6 * fit.u_matrix_nT_per_A / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
+    yield from measured(bench, f"{place}: uncertainty of the matrix", u_ppm.max(), 0.0, "ppm", limits[0])
+    if place == "DUT":
+        yield from measured(bench, "DUT: change from bench.toml", *change(bench, fit), "ppm", limits[1])
+    yield from measured(bench, f"{place}: polarity + less −", *polarities(sweep), "ppm", limits[2])
     departure = float(np.abs(fit.residual_nT).max())
-    yield from measured(bench, f"{place}: uncertainty of the matrix", ppm, 0.0, "ppm", limits[0])
-    yield from measured(bench, f"{place}: departure from the line", departure, sweep.noise_nT / 3, "nT", limits[1])
-    yield from measured(bench, f"{place}: up less down", up_down, u_up_down, "nT", limits[2])
+    yield from measured(bench, f"{place}: departure from the line", departure, sweep.noise_nT / 3, "nT", limits[3])
+    yield from measured(bench, f"{place}: up less down", *hysteresis(sweep), "nT", limits[4])
     yield from measured(bench, f"{place}: noise", sweep.noise_nT, 0.0, "nT")
     yield from measured(bench, f"{place}: settling time", sweep.settling_s, 0.0, "s")
 
 
-def _draft(bench: Bench, found: dict[str, CageFit]) -> Event:
-    """What was found, for the record: a draft, until someone writes it into bench.toml and says so."""
-    data = {place: _as_data(fit) for place, fit in found.items()}
-    if "reference" in found:
-        here, there = found["DUT"], found["reference"]
-        data["DUT less reference"] = {
-            "matrix_nT_per_A": (here.matrix_nT_per_A - there.matrix_nT_per_A).tolist(),
-            "offset_nT": (here.offset_nT - there.offset_nT).tolist(),
-            "covariance": (here.covariance + there.covariance).tolist(),
-        }
-    rows = ", ".join(f"[{', '.join(f'{v:.1f}' for v in row)}]" for row in found["DUT"].matrix_nT_per_A)
+def change(bench: Bench, fit: CageFit) -> tuple[float, float]:
+    """The largest change of a matrix element from the bench's [ppm of its coil], and its standard uncertainty."""
+    ppm = 1e6 / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
+    moved = (fit.matrix_nT_per_A - bench.cage.matrix_nT_per_A) * ppm
+    return _worst(zip(moved.ravel(), (fit.u_matrix_nT_per_A * ppm).ravel(), strict=True))
+
+
+def _draft(bench: Bench, found: dict[str, tuple[Sweep, CageFit]]) -> Event:
+    """What was found, for the record: a draft, until someone approves it."""
+    data = {place: _as_data(fit) for place, (_, fit) in found.items()}
+    if len(found) == 2:
+        data["DUT less reference"] = _difference(*found.values())
+    fit = found["DUT"][1]
+    rows = ", ".join(f"[{', '.join(f'{v:.1f}' for v in row)}]" for row in fit.matrix_nT_per_A)
     return Event(bench.clock.now(), "cage-calibration", f"draft: matrix_nT_per_A = [{rows}]", data)
+
+
+def _difference(at_dut: tuple[Sweep, CageFit], at_reference: tuple[Sweep, CageFit]) -> dict[str, list[object]]:
+    """M_DUT − M_ref and the ambient difference: b_DUT = b_ref + (M_DUT − M_ref) I + difference, with covariance.
+
+    The two sweeps lie apart in time: the drift seen, times that, is taken for the uncertainty of the difference.
+    """
+    (first, here), (second, there) = at_dut, at_reference
+    apart_s = float(second.t_s.mean() - first.t_s.mean())
+    drifted = apart_s * np.sqrt((here.drift_nT_per_s**2 + there.drift_nT_per_s**2) / 2)
+    return {
+        "matrix_nT_per_A": (here.matrix_nT_per_A - there.matrix_nT_per_A).tolist(),
+        "offset_nT": (here.offset_nT - there.offset_nT).tolist(),
+        "covariance": (here.covariance + there.covariance + np.diag([*np.zeros(9), *drifted**2])).tolist(),
+    }
 
 
 def _as_data(fit: CageFit) -> dict[str, list[object]]:

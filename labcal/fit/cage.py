@@ -8,16 +8,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
+UNKNOWNS = 3  # of one coil: constant, offset, drift
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CageFit:
-    """b = M I + b0. `covariance` (12, 12) orders M row by row, then b0; `residual_nT` (n, 3) is b − M I − b0."""
+    """b = M I + b0. `covariance` (12, 12) orders M row by row, then b0; `residual_nT` (n, 3) is what the fit leaves."""
 
     matrix_nT_per_A: Array  # (3, 3), columns are the coil axes in C
-    offset_nT: Array  # (3,) the field with the coils at zero
+    offset_nT: Array  # (3,) the field with the coils at zero, in the middle of the sweep
     covariance: Array
     residual_nT: Array
+    drift_nT_per_s: Array  # (3,) of the offset
 
     @property
     def u_matrix_nT_per_A(self) -> Array:
@@ -35,7 +37,8 @@ class CageFit:
 
     def u_field_nT(self, currents_A: ArrayLike) -> Array:
         """Standard uncertainty (n, 3) of `field_nT`."""
-        A = _design(np.asarray(currents_A, dtype=float))
+        currents = np.asarray(currents_A, dtype=float)
+        A = np.column_stack([currents, np.ones(len(currents))])
         per_axis = [np.einsum("ni,ij,nj->n", A, self._of_axis(axis), A) for axis in range(3)]
         return np.asarray(np.sqrt(np.column_stack(per_axis)))
 
@@ -44,24 +47,40 @@ class CageFit:
         return np.asarray(self.covariance[np.ix_(places, places)])
 
 
-def fit_cage(currents_A: ArrayLike, fields_nT: ArrayLike) -> CageFit:
-    """Linear least squares of fields (n, 3) [nT, C] on currents (n, 3), each field component by itself.
+def fit_cage(currents_A: ArrayLike, fields_nT: ArrayLike, coil: ArrayLike, t_s: ArrayLike) -> CageFit:
+    """Least squares of fields (n, 3) [nT, C] on the current of the one coil `coil` (n,) that was stepped at `t_s` (n,).
 
-    cov of one component = s² (AᵀA)⁻¹ with A = [I, 1] (n, 4) and s² = Σ r² / (n − 4) of that component (Gauss-Markov).
-    Raises ValueError where n < 5 or the currents do not span all three coils.
+    One coil j by itself: b = m_j I_j + b_j + d_j (t − t̄_j) with A = [I, 1, t − t̄] (n_j, 3), so that neither a drift
+    of the place nor the noise of another coil's current enters. Its residuals' covariance S = RᵀR / (n_j − 3) (3, 3)
+    gives cov = S ⊗ (AᵀA)⁻¹ (Gauss-Markov, several responses). The offset is the mean of the three b_j.
+    Raises ValueError where a coil was stepped fewer than 5 times, or not to two currents at least.
     """
-    A, b = _design(np.asarray(currents_A, dtype=float)), np.asarray(fields_nT, dtype=float)
-    if len(A) < 5 or np.linalg.matrix_rank(A) < 4:
+    I, b = np.asarray(currents_A, dtype=float), np.asarray(fields_nT, dtype=float)  # noqa: E741
+    which, t = np.asarray(coil), np.asarray(t_s, dtype=float)
+    matrix, offsets, drifts = np.zeros((3, 3)), np.zeros((3, 3)), np.zeros((3, 3))
+    covariance, residual = np.zeros((12, 12)), np.zeros_like(b)
+    for j in range(3):
+        rows = which == j
+        A = _design(I[rows, j], t[rows])
+        solution = np.linalg.lstsq(A, b[rows], rcond=None)[0]
+        matrix[:, j], offsets[j], drifts[j] = solution
+        residual[rows] = b[rows] - A @ solution
+        scatter = residual[rows].T @ residual[rows] / (len(A) - UNKNOWNS)
+        covariance += _placed(scatter, np.asarray(np.linalg.inv(A.T @ A)), j)
+    return CageFit(matrix, offsets.mean(axis=0), covariance, residual, drifts.mean(axis=0))
+
+
+def _design(current_A: Array, t_s: Array) -> Array:
+    """[I, 1, t − t̄] (n, 3). Raises ValueError where it does not determine its three unknowns with room to spare."""
+    if len(current_A) < UNKNOWNS + 2 or np.ptp(current_A) == 0:
         raise ValueError("the currents do not span all three coils: step each coil at two currents at least")
-    solution, _, _, _ = np.linalg.lstsq(A, b, rcond=None)
-    residual = b - A @ solution
-    unit = np.linalg.inv(A.T @ A)
-    covariance = np.zeros((12, 12))
-    for axis, variance in enumerate(np.sum(residual**2, axis=0) / (len(A) - 4)):
-        places = [3 * axis, 3 * axis + 1, 3 * axis + 2, 9 + axis]
-        covariance[np.ix_(places, places)] = variance * unit
-    return CageFit(solution[:3].T, solution[3], covariance, residual)
+    return np.column_stack([current_A, np.ones_like(current_A), t_s - t_s.mean()])
 
 
-def _design(currents_A: Array) -> Array:
-    return np.column_stack([currents_A, np.ones(len(currents_A))])
+def _placed(scatter: Array, unit: Array, j: int) -> Array:
+    """The share (12, 12) of coil `j` in the covariance of [M row by row, mean of the three offsets]."""
+    to_all = np.zeros((12, 6))  # from (m_j, b_j), component by component
+    for component in range(3):
+        to_all[3 * component + j, 2 * component] = 1.0
+        to_all[9 + component, 2 * component + 1] = 1 / 3
+    return np.asarray(to_all @ np.kron(scatter, unit[:2, :2]) @ to_all.T)

@@ -16,6 +16,7 @@ from labcal.geometry import rotate, rotation
 from labcal.record.stream import Block
 from procedures.ambient import alias, noise, trend
 from procedures.axes_check import describe, turned_by
+from procedures.cage_calibration import Rung, Sweep, hysteresis, ladder, polarities
 from procedures.cage_map import departures
 from procedures.degauss import amplitudes
 from procedures.play_field import EARTH_KM, orbit_field, read_history
@@ -134,3 +135,45 @@ def test_heading_and_magnitude_errors_do_not_see_the_mountings_phase() -> None:
     assert magnitude == pytest.approx(np.zeros(50), abs=1e-6)
     bent = rotate(axis, np.radians(np.where(np.arange(50) % 2, 1.0, -1.0)), true)
     assert np.abs(errors(bent, true, axis)[0]) == pytest.approx(np.ones(50), abs=1e-6)
+
+
+def swept(fields_nT: np.ndarray, rungs: list[Rung]) -> Sweep:
+    """A sweep of coils of 50 µT/A whose fields are `fields_nT` (n, 3), one step in 3 s."""
+    fractions, count = [r.fraction for r in rungs], len(rungs)
+    currents = np.vstack([np.outer(fractions, axis) for axis in np.eye(3)])
+    coil, sign, rising = np.repeat([0, 1, 2], count), [r.sign for r in rungs] * 3, [r.rising for r in rungs] * 3
+    return Sweep(
+        3.0 * np.arange(3 * count),
+        currents,
+        5e4 * currents + fields_nT,
+        coil,
+        np.array(sign),
+        np.array(rising),
+        1.0,
+        0.0,
+    )
+
+
+def test_the_ladder_goes_up_down_and_up_in_either_polarity_and_switches_once_at_zero() -> None:
+    rungs = ladder(3)
+    assert [r.rising for r in rungs[:9]] == [True] * 3 + [False] * 3 + [True] * 3
+    assert [r.sign for r in rungs] == [1] * 9 + [-1] * 9
+    assert np.abs([r.fraction for r in rungs[:9]]) == pytest.approx(
+        [1 / 3, 2 / 3, 1, 2 / 3, 1 / 3, 0, 1 / 3, 2 / 3, 1], rel=0.04
+    )
+    assert len({abs(r.fraction) for r in rungs if r.fraction}) == 16
+
+
+def test_hysteresis_and_a_polarity_of_its_own_are_told_apart() -> None:
+    rungs = ladder(3)
+    noise = np.random.default_rng(1).normal(0, 1.0, (3 * len(rungs), 3))
+    late = np.array([r.sign * (20.0 if r.rising else -20.0) for r in rungs])
+    weaker = np.array([-1e-3 * 5e4 * r.fraction * (r.sign < 0) for r in rungs])
+    for along, up_down, relay in ((0 * late, 0.0, 0.0), (late, 40.0, 0.0), (weaker, 0.0, 1000.0)):
+        fields = noise.copy()
+        fields[len(rungs) : 2 * len(rungs), 1] += along
+        sweep = swept(fields, rungs)
+        for (value, u), expected in ((hysteresis(sweep), up_down), (polarities(sweep), relay)):
+            assert value == pytest.approx(expected, abs=5 * u)
+        assert hysteresis(sweep)[1] < 1
+        assert up_down or polarities(sweep)[1] < 70
