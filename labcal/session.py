@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -108,6 +108,22 @@ def describe_run(run: str) -> dict[str, Any]:
         return store.describe(run)
 
 
+def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -> None:
+    """State another serial of a run's DUT, as an event of its record; the drafts `made` of it follow.
+
+    Raises InputError once one of them is signed.
+    """
+    if signed := [path.name for path in made if certificate.signature_files(path)]:
+        raise InputError(f"{signed[0]} is signed: its serial stands; another DUT needs a run of its own")
+    with Store.open() as store:
+        store.correct_serial(run, serial, who)
+        bundle = store.bundle(run)
+    for path in made:
+        draft = load_calibration(path)
+        corrected = replace(draft, dut=replace(draft.dut, serial=serial.strip()), run_sha256=bundle.sha256)
+        write_bytes(path, certificate.calibration_bytes(corrected))
+
+
 def import_bundle(path: Path) -> str:
     """Take a bundle into the local store, byte for byte; returns its run id."""
     with Store.open() as store:
@@ -210,6 +226,11 @@ def close_loop(
         made = fit.draft_calibration(measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
         write_bytes(out, certificate.calibration_bytes(made))
     return closed
+
+
+def one_cause(run: str, effect: str, channels: tuple[str, ...]) -> loop.OneCause:
+    """The residual of `run` without one cause and with it alone, whether the loop named it or not."""
+    return loop.one_cause(load_run(run), effect, channels)
 
 
 def _proposing(closed: ClosedLoop) -> ClosedLoop:

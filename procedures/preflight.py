@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
+from labcal.bench.look import Turned, delay_of, look_at_turn
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Limits
 from labcal.bench.position import Position, position
@@ -28,6 +29,7 @@ from labcal.bench.steps import (
     measure_ambient,
     measured,
     mount,
+    not_used,
     ready,
     record,
     switch_mode,
@@ -41,6 +43,7 @@ from procedures.sync_check import check_sync
 Array = NDArray[np.float64]
 REFERENCE = ("ref_x", "ref_y", "ref_z")
 POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
+LONGEST_DELAY_S = 0.5  # of an axis, as sync-check allows
 MOUNT_S, SYNC_S, AXES_S = 10.0, 50.0, 60.0  # lab time of what is not a turn, for the time that is left
 
 
@@ -121,10 +124,12 @@ def preflight(
         mounted = next((axis for axis in axes if setting.left(axis, done)), axes[0])
         first = yield from _open(bench, setting, mounted, resume)
         setting = yield from _check(bench, setting, mounted)
+        before = ""
         for axis in axes:
             if setting.left(axis, done):
-                yield from _about(bench, setting, axis, done, mounted)
-        yield from _closing(bench, setting, first)
+                yield from _about(bench, setting, axis, done, mounted, before)
+                before = axis
+        yield from _closing(bench, setting, first, before)
 
 
 def _open(bench: Bench, setting: Setting, axis: str, resume: Resume | None) -> Work[Array]:
@@ -164,20 +169,39 @@ def _check(bench: Bench, setting: Setting, axis: str) -> Work[Setting]:
     return found
 
 
-def _about(bench: Bench, setting: Setting, axis: str, done: frozenset[str], mounted: str) -> Work[None]:
-    """Every turn about one body axis, with the first position before and after."""
-    plan, mode_now = setting.plan(), setting.modes[0]
-    yield plan.begin(bench, f"mount-{axis}")
+def _about(bench: Bench, setting: Setting, axis: str, done: frozenset[str], mounted: str, last: str) -> Work[None]:
+    """Mount one body axis, unless the `last` one is to be redone first; then every turn about it."""
+    yield setting.plan().begin(bench, f"mount-{axis}")
     if axis != mounted:
-        yield from mount(bench, f"mount-{axis}", attitude(bench, axis), how_to_mount(axis))
-        yield from switch_mode(bench, mode_now)
+        yield from _mount_or_redo(bench, setting, f"mount-{axis}", axis, last)
+        yield from switch_mode(bench, setting.modes[0])
+    yield from _turns(bench, setting, axis, done)
+
+
+def _mount_or_redo(bench: Bench, setting: Setting, key: str, axis: str, last: str) -> Work[None]:
+    """Ask to mount `axis`; until that is done, the turns about the `last` axis, still mounted, may be redone."""
+    redo = (f"redo {last}",) if last else ()
+    while (yield from mount(bench, key, attitude(bench, axis), how_to_mount(axis), *redo)) != "done":
+        asked = f"Why is axis {last.upper()} redone? What was measured stays in the record, marked as not used."
+        reason = yield Prompt(bench.clock.now(), f"redo-{last}", asked, ())
+        yield not_used(bench, [name for name, _, _ in setting.turns(last)], reason or "")
+        yield from switch_mode(bench, setting.modes[0])
+        yield from _turns(bench, setting, last, frozenset())
+
+
+def _turns(bench: Bench, setting: Setting, axis: str, done: frozenset[str]) -> Work[None]:
+    """Every turn about one body axis, with the first position before and after."""
+    plan, mode_now, seen = setting.plan(), setting.modes[0], list[Turned]()
     before = yield from _first_position(bench, setting)
     for name, mode, field_nT in setting.left(axis, done):
         yield plan.begin(bench, name)
         if mode != mode_now:
             yield from switch_mode(bench, mode_now := mode)
         work = partial(_one_turn, bench, setting, axis, f"{axis}.again" if done else axis, name, mode, field_nT)
-        yield from attempt(bench, name, work)
+        blocks = yield from attempt(bench, name, work)
+        seen += [look_at_turn(bench, AXES[axis], blocks)] if blocks else []
+    if (late := delay_of(seen)) is not None:
+        yield from measured(bench, f"delay {axis}", *late, "s", LONGEST_DELAY_S)
     yield plan.begin(bench, f"closure-{axis}")
     if mode_now != setting.modes[0]:
         yield from switch_mode(bench, setting.modes[0])
@@ -200,13 +224,13 @@ def _one_turn(
     return (yield from rotate_once(bench, rotation))
 
 
-def _closing(bench: Bench, setting: Setting, first: Array) -> Work[None]:
+def _closing(bench: Bench, setting: Setting, first: Array, last: str) -> Work[None]:
     """The first mounting, the first position and the zero again."""
     yield setting.plan().begin(bench, "closing")
     axis = setting.axes[0]
-    yield from mount(bench, f"mount-{axis}-again", attitude(bench, axis), how_to_mount(axis))
-    last = yield from _zero_and_first_position(bench, setting, "closing")
-    for name, moved in zip(POSITIONS, last - first, strict=True):
+    yield from _mount_or_redo(bench, setting, f"mount-{axis}-again", axis, last)
+    again = yield from _zero_and_first_position(bench, setting, "closing")
+    for name, moved in zip(POSITIONS, again - first, strict=True):
         yield from _must_close(bench, f"closure, {name}", float(abs(moved)), 0.0, setting.closure_nT)
     yield from coils_off(bench)
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
+from labcal.bench.look import look_at_turn
 from labcal.bench.samples import samples
 from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, turn_by_hand
 from labcal.errors import InstrumentError
@@ -16,6 +17,7 @@ from labcal.record.run import Segment, Vector
 from labcal.record.stream import Block
 
 SECTOR_DEG = 15.0
+MOST_NOISE = 1.5  # times what the bench file states
 TRIES_BY_HAND = 3
 
 
@@ -70,11 +72,16 @@ def fastest_rate(bench: Bench, magnitude_nT: float, inclination_deg: float, u_ti
 
 
 def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:
-    """Record one turn as a segment, with its coverage; sectors that are missing by hand are asked for."""
+    """Record one turn as a segment, with its coverage, noise and sense; sectors missing by hand are asked for."""
     how = _by_motor if bench.platform.motorised else _by_hand
     blocks = yield from recorded(bench, rotation.segment(bench), how(bench, rotation))
-    missing = missing_sectors(blocks)
+    missing, seen = missing_sectors(blocks), look_at_turn(bench, rotation.axis_body, blocks)
     yield from measured(bench, f"{rotation.name}: missing sectors", len(missing), 0.0, "", limit=0.0)
+    stated = bench.config.dut.noise_nT
+    limit = None if stated is None else MOST_NOISE * stated
+    yield from measured(bench, f"{rotation.name}: noise", seen.noise_nT, seen.u_noise_nT, "nT", limit)
+    if seen.wrong_signs is not None:
+        yield from measured(bench, f"{rotation.name}: wrong signs", seen.wrong_signs, 0.0, "", limit=0.0)
     return blocks
 
 

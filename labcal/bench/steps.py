@@ -20,6 +20,7 @@ from labcal.bench.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Matrix, Segment
 from labcal.record.stream import (
+    NOT_USED,
     Block,
     Event,
     Item,
@@ -51,7 +52,8 @@ class Plan:
         names = tuple(n for n, _ in self.steps)
         number = names.index(name)
         left = sum(seconds for _, seconds in self.steps[number:])
-        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, names if number == 0 else ())
+        first = names if number == 0 else ()
+        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, first, self.steps[number][1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,13 +201,22 @@ def coils_off(bench: Bench) -> Work[None]:
     yield Event(bench.clock.now(), "read-back", "coils at zero", {"current_A": bench.cage.currents_A().tolist()})
 
 
-def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str) -> Work[None]:
-    """Coils off, platform to zero, then ask the person to mount the DUT so; `body_from_cage` (3, 3) at angle 0."""
+def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str, *instead: str) -> Work[str]:
+    """Coils off, platform to zero, then ask the person to mount the DUT so; `body_from_cage` (3, 3) at angle 0.
+
+    Returns the answer: "done", or one of what may be chosen `instead`.
+    """
     yield from coils_off(bench)
     yield from to_angle(bench, 0.0)
     attitude = np.asarray(body_from_cage, dtype=float)
     drawing = {"body_from_cage": attitude.tolist(), "axis_cage": list(bench.config.platform.axis_cage)}
-    yield Prompt(bench.clock.now(), key, text, acts=True, drawing=drawing)
+    return (yield Prompt(bench.clock.now(), key, text, ("done", *instead), True, drawing)) or "done"
+
+
+def not_used(bench: Bench, segments: Sequence[str], reason: str) -> Event:
+    """Segments recorded so far that stay in the record and count no more, and why."""
+    text = f"not used: {', '.join(segments)}: {reason}"
+    return Event(bench.clock.now(), NOT_USED, text, {"segments": list(segments), "reason": reason})
 
 
 def switch_mode(bench: Bench, mode: str) -> Work[None]:

@@ -5,7 +5,7 @@ from labcal.certificate.allowed_signers import Signer, read_allowed_signers
 from labcal.certificate.apply_file import apply_file
 from labcal.certificate.calibration_file import calibration_bytes, parse_calibration, read_calibration
 from labcal.certificate.keys import Entry
-from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, verify
+from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, signature_files, verify
 
 __all__ = [
     "Check",
@@ -21,5 +21,6 @@ __all__ = [
     "read_calibration",
     "sign",
     "sign_simulated",
+    "signature_files",
     "verify",
 ]

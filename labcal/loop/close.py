@@ -46,12 +46,20 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     progress("fitting the base model")
     problem, level, stuck = prepared(run)
     progress("weighing every effect")
-    search = _without_outliers(_search(problem, _lowest(run)))
+    search = searched(run, problem)
     progress("holding out blocks of time")
     found = weighed(search, level)
     before, after = (refit(problem, [c.form for c in chosen], found.search.good) for chosen in ((), found.accepted))
     aside = {"outliers": int((~found.search.good).sum()), "saturation": stuck}
     return _result(run, found, before, after, aside)
+
+
+def searched(run: Run, problem: Problem, only: Cause | None = None) -> Search:
+    """Every candidate, or the looks of one cause `only`, on the rows that do not lie."""
+    search = _search(problem, _lowest(run))
+    if only is not None:
+        search = search.among([c for c in search.candidates if c.cause == only])
+    return _without_outliers(search)
 
 
 def weighed(search: Search, level: Floor) -> Evidence:
@@ -245,12 +253,13 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         covariance=_covariance(after),
         frame_known=not bool((problem.seen.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
-        pictures=Pictures(problem.scene.t_s, problem.scene.segment, *_pictured(before, after)),
+        pictures=pictured(before.problem, after.problem),
     )
 
 
-def _pictured(before: Refit, after: Refit) -> tuple[Array, Array]:
-    return _shown(before.problem), _shown(after.problem)
+def pictured(before: Problem, after: Problem) -> Pictures:
+    """The residual as it was and as it is, for pictures."""
+    return Pictures(after.scene.t_s, after.scene.segment, _shown(before), _shown(after))
 
 
 def _shown(problem: Problem) -> Array:

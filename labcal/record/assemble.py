@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.record.header import RunHeader
 from labcal.record.run import Channel, Run, Segment
-from labcal.record.stream import Block, Item, ModeChanged, SegmentClosed, SegmentOpened, Stream
+from labcal.record.stream import NOT_USED, Block, Event, Item, ModeChanged, SegmentClosed, SegmentOpened, Stream
 
 Array = NDArray[np.float64]
 
@@ -23,7 +23,8 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
 
     Reference, angle and channels are interpolated linearly between the two neighbours where both lie within two
     of their stream's own (median) periods, else NaN; they are never held. The angle is unwrapped before. Modes
-    are the last known. Samples between segments belong to none and are left out.
+    are the last known. Samples between segments belong to none and are left out; so do those of segments that an
+    Event says are not used.
     """
     items = list(items)
     stretches = _stretches(items)
@@ -56,19 +57,23 @@ class _Stretch:
     segment: Segment
     start_s: float
     end_s: float
+    named: str  # as it was opened, without a number
 
 
 def _stretches(items: Sequence[Item]) -> list[_Stretch]:
-    """Segments with their times; one that is opened again is a segment of its own, with a number behind its id."""
+    """Segments that are used, with their times; one that is opened again is of its own, a number behind its id."""
     found: list[_Stretch] = []
+    unused: set[str] = set()
     for item in items:
+        if isinstance(item, Event) and item.kind == NOT_USED:
+            unused |= {one.segment.id for one in found if one.named in item.data["segments"]}
         if not isinstance(item, SegmentOpened | SegmentClosed):
             continue
         if found and found[-1].end_s == np.inf:
             found[-1] = replace(found[-1], end_s=item.t_s)
         if isinstance(item, SegmentOpened):
-            found.append(_Stretch(_own_id(item.segment, found), item.t_s, np.inf))
-    return found
+            found.append(_Stretch(_own_id(item.segment, found), item.t_s, np.inf, item.segment.id))
+    return [one for one in found if one.segment.id not in unused]
 
 
 def _own_id(segment: Segment, before: Sequence[_Stretch]) -> Segment:

@@ -64,7 +64,7 @@ class ModeChanged:
 class Step:
     """Step `number` of `total` begins; `left_s` is the lab time expected until the procedure's end.
 
-    The first step states the names of all, in order.
+    The first step states the names of all, in order; `step_s` is the lab time of this one alone.
     """
 
     t_s: float
@@ -73,6 +73,7 @@ class Step:
     name: str
     left_s: float
     names: tuple[str, ...] = ()
+    step_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,5 +127,9 @@ class Prompt:
     acts: bool = False
     drawing: Mapping[str, Any] = field(default_factory=dict)  # which body axis is up, which way it turns
 
+
+NOT_USED = (
+    "not-used"  # an Event of this kind: the segments so far that its data name are kept, and no run is made of them
+)
 
 Item = Block | SegmentOpened | SegmentClosed | ModeChanged | Step | Measurement | Event | Prompt

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from queue import Empty, SimpleQueue
 from threading import Event
 
@@ -18,7 +19,7 @@ class Control:
     def __init__(self) -> None:
         self._going, self._stop, self._abort = Event(), Event(), Event()
         self._going.set()
-        self._notes: SimpleQueue[str] = SimpleQueue()
+        self._notes: SimpleQueue[tuple[str, Mapping[str, str]]] = SimpleQueue()
 
     def pause(self) -> None:
         """Wait where the next step begins, with the coils at zero, until `resume`."""
@@ -36,13 +37,13 @@ class Control:
         """End now: the coils go to zero before anything else is done. The run is `failed: aborted by the operator`."""
         self._abort.set()
 
-    def note(self, text: str) -> None:
-        """Put a remark into the record ("lift moved"), stamped when the next item is written."""
-        self._notes.put(text)
+    def note(self, text: str, **data: str) -> None:
+        """Put a remark into the record ("lift moved"), stamped when the next item is written; `data` goes with it."""
+        self._notes.put((text, data))
 
-    def notes(self) -> list[str]:
-        """The remarks that are not in the record yet; each is given once."""
-        said = list[str]()
+    def notes(self) -> list[tuple[str, Mapping[str, str]]]:
+        """The remarks that are not in the record yet, with their data; each is given once."""
+        said = list[tuple[str, Mapping[str, str]]]()
         while True:
             try:
                 said.append(self._notes.get_nowait())

@@ -83,14 +83,14 @@ class Drive:
         item = _later(item, self.offset_s) if self.offset_s else item
         self.write(item)
         self.tell(item)
-        for text in self.control.notes():
-            self._keep(self._event("note", text))
+        for text, data in self.control.notes():
+            self._keep(self._event("note", text, **data))
         for event in self.bench.events():
             self._keep(event)
 
     def _ask(self, prompt: Prompt) -> str:
         given = checked(prompt, self._answer_while_listening(prompt))
-        if self.bench.hands is not None:
+        if self.bench.hands is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
             self.bench.hands.do(prompt)
         self._keep(self._event("answer", given, key=prompt.key))
         return given

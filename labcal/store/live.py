@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -14,15 +14,20 @@ from labcal.errors import InputError
 from labcal.home import home
 from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
-from labcal.record.stream import Block, Item
+from labcal.record.stream import Block, Event, Item
 from labcal.store.bundle import Bundle, bundle_of, load_bundle
 from labcal.store.database import connect, named_faults, transaction
-from labcal.store.items import Row, from_row, header_from_json, to_json
+from labcal.store.items import Row, from_row, header_from_json, to_json, to_row
 from labcal.store.liveness import Alive, is_alive
 from labcal.store.summary import describe
-from labcal.store.writer import INSERT_STATUS, RunWriter, utc_now
+from labcal.store.writer import INSERT_ITEM, INSERT_STATUS, RunWriter, utc_now
 
 FILE = "store.sqlite"
+CORRECTED = "serial-corrected"  # an Event of this kind: from here on the run is of another DUT's serial
+LAST_CORRECTION = (
+    "(SELECT content FROM item WHERE item.run = run.number AND item.kind = 'event'"
+    f" AND item.content LIKE '%\"{CORRECTED}\"%' ORDER BY item.number DESC LIMIT 1)"
+)
 LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
 
 
@@ -111,7 +116,7 @@ class Store:
 
     def runs(self) -> list[RunSummary]:
         """All runs, the oldest first."""
-        rows = self._all(f"SELECT run_id, header, {LAST_STATUS} FROM run ORDER BY number")
+        rows = self._all(f"SELECT run_id, header, {LAST_STATUS}, {LAST_CORRECTION} FROM run ORDER BY number")
         return [self._summary(*row) for row in rows]
 
     def status(self, run_id: str) -> str:
@@ -124,8 +129,26 @@ class Store:
         """The head of a recorded run. Raises InputError where there is no such run, or it was imported."""
         if self._imported(run_id) is not None:
             raise InputError(f"run {run_id} was imported: what is known of it stands in its bundle")
-        ((text,),) = self._all("SELECT header FROM run WHERE run_id = ?", run_id)
-        return header_from_json(text)
+        ((text, correction),) = self._all(f"SELECT header, {LAST_CORRECTION} FROM run WHERE run_id = ?", run_id)
+        header = header_from_json(text)
+        serial = _corrected(correction)
+        return replace(header, dut=replace(header.dut, serial=serial)) if serial else header
+
+    def correct_serial(self, run_id: str, serial: str, who: str) -> None:
+        """State another serial of the DUT, as an event of the record. Raises InputError where that cannot be.
+
+        What was written when the run began stays; the last correction counts.
+        """
+        header, status = self.header(run_id), self.status(run_id)
+        if status == "running":
+            raise InputError(f"run {run_id} is being recorded: correct its serial after it")
+        if not serial.strip():
+            raise InputError("a run needs the serial number of its DUT")
+        data = {"from": header.dut.serial, "to": serial.strip(), "by": who, "utc": utc_now()}
+        text = f"DUT serial {data['from']} corrected to {data['to']} by {who}"
+        row = to_row(Event(self.end_s(run_id), CORRECTED, text, data))
+        with transaction(self._connection, self.path):
+            self._connection.execute(INSERT_ITEM, (self._number(run_id), *row))
 
     def items(self, run_id: str, *, skip: int = 0) -> Iterator[Item]:
         """The timeline of a recorded run, after its first `skip` items: committed ones, in the order of writing."""
@@ -182,13 +205,13 @@ class Store:
         found = self._all("SELECT run_json, samples_csv FROM bundle WHERE run = ?", self._number(run_id))
         return Bundle(found[0][0], found[0][1], Path(run_id)) if found else None
 
-    def _summary(self, run_id: str, header: str, status: str) -> RunSummary:
+    def _summary(self, run_id: str, header: str, status: str, correction: str | None) -> RunSummary:
         said = json.loads(header)
         return RunSummary(
             run_id=run_id,
             started_utc=said["started_utc"],
             status=self._true_status(run_id, status),
-            dut_serial=said["dut"]["serial"],
+            dut_serial=_corrected(correction) or said["dut"]["serial"],
             operator=said.get("operator", ""),
             procedure=said.get("procedure", ""),
             simulated=said["simulated"],
@@ -206,3 +229,8 @@ class Store:
     def _all(self, query: str, *values: object) -> list[tuple[Any, ...]]:
         with named_faults(self.path):
             return self._connection.execute(query, values).fetchall()
+
+
+def _corrected(event: str | None) -> str:
+    """The serial that the JSON of a correction states; "" where there was none."""
+    return str(json.loads(event)["data"]["to"]) if event else ""

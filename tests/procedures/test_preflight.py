@@ -97,3 +97,29 @@ def test_what_points_the_wrong_way_is_said_in_words_and_stops_it(
     outcome = session.run("preflight", bench_file("", wrong), SHORT, seed=3)
     assert outcome.status.startswith("failed: axes-check")
     assert says in outcome.status
+
+
+def test_an_axis_is_redone_before_it_is_dismounted_and_the_first_try_is_kept_but_not_used(
+    bench_file: BenchFile,
+) -> None:
+    asked = list[str]()
+
+    def answer(prompt: Prompt) -> str:
+        asked.append(prompt.key)
+        if prompt.key == "mount-y" and asked.count("mount-y") == 1:
+            return "redo x"
+        return prompt.choices[0] if prompt.choices else "lift moved"
+
+    given = SHORT | {"axes": "x,y", "modes": "nominal", "magnitudes_nT": "20000"}
+    outcome = session.run("preflight", bench_file(), given, answer=answer, seed=3)
+    assert outcome.status == "finished", outcome.fault
+    run = session.load_run(outcome.run_id)
+    assert [s.id for s in run.segments] == ["x+20uT-nominal-2", "x-20uT-nominal-2", "y+20uT-nominal", "y-20uT-nominal"]
+    assert {s.mounting for s in run.segments} == {"x", "y"}
+    with Store.open() as store:
+        items = list(store.items(outcome.run_id))
+    refused = next(i for i in items if isinstance(i, Event) and i.kind == "not-used")
+    assert (refused.data["reason"], refused.data["segments"]) == ("lift moved", ["x+20uT-nominal", "x-20uT-nominal"])
+    measured = {item.name: item for item in items if isinstance(item, Measurement)}
+    assert [measured[f"x+20uT-nominal: {what}"].verdict for what in ("noise", "wrong signs")] == ["PASS"] * 2
+    assert measured["delay x"].verdict == "PASS"

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from labcal.record import ChannelSpec, Dut, Reference, Run, RunHeader, Segment
 from labcal.record.assemble import assemble
-from labcal.record.stream import Block, Item, ModeChanged, SegmentClosed, SegmentOpened
+from labcal.record.stream import Block, Event, Item, ModeChanged, SegmentClosed, SegmentOpened
 
 HEADER = RunHeader(
     "r", "2026-03-02T08:15:00Z", True, "", Dut("S"), Reference("vector"), (ChannelSpec("temp", "degC", "temperature"),)
@@ -121,3 +121,12 @@ def test_a_run_that_was_cut_short_has_no_rows_and_is_no_error(items: list[Item])
     assert len(run) == 0
     assert run.reference_vector is not None
     assert run.reference_vector.shape == (0, 3)
+
+
+def test_a_segment_that_is_not_used_leaves_the_rows_and_its_second_try_keeps_a_name_of_its_own() -> None:
+    t = np.arange(0.0, 8.0, 0.5)
+    refused = Event(3.0, "not-used", "lift moved", {"segments": ["x"]})
+    first = [SegmentOpened(0.0, X), SegmentClosed(2.0), refused]
+    run = assemble(HEADER, [dut(t), *first, SegmentOpened(4.0, X), SegmentClosed(6.0)])
+    assert [segment.id for segment in run.segments] == ["x-2"]
+    np.testing.assert_array_equal(run.t_s, [4.0, 4.5, 5.0, 5.5])

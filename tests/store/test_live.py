@@ -413,3 +413,25 @@ def test_the_bundle_of_a_recorded_run_reads_back_as_the_run() -> None:
     np.testing.assert_array_equal(again.reading, run.reading)
     np.testing.assert_array_equal(again.channel("temp").values, [20.5] * 10)
     assert bundle_sha256(run) == bundle.sha256 == bundle_sha256(again)
+
+
+def test_a_wrong_serial_is_corrected_by_an_event_and_the_first_one_stays_in_the_record(tmp_path: Path) -> None:
+    with Store.open(tmp_path / "s.sqlite") as store:
+        with store.begin(HEADER) as writer:
+            for item in ITEMS:
+                writer.write(item)
+            with pytest.raises(InputError, match="being recorded"):
+                store.correct_serial("r1", "SN2", "J. Doe")
+        before = store.bundle("r1").sha256
+        store.correct_serial("r1", " SN2 ", "J. Doe")
+        store.correct_serial("r1", "SN3", "A. Smith")
+        assert store.header("r1").dut == replace(HEADER.dut, serial="SN3")
+        assert (store.runs()[0].dut_serial, store.run("r1").dut.serial) == ("SN3", "SN3")
+        assert store.bundle("r1").sha256 != before
+        said = [item for item in store.items("r1") if isinstance(item, Event) and item.kind == "serial-corrected"]
+        assert [(e.data["from"], e.data["to"], e.data["by"]) for e in said] == [
+            ("SN1", "SN2", "J. Doe"),
+            ("SN2", "SN3", "A. Smith"),
+        ]
+        with pytest.raises(InputError, match="serial number"):
+            store.correct_serial("r1", "  ", "J. Doe")
