@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from contextlib import ExitStack
 from dataclasses import dataclass
 
+from drivers.framing.scpi import Scpi
+from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.instrument import quantity
 from labcal.bench.links import Link
@@ -29,7 +30,7 @@ class Settings:
     timeout_s: float = 1.5
 
 
-class KeysightSupply:
+class KeysightSupply(CurrentSource):
     """A unipolar supply in constant current, no output of which may drag another along."""
 
     roles = ("coil",)
@@ -52,65 +53,28 @@ class KeysightSupply:
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
+        self._scpi = Scpi(name, link, clock, settings.timeout_s)
+        self.query, self.command = self._scpi.query, self._scpi.command
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
 
     def identify(self) -> Identity:
         """Ask who it is, and empty the error queue of the time before. An E3631A speaks otherwise and is refused."""
-        maker, model, serial, firmware = (*self.query("*IDN?").split(","), "", "", "")[:4]
-        if not re.fullmatch(r"E3631[123]A", model.strip()):
-            raise InstrumentError(
-                f"{self.name}: {maker} {model} answered, not a Keysight E36311A, E36312A or E36313A.",
-                fault="another instrument",
-            )
-        while not self.query("SYST:ERR?").startswith(("0,", "+0,")):
-            pass
-        return Identity(maker.strip(), model.strip(), serial.strip(), firmware.strip())
-
-    def set_current(self, current_A: float) -> None:
-        """Set the current and read the set-point back."""
-        self.current = current_A
-
-    def set_point(self) -> float:
-        """The set-point that it holds [A]."""
-        return self.current
-
-    def measure_current(self) -> float:
-        """The delivered current [A]."""
-        return self.sensed
+        who = self._scpi.identify(
+            lambda maker, model: re.fullmatch("E3631[123]A", model) is not None,
+            "a Keysight E36311A, E36312A or E36313A",
+        )
+        self._scpi.empty_errors()
+        return who
 
     def output(self, on: bool) -> None:
         """Switch the output, confirmed; before it goes on, it is not coupled and its compliance voltage is set."""
         if on:
             self._refuse_coupling()
-            self.compliance = self.settings.compliance_V
-        self.enabled = on
-
-    def make_safe(self) -> None:
-        """Current to zero, then output off; a failure of one does not skip the other."""
-        with ExitStack() as steps:
-            steps.callback(self.output, False)
-            steps.callback(self.set_current, 0.0)
+        super().output(on)
 
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()
-
-    def query(self, text: str) -> str:
-        """Ask and return the reply."""
-        self._link.flush()
-        reply = self._link.ask(text.encode() + b"\n", end=b"\n", timeout_s=self.settings.timeout_s)
-        return reply.decode("ascii", "replace").strip()
-
-    def command(self, text: str) -> None:
-        """Tell, then ask for errors. Raises InstrumentError with what the supply says."""
-        self._link.send(text.encode() + b"\n")
-        error = self.query("SYST:ERR?")
-        if not error.startswith(("0,", "+0,")):
-            raise InstrumentError(
-                f"{self.name}: {text!r} failed: {error}.",
-                fault="refused",
-                remedy="Coils go to zero; look at the supply's panel.",
-            )
 
     def _refuse_coupling(self) -> None:
         for ask, name in COUPLINGS:

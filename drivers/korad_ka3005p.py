@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from contextlib import ExitStack
 from dataclasses import dataclass
 
+from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.instrument import quantity
 from labcal.bench.links import Link
@@ -30,7 +30,7 @@ class Settings:
     timeout_s: float = 0.5
 
 
-class KoradSupply:
+class KoradSupply(CurrentSource):
     """A unipolar supply that reports no errors and drops what comes while it is busy: every set is read back."""
 
     roles = ("coil",)
@@ -65,30 +65,6 @@ class KoradSupply:
                 f"{self.name}: {reply!r} answered, not a Korad or a clone.", fault="another instrument"
             )
         return Identity(found[1].title(), found[2], found[4] or "", found[3] or "")
-
-    def set_current(self, current_A: float) -> None:
-        """Set the current and read the set-point back."""
-        self.current = current_A
-
-    def set_point(self) -> float:
-        """The set-point that it holds [A]."""
-        return self.current
-
-    def measure_current(self) -> float:
-        """The delivered current [A]."""
-        return self.sensed
-
-    def output(self, on: bool) -> None:
-        """Switch the output, confirmed; before it goes on, the compliance voltage is set."""
-        if on:
-            self.compliance = self.settings.compliance_V
-        self.enabled = on
-
-    def make_safe(self) -> None:
-        """Current to zero, then output off; a failure of one does not skip the other."""
-        with ExitStack() as steps:
-            steps.callback(self.output, False)
-            steps.callback(self.set_current, 0.0)
 
     def close(self) -> None:
         """Let go of the link."""

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
-from labcal.bench.arrival import refuse_elsewhere
+from drivers.framing.newport import Axis
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
@@ -45,8 +44,7 @@ class Esp301Stage:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
-        self._target_deg: float | None = None
-        self._homed = False
+        self._axis, self._homed = Axis(name, self._tell, self._ask_axis, settings.tolerance_deg), False
 
     def identify(self) -> Identity:
         """Ask controller and stage who they are. Raises InstrumentError where the axis does not count degrees."""
@@ -67,42 +65,34 @@ class Esp301Stage:
         """Search the reference once per connection: the controller does not tell whether it knows it."""
         if not self._homed:
             self._tell("MO")
-            self._target_deg = 0.0
+            self._axis.target_deg = 0.0
             self._tell(f"OR{self.settings.home_type}")
             self._homed = True
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
-        self._tell(f"VA{rate_deg_per_s:.4f}")
-        held = self._number("VA?")
-        if abs(held - rate_deg_per_s) > 1e-3:
-            raise InstrumentError(f"{self.name}: its velocity reads back {held:g} deg/s.", fault="read-back")
-        self._target_deg = angle_deg
-        self._tell(f"PA{angle_deg:.4f}")
+        self._axis.move_to(angle_deg, rate_deg_per_s)
 
     def moving(self) -> bool:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
-        angle, moving = self.state()
+        moving = self._moves()
         self._refuse_errors("the move")
         if not moving:
-            refuse_elsewhere(self.name, angle, self._target_deg, self.settings.tolerance_deg)
+            self._axis.refuse_elsewhere()
         return moving
 
     def angle_deg(self) -> float:
         """The position [deg] in the stage's own sense."""
-        return self._number("TP")
+        return self._axis.angle_deg()
 
     def state(self) -> tuple[float, bool]:
         """Position [deg] and whether it moves; first the motion, so that a position said to be final is."""
-        done = self._ask_axis("MD?")
-        if done not in ("0", "1"):
-            raise self._wrong("MD?", done)
-        return self.angle_deg(), done == "0"
+        moving = self._moves()
+        return self.angle_deg(), moving
 
     def make_safe(self) -> None:
         """Stop with its brake ramp."""
-        self._target_deg = None
-        self._tell("ST")
+        self._axis.stop()
 
     def close(self) -> None:
         """Let go of the link."""
@@ -124,11 +114,11 @@ class Esp301Stage:
                 remedy="Look at the stage, home it and begin this step again.",
             )
 
-    def _number(self, words: str) -> float:
-        reply = self._ask_axis(words)
-        if not re.fullmatch(r"[+-]?\d+(\.\d*)?(E[+-]?\d+)?", reply):
-            raise self._wrong(words, reply)
-        return float(reply)
+    def _moves(self) -> bool:
+        done = self._ask_axis("MD?")
+        if done not in ("0", "1"):
+            raise self._axis.wrong("MD?", done)
+        return done == "0"
 
     def _ask_axis(self, words: str) -> str:
         return self._ask(f"{self.settings.axis}{words}")
@@ -137,6 +127,3 @@ class Esp301Stage:
         self._link.flush()
         reply = self._link.ask(text.encode() + b"\r", end=b"\r\n", timeout_s=self.settings.timeout_s)
         return reply.decode("ascii", "replace").strip()
-
-    def _wrong(self, words: str, reply: str) -> InstrumentError:
-        return InstrumentError(f"{self.name}: {words} was answered {reply!r}.", fault="wrong reply")

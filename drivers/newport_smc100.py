@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from labcal.bench.arrival import refuse_elsewhere
+from drivers.framing.newport import Axis
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
@@ -47,8 +47,7 @@ class Smc100Stage:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
-        self._target_deg: float | None = None
-        self._free_s = 0.0
+        self._axis, self._free_s = Axis(name, self._tell, self._ask, settings.tolerance_deg), 0.0
 
     def identify(self) -> Identity:
         """Ask for the controller's version and its stage. Raises InstrumentError for another controller."""
@@ -60,17 +59,12 @@ class Smc100Stage:
     def home(self) -> None:
         """Search the reference where it is not known, as after every power-up."""
         if self._state() in NOT_REFERENCED:
-            self._target_deg = 0.0
+            self._axis.target_deg = 0.0
             self._tell("OR")
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
-        self._tell(f"VA{rate_deg_per_s:.4f}")
-        held = self._number("VA?")
-        if abs(held - rate_deg_per_s) > 1e-3:
-            raise InstrumentError(f"{self.name}: its velocity reads back {held:g} deg/s.", fault="read-back")
-        self._target_deg = angle_deg
-        self._tell(f"PA{angle_deg:.4f}")
+        self._axis.move_to(angle_deg, rate_deg_per_s)
 
     def moving(self) -> bool:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
@@ -83,12 +77,12 @@ class Smc100Stage:
                 fault="stage fault",
                 remedy="Look at the stage, home it and begin this step again.",
             )
-        refuse_elsewhere(self.name, self.angle_deg(), self._target_deg, self.settings.tolerance_deg)
+        self._axis.refuse_elsewhere()
         return False
 
     def angle_deg(self) -> float:
         """The position [deg] in the stage's own sense."""
-        return self._number("TP")
+        return self._axis.angle_deg()
 
     def state(self) -> tuple[float, bool]:
         """Position [deg] and whether it moves; first the motion, so that a position said to be final is."""
@@ -97,8 +91,7 @@ class Smc100Stage:
 
     def make_safe(self) -> None:
         """Stop; allowed in every state."""
-        self._target_deg = None
-        self._tell("ST")
+        self._axis.stop()
 
     def close(self) -> None:
         """Let go of the link."""
@@ -113,7 +106,7 @@ class Smc100Stage:
     def _status(self) -> tuple[int, int]:
         reply = self._ask("TS")
         if not re.fullmatch("[0-9A-F]{6}", reply):
-            raise self._wrong("TS", reply)
+            raise self._axis.wrong("TS", reply)
         return int(reply[:4], 16), int(reply[4:], 16)
 
     def _words(self, state: int) -> str:
@@ -125,18 +118,12 @@ class Smc100Stage:
         if code != NO_ERROR:
             raise InstrumentError(f"{self.name}: {words} failed: {ERRORS.get(code, code)}.", fault="refused")
 
-    def _number(self, words: str) -> float:
-        reply = self._ask(words)
-        if not re.fullmatch(r"[+-]?\d+(\.\d*)?(E[+-]?\d+)?", reply):
-            raise self._wrong(words, reply)
-        return float(reply)
-
     def _ask(self, words: str) -> str:
         self._send(words)
         reply = self._link.ask(b"", end=b"\r\n", timeout_s=self.settings.timeout_s).decode("ascii", "replace").strip()
         prefix = f"{self.settings.address}{words.removesuffix('?')}"
         if not reply.startswith(prefix):
-            raise self._wrong(words, reply)
+            raise self._axis.wrong(words, reply)
         return reply.removeprefix(prefix).strip()
 
     def _send(self, words: str) -> None:
@@ -144,6 +131,3 @@ class Smc100Stage:
         self._link.flush()
         self._link.send(f"{self.settings.address}{words}\r\n".encode())
         self._free_s = self._clock.now() + self.settings.gap_s
-
-    def _wrong(self, words: str, reply: str) -> InstrumentError:
-        return InstrumentError(f"{self.name}: {words} was answered {reply!r}.", fault="wrong reply")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
 from dataclasses import dataclass
 
+from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.registers import Registers, register
@@ -39,7 +39,7 @@ class Settings:
     gap_s: float = 0.11  # stock firmware bears fewer than ten requests a second
 
 
-class RidenSupply:
+class RidenSupply(CurrentSource):
     """A unipolar supply in constant current. How it counts follows from the model that answers."""
 
     roles = ("coil",)
@@ -93,14 +93,6 @@ class RidenSupply:
         self._scale = per_V, per_A
         return Identity("Riden", model, f"{high << 16 | low:08d}", f"{firmware / 100:.2f}")
 
-    def set_current(self, current_A: float) -> None:
-        """Set the current and read the set-point back."""
-        self.current = current_A
-
-    def set_point(self) -> float:
-        """The set-point that it holds [A]."""
-        return self.current
-
     def measure_current(self) -> float:
         """The delivered current [A]. Raises InstrumentError (tripped) where a protection has ended it."""
         state = self.registers.read(STATE, 11)
@@ -121,12 +113,6 @@ class RidenSupply:
             self.compliance = self.settings.compliance_V
             self.ovp, self.ocp = self.settings.ovp_V, self.settings.ocp_A
         self.enabled = on
-
-    def make_safe(self) -> None:
-        """Current to zero, then output off; a failure of one does not skip the other."""
-        with ExitStack() as steps:
-            steps.callback(self.output, False)
-            steps.callback(self.set_current, 0.0)
 
     def close(self) -> None:
         """Let go of the link."""

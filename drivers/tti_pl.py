@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
+import re
 from dataclasses import dataclass
 
+from drivers.framing.scpi import Scpi
+from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
-from labcal.bench.instrument import after, quantity
+from labcal.bench.instrument import after, decimal, quantity
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
@@ -38,7 +40,7 @@ class Settings:
     interface_lock: bool = False  # while the output is on, no other interface may set anything (IFLOCK)
 
 
-class TtiSupply:
+class TtiSupply(CurrentSource):
     """A unipolar supply in constant current. A non-zero event register after a command is a failure."""
 
     roles = ("coil",)
@@ -47,11 +49,11 @@ class TtiSupply:
 
     current = quantity(
         "I{s.output}?", "I{s.output} {value:.4f}", unit="A", doc="Control the current set-point.",
-        limits=lambda s: (0.0, s.max_current_A), tolerance=0.00101, read=lambda reply: _word(reply),
+        limits=lambda s: (0.0, s.max_current_A), tolerance=0.00101, read=lambda reply: _word("I", reply),
     )  # fmt: skip
     compliance = quantity(
         "V{s.output}?", "V{s.output} {value:.3f}", unit="V", doc="Control the voltage that may drive the coil.",
-        limits=lambda s: (0.0, 60.0), tolerance=0.0101, read=lambda reply: _word(reply),
+        limits=lambda s: (0.0, 60.0), tolerance=0.0101, read=lambda reply: _word("V", reply),
     )  # fmt: skip
     enabled = quantity(
         "OP{s.output}?", "OP{s.output} {value:d}", unit="1", doc="Control whether the output is on.",
@@ -61,57 +63,31 @@ class TtiSupply:
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
+        self._scpi = Scpi(name, link, clock, settings.timeout_s)
+        self.query = self._scpi.query
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
 
     def identify(self) -> Identity:
         """Ask who it is and clear what its event register remembers of the time before."""
-        maker, model, serial, firmware = (*self.query("*IDN?").split(","), "", "", "")[:4]
-        if "THURLBY" not in maker.upper() and "TTI" not in maker.upper():
-            raise InstrumentError(
-                f"{self.name}: {maker!r} answered, not an Aim-TTi supply.", fault="another instrument"
-            )
+        who = self._scpi.identify(lambda maker, _: "THURLBY" in maker or "TTI" in maker, "an Aim-TTi supply")
         self.query("*ESR?")
-        return Identity(maker.strip(), model.strip(), serial.strip(), firmware.strip())
-
-    def set_current(self, current_A: float) -> None:
-        """Set the current and read the set-point back."""
-        self.current = current_A
-
-    def set_point(self) -> float:
-        """The set-point that it holds [A]."""
-        return self.current
-
-    def measure_current(self) -> float:
-        """The delivered current [A]."""
-        return self.sensed
+        return who
 
     def output(self, on: bool) -> None:
         """Switch the output, confirmed; before it goes on, the compliance voltage is set."""
         if on:
             self._lock()
-            self.compliance = self.settings.compliance_V
-        self.enabled = on
+        super().output(on)
         if not on and self.settings.interface_lock:
             self.query("IFUNLOCK")
-
-    def make_safe(self) -> None:
-        """Current to zero, then output off; a failure of one does not skip the other."""
-        with ExitStack() as steps:
-            steps.callback(self.output, False)
-            steps.callback(self.set_current, 0.0)
 
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()
 
-    def query(self, text: str) -> str:
-        """Ask and return the reply."""
-        reply = self._link.ask(text.encode() + b"\n", end=b"\n", timeout_s=self.settings.timeout_s)
-        return reply.decode("ascii", "replace").strip()
-
     def command(self, text: str) -> None:
         """Tell, then look at the event register. Raises InstrumentError with what the supply says."""
-        self._link.send(text.encode() + b"\n")
+        self._scpi.send(text)
         events = self.query("*ESR?")
         if not events.isdigit() or int(events) & ~1:
             raise InstrumentError(
@@ -138,6 +114,9 @@ class TtiSupply:
         return ", ".join(said)
 
 
-def _word(reply: str) -> float:
-    """The number of `I1 0.5000`: the second word."""
-    return float(reply.split()[1])
+def _word(letter: str, reply: str) -> float:
+    """The number of `I1 0.5000`, whose letter says what it is."""
+    what, number = reply.split()
+    if not re.fullmatch(rf"{letter}\d", what):
+        raise ValueError(reply)
+    return decimal(number)

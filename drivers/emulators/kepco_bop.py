@@ -18,14 +18,14 @@ class KepcoEmulator(Answers):
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, delay_s=0.01)
         (role,) = roles
-        self._coil, self._serial, self._echo = lab.coils[role[-1]], f"E{ord(role[-1]) * 1117}", settings.echo
+        self._coil, self._serial = lab.coils[role[-1]], f"E{ord(role[-1]) * 1117}"
         self._values, self._current_mode, self._on = {"CURR": 0.0, "VOLT": 0.0}, False, False
         self._errors: list[str] = []
 
     def _reply(self, t_s: float, text: str) -> bytes:
         said = self._do(t_s, text.upper())
         self._coil.drive(t_s, self._values["CURR"], self._values["VOLT"], self._on and self._current_mode)
-        return (text.encode() + b"\n" if self._echo else b"") + (said.encode() + b"\n" if said else b"")
+        return said.encode() + b"\n" if said else b""
 
     def _do(self, t_s: float, text: str) -> str:
         if set_ := SET.fullmatch(text):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import closing
+from contextlib import ExitStack, closing
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -30,7 +30,9 @@ def greet(path: Path) -> list[Greeting]:
     """Ask every instrument of `path` who it is. Raises InputError for a bad file."""
     config = read_config(path)
     loader = Loader(path, config, VirtualClock(datetime.now(UTC)) if config.simulated else RealClock(), 0)
-    return [_greet(loader, name) for name in config.instruments]
+    with ExitStack() as afterwards:
+        afterwards.callback(loader.close)
+        return [_greet(loader, name) for name in config.instruments]
 
 
 def _asked(loader: Loader, name: str) -> Identity:

@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any, Protocol
 
 from labcal.errors import InstrumentError, LimitError
+
+DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+NO_NUMBER = 9.9e37  # how SCPI writes infinity; 9.91E37 is its "not a number"
+
+
+def decimal(reply: str) -> float:
+    """The number that `reply` is. Raises ValueError for all else: nan, inf, 1_000, a number that means neither."""
+    if not DECIMAL.fullmatch(reply) or not abs(value := float(reply)) < NO_NUMBER:
+        raise ValueError(reply)
+    return value
 
 
 class Speaks(Protocol):
@@ -40,7 +51,7 @@ class quantity:
         doc: str,
         limits: Callable[[Any], tuple[float, float]] | None = None,
         tolerance: float = 0.0,
-        read: Callable[[str], float] = float,
+        read: Callable[[str], float] = decimal,
     ) -> None:
         self.get, self.set, self.unit, self.limits = get, set, unit, limits
         self.tolerance, self.read, self.__doc__, self.label = tolerance, read, doc, ""
@@ -95,6 +106,8 @@ def after(prefix: str, ends: str = "") -> Callable[[str], float]:
     def read(reply: str) -> float:
         if not reply.startswith(prefix):
             raise ValueError(reply)
-        return float(reply.removeprefix(prefix).strip().removesuffix(ends))
+        if not reply.endswith(ends):
+            raise ValueError(reply)
+        return decimal(reply.removeprefix(prefix).removesuffix(ends).strip())
 
     return read

@@ -104,6 +104,12 @@ class Loader:
             self.masters[line.url] = modbus_link(line, self.clock)
         return self.masters[line.url]
 
+    def close(self) -> None:
+        """Let go of every link."""
+        with ExitStack() as steps:
+            for link in self.links.values():
+                steps.callback(link.close)
+
     def refuse(self, what: str, keys: tuple[str, ...]) -> NoReturn:
         """Raise InputError for the key `keys` of this file."""
         line = line_of(self.path.read_text(encoding="utf-8"), keys)

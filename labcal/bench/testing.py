@@ -17,14 +17,16 @@ Exchange = tuple[bytes, bytes | Sequence[bytes] | str | None]  # sent, answered 
 
 
 class Script:
-    """The other end: takes each request in its turn and puts the reply on the line."""
+    """The other end: takes each request in its turn and puts the reply on the line; `echo`: the request before it."""
 
-    def __init__(self, wire: Sequence[Exchange]) -> None:
+    def __init__(self, wire: Sequence[Exchange], *, echo: bool = False) -> None:
         self.left, self._taken, self._waiting = list(wire), b"", list[tuple[float, bytes]]()
+        self._echo = echo
 
     def take(self, t_s: float, data: bytes) -> None:
         """Bytes from the driver: they must be what the script says next."""
         self._taken += data
+        self._waiting += [(t_s + 0.001, data)] * self._echo
         if not self.left:
             raise AssertionError(f"{data!r} was sent after the script's end")
         expected, reply = self.left[0]
@@ -46,10 +48,14 @@ class Script:
 
 
 @contextmanager
-def scripted(driver: Any, wire: Sequence[Exchange], **settings: Any) -> Iterator[Any]:
-    """A driver on a scripted line; at the end everything in the script must have been sent."""
-    clock, script = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), Script(wire)
-    line, hints = EmulatedLink("emulated://script", script, clock), get_type_hints(driver.__init__)
+def scripted(
+    driver: Any, wire: Sequence[Exchange], *, link: str = "emulated://script", echo: bool = False, **settings: Any
+) -> Iterator[Any]:
+    """A driver on a scripted line; at the end everything in the script must have been sent. `echo`: an adapter on it
+    hears what it sends; `link` says so (echo=1) or does not.
+    """
+    clock, script = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), Script(wire, echo=echo)
+    line, hints = EmulatedLink(link, script, clock), get_type_hints(driver.__init__)
     modbus, stated = hints["link"] is ModbusLink, hints["settings"](**settings)
     line.never.add(driver.never, stated.address if modbus else None)
     yield driver("under test", ModbusLink(line, clock) if modbus else line, clock, stated)

@@ -80,8 +80,8 @@ def test_a_port_that_another_process_holds_is_refused_until_it_has_died(tmp_path
         assert ports.holder(url.replace("9600", "115200")) == {"pid": 7}
         assert not ports.hold([url])
         with pytest.raises(InstrumentError, match="process 7"):
-            ports.refuse_if_held(url)
+            ports.claim(url)
         os.kill(other.pid, 9)
-    ports.refuse_if_held(url)
+    ports.claim(url)()
     assert ports.hold([url])
     ports.let_go()

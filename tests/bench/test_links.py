@@ -12,7 +12,7 @@ import threading
 import time
 import tty
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +25,7 @@ from pymodbus.simulator import DataType, SimData, SimDevice
 from labcal.bench import open_bench
 from labcal.bench.clock import RealClock
 from labcal.bench.links import open_link
-from labcal.bench.links.modbus import ModbusLink
+from labcal.bench.links.modbus import ModbusLink, modbus_link
 from labcal.errors import InputError, InstrumentError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -103,15 +103,15 @@ class SlowLine:
                 host.sendall(data)
 
 
-@pytest.fixture
-def registers() -> Iterator[int]:
-    """A real pymodbus RTU server on a TCP port whose register n holds n."""
+@contextmanager
+def serving_registers(framer: FramerType) -> Iterator[int]:
+    """A real pymodbus server on a TCP port whose register n holds n."""
     ready, loop = threading.Event(), asyncio.new_event_loop()
     found: list[int] = []
 
     async def run() -> None:
         device = SimDevice(1, [SimData(0, values=list(range(100)), datatype=DataType.REGISTERS)])
-        server = ModbusTcpServer(device, framer=FramerType.RTU, address=("127.0.0.1", 0))
+        server = ModbusTcpServer(device, framer=framer, address=("127.0.0.1", 0))
         await server.serve_forever(background=True)
         found.append(server.transport.sockets[0].getsockname()[1])
         ready.set()
@@ -126,6 +126,12 @@ def registers() -> Iterator[int]:
     loop.call_soon_threadsafe(stop.set)
     thread.join(5)
     loop.close()
+
+
+@pytest.fixture
+def registers() -> Iterator[int]:
+    with serving_registers(FramerType.RTU) as port:
+        yield port
 
 
 def test_a_bare_client_takes_a_late_reply_for_the_next_answer(registers: int) -> None:
@@ -153,6 +159,35 @@ def test_a_late_reply_is_never_taken_for_the_next_answer(registers: int) -> None
     assert link.read_holding(1, 8, 3) == [8, 9, 10]
     link.close()
     line.join()
+
+
+def test_modbus_tcp_speaks_with_a_real_server() -> None:
+    with serving_registers(FramerType.SOCKET) as port:
+        clock = RealClock()
+        link = modbus_link(open_link(f"modbus-tcp://127.0.0.1:{port}", clock), clock)
+        assert link.read_holding(1, 8, 3) == [8, 9, 10]
+        link.write_register(1, 8, 500)
+        link.write_registers(1, 9, [600, 700])
+        assert link.read_holding(1, 8, 3) == [500, 600, 700]
+        with pytest.raises(InstrumentError, match="exception 2") as caught:
+            link.read_holding(1, 99, 5)
+        assert caught.value.fault == "refused"
+        link.close()
+
+
+def test_a_late_reply_over_modbus_tcp_is_known_by_its_number() -> None:
+    with serving_registers(FramerType.SOCKET) as port:
+        line, clock = SlowLine(port, 0.9), RealClock()
+        tcp = open_link(f"modbus-tcp://127.0.0.1:{line.port}", clock)
+        link = ModbusLink(tcp, clock, framer="socket", timeout_s=0.6, quiet_s=0.0)  # nobody waits for quiet
+        with pytest.raises(InstrumentError):
+            link.read_holding(1, 7, 1)
+        with suppress(InstrumentError):  # the late reply may cost this request, but does not answer it
+            assert link.read_holding(1, 50, 1) == [50]
+        clock.wait_until(clock.now() + 1.0)
+        assert link.read_holding(1, 51, 1) == [51]
+        link.close()
+        line.join()
 
 
 # lost lines

@@ -69,12 +69,12 @@ def test_what_it_refuses_is_said_in_its_words() -> None:
 
 
 def test_in_echo_mode_a_changed_character_is_a_fault() -> None:
-    ask = b"MEAS:CURR?\n"
-    with scripted(KepcoBop, [(ask, [b"MEAS:", b"CURR?\n", b"0.4990\n"])], echo=True) as supply:
+    ask, echoes = b"MEAS:CURR?\n", "emulated://bop?echo=1"
+    with scripted(KepcoBop, [(ask, [b"MEAS:", b"CURR?\n", b"0.4990\n"])], link=echoes) as supply:
         assert supply.measure_current() == 0.499
     with (
-        scripted(KepcoBop, [(ask, b"MEAS:CUR2?\n0.4990\n")], echo=True) as supply,
-        pytest.raises(InstrumentError, match="echoed"),
+        scripted(KepcoBop, [(ask, b"MEAS:CUR2?\n0.4990\n")], link=echoes) as supply,
+        pytest.raises(InstrumentError, match="came back"),
     ):
         supply.measure_current()
 
@@ -99,7 +99,7 @@ def test_a_late_reply_is_dropped_before_the_next_question() -> None:
     wire = [(b"MEAS:CURR?\n", [b"0.1000\n", b"0.9999\n"]), (b"CURR?\n", b"0.2000\n")]
     with scripted(KepcoBop, wire) as supply:
         assert supply.measure_current() == 0.1
-        supply._clock.wait_until(1.0)
+        supply._scpi.clock.wait_until(1.0)
         assert supply.set_point() == 0.2
 
 

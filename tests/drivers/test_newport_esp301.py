@@ -52,8 +52,8 @@ def test_a_rate_that_is_not_taken_ends_the_move_before_it_begins() -> None:
 
 
 def test_done_off_the_target_is_not_arrived() -> None:
-    wire = [*MOVE, (b"1MD?\r", b"0\r\n"), (b"1TP\r", b"12.3\r\n"), FINE,
-            (b"1MD?\r", b"1\r\n"), (b"1TP\r", b"30.4000\r\n"), FINE]  # fmt: skip
+    wire = [*MOVE, (b"1MD?\r", b"0\r\n"), FINE, (b"1MD?\r", b"1\r\n"), FINE,
+            (b"1TP\r", b"30.4000\r\n")]  # fmt: skip
     with scripted(Esp301Stage, wire) as stage:
         stage.move_to(30.5, 6.0)
         assert stage.moving()
@@ -63,7 +63,7 @@ def test_done_off_the_target_is_not_arrived() -> None:
 
 
 def test_done_on_the_target_is_arrived() -> None:
-    wire = [*MOVE, (b"1MD?\r", b"1\r\n"), (b"1TP\r", b"30.4990\r\n"), FINE]
+    wire = [*MOVE, (b"1MD?\r", b"1\r\n"), FINE, (b"1TP\r", b"30.4990\r\n")]
     with scripted(Esp301Stage, wire) as stage:
         stage.move_to(30.5, 6.0)
         assert not stage.moving()

@@ -201,7 +201,7 @@ def ask_once(connection: Connection, order: str, **what: Any) -> Any:
 def found(urls: Iterable[str]) -> Connection | None:
     """A connection to the guardian that holds any of these ports; None where there is none (yet)."""
     for url in urls:
-        if card := ports.holder(url):
+        if "address" in (card := ports.holder(url) or {}):
             with suppress(FileNotFoundError, ConnectionRefusedError, socket.timeout):
                 return Connection(card)
     return None

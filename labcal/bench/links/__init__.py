@@ -10,7 +10,7 @@ from labcal.errors import InputError
 
 __all__ = ["EmulatedLink", "Emulator", "Link", "Nobody", "WiredLink", "open_link", "read_reply"]
 
-SCHEMES = ("serial", "tcp", "udp", "modbus-rtu", "modbus-tcp", "manual")
+SCHEMES = ("serial", "tcp", "udp", "usbtmc", "modbus-rtu", "modbus-tcp", "manual")
 
 
 class Nobody:

@@ -6,6 +6,7 @@ from typing import Protocol
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.deny import DenyList
+from labcal.bench.links.echo import Echo
 from labcal.bench.links.line import read_reply
 
 
@@ -29,19 +30,22 @@ class EmulatedLink:
     def __init__(self, url: str, emulator: Emulator, clock: Clock) -> None:
         self.url, self._emulator, self._clock = url, emulator, clock
         self.never = DenyList()
+        self._echo = Echo(url) if "echo=1" in url else None
         self._arrived: list[tuple[float, bytes]] = []
 
     def send(self, data: bytes) -> None:
         """Put bytes on the line."""
         self.never.check(self.url, data)
+        if self._echo is not None:
+            self._echo.sent(data)
         self._emulator.take(self._clock.now(), data)
 
     def receive(self, until_s: float) -> list[tuple[float, bytes]]:
         """All that the emulator sent up to `until_s`; waits on the clock."""
         self._clock.wait_until(until_s)
-        pieces = self._arrived + self._emulator.emit(self._clock.now())
-        self._arrived = []
-        return pieces
+        arrived, self._arrived = self._arrived, []
+        emitted = self._emulator.emit(self._clock.now())
+        return arrived + (emitted if self._echo is None else self._echo.taken_off(emitted))
 
     def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
         """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""

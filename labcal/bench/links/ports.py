@@ -7,12 +7,14 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Iterable
+import time
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import IO, Any
 
 from labcal.errors import InstrumentError
 
+PATIENCE_S = 0.3  # who only looks whether a port is held holds it for a moment
 _held: dict[str, IO[str]] = {}
 
 
@@ -58,9 +60,7 @@ def let_go() -> None:
 def announce(card: dict[str, Any]) -> None:
     """Write into the locks of this process how its owner is reached."""
     for file in _held.values():
-        file.truncate(0)
-        file.write(json.dumps(card))
-        file.flush()
+        _write(file, card)
 
 
 def holder(url: str) -> dict[str, Any] | None:
@@ -78,14 +78,37 @@ def holder(url: str) -> dict[str, Any] | None:
             return {}
 
 
-def refuse_if_held(url: str) -> None:
-    """Raise InstrumentError (in use) where another process holds this port."""
-    if (card := holder(url)) is not None:
-        raise InstrumentError(
-            f"{url}: a guardian (process {card.get('pid', 'unknown')}) holds this port.",
-            fault="in use",
-            remedy="End the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.",
-        )
+def claim(url: str) -> Callable[[], None]:
+    """Take the lock of this port for one link; returns what gives it back. A port that this process holds needs none.
+
+    Raises InstrumentError (in use), naming who holds it.
+    """
+    port = port_of(url)
+    if port in _held:
+        return lambda: None
+    file, deadline = _lock_file(port).open("a+", encoding="utf-8"), time.monotonic() + PATIENCE_S
+    while not _try_lock(file):
+        if time.monotonic() > deadline:
+            file.close()
+            raise _in_use(url, holder(url) or {})
+        time.sleep(0.01)
+    _write(file, {"pid": os.getpid(), "program": " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])})
+    return file.close
+
+
+def _in_use(url: str, card: dict[str, Any]) -> InstrumentError:
+    program = f"{card['program']!r}" if "program" in card else "a guardian"
+    return InstrumentError(
+        f"{url}: {program} (process {card.get('pid', 'unknown')}) holds this port.",
+        fault="in use",
+        remedy="End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.",
+    )
+
+
+def _write(file: IO[str], card: dict[str, Any]) -> None:
+    file.truncate(0)
+    file.write(json.dumps(card))
+    file.flush()
 
 
 def _lock_file(port: str) -> Path:

@@ -1,8 +1,11 @@
-"""serial://, tcp://, udp://: real lines. A line that is lost stays lost until it is opened again on purpose."""
+"""serial://, tcp://, udp://, usbtmc://: real lines. One that is lost stays lost until it is opened again on purpose."""
 
 from __future__ import annotations
 
+import errno
 import socket
+import sys
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Protocol
 from urllib.parse import parse_qsl, urlsplit
@@ -11,12 +14,15 @@ import serial
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.deny import DenyList
+from labcal.bench.links.echo import Echo
 from labcal.bench.links.line import read_reply
-from labcal.bench.links.ports import refuse_if_held
+from labcal.bench.links.ports import claim
+from labcal.bench.links.usbtmc import UsbtmcPort
 from labcal.errors import InputError, InstrumentError
 
-OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms")
+OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms", "echo")
 CONNECT_S = 3.0
+BUSY = (errno.EAGAIN, errno.EBUSY, errno.EADDRINUSE)
 DATAGRAM_BUFFER = 4 << 20  # what comes while nobody looks is lost beyond this (Linux caps it at rmem_max)
 
 
@@ -39,7 +45,10 @@ class Port(Protocol):
 
 
 class WiredLink:
-    """A Link on a real port. `gap_ms` in the URL: the least pause before a request after anything on the line."""
+    """A Link on a real port, which is its alone as long as it is open.
+
+    In the URL, `gap_ms` is the least pause before a request after anything on the line, `echo=1` an adapter's echo.
+    """
 
     emulated = False
 
@@ -48,9 +57,11 @@ class WiredLink:
         self._options, self._address = _split(url)
         self._gap_s = float(self._options.get("gap_ms", "0")) / 1000
         self.never = DenyList()
+        self._echo = Echo(url) if self._options.get("echo") == "1" else None
         self._arrived: list[tuple[float, bytes]] = []
         self._last_s = -1e9
         self._port: Port | None = None
+        self._give_back_port: Callable[[], None] = lambda: None
         self._failure: OSError | None = None
         self.reopen()
         clock.while_waiting(self._look)
@@ -58,11 +69,14 @@ class WiredLink:
     def reopen(self) -> None:
         """Open the port, again where it was lost. Who asks must then ask the instrument who it is."""
         self.close()
-        refuse_if_held(self.url)
+        self._give_back_port = claim(self.url)
         self._arrived, self._failure = [], None
+        if self._echo is not None:
+            self._echo.forget()
         try:
             self._port = _open(self.url, self._address, self._options)
         except (OSError, ValueError) as error:
+            self.close()
             raise self._lost(error) from error
 
     def send(self, data: bytes) -> None:
@@ -71,6 +85,8 @@ class WiredLink:
         self._clock.wait_until(self._last_s + self._gap_s)
         try:
             self._open_port().write(data)
+            if self._echo is not None:
+                self._echo.sent(data)
         except OSError as error:
             self.close()
             raise self._lost(error) from error
@@ -83,7 +99,7 @@ class WiredLink:
         if self._port is None and not self._arrived:
             raise self._lost(self._failure)
         pieces, self._arrived = self._arrived, []
-        return pieces
+        return pieces if self._echo is None else self._echo.taken_off(pieces)
 
     def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
         """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
@@ -105,6 +121,8 @@ class WiredLink:
             with suppress(OSError):
                 self._port.close()
         self._port = None
+        self._give_back_port()
+        self._give_back_port = lambda: None
 
     def _look(self) -> None:
         """Take in what has arrived. A line that is lost is told to whoever uses it next, not to who waits now."""
@@ -124,6 +142,9 @@ class WiredLink:
 
     def _lost(self, error: Exception | None) -> InstrumentError:
         why = f" ({error})" if error else ""
+        if isinstance(error, OSError) and error.errno in BUSY:
+            remedy = "End that program, then begin this step again."
+            return InstrumentError(f"{self.url}: another program has opened it{why}.", fault="in use", remedy=remedy)
         return InstrumentError(
             f"{self.url}: the link is lost{why}.",
             fault="link lost",
@@ -146,6 +167,7 @@ class SerialPort:
             rtscts=options.get("rtscts") == "1",
             timeout=0,
             write_timeout=2,
+            **({"exclusive": True} if "://" not in address and sys.platform != "win32" else {}),
         )
         self.byte_s = 0.0 if "://" in address else 10 / baud
 
@@ -227,6 +249,8 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
     scheme = url.split("://", 1)[0]
     if scheme in ("serial", "modbus-rtu"):
         return SerialPort(address, options)
+    if scheme == "usbtmc":
+        return UsbtmcPort(address)
     place = urlsplit(f"//{address}")
     port = place.port or (502 if scheme == "modbus-tcp" else None)
     if port is None:

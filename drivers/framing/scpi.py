@@ -1,0 +1,80 @@
+"""SCPI over one line: questions, commands whose errors are asked for, and no late reply taken for the next one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from labcal.bench.clock import Clock
+from labcal.bench.links import Link
+from labcal.bench.roles import Identity
+from labcal.errors import InstrumentError
+
+QUIET_S = 0.3  # after a reply that did not come in time: so long must nothing come
+LONGEST_QUEUE = 64
+FLOW = b"\x11\x13"  # XON, XOFF that an adapter let through
+NAK = b"\x15"  # of a Kepco whose input queue overran
+
+
+@dataclass
+class Scpi:
+    """`gap_s`: the least pause after each message. `errors`: what asks for the oldest error in its queue."""
+
+    name: str
+    link: Link
+    clock: Clock
+    timeout_s: float
+    gap_s: float = 0.0
+    errors: str = "SYST:ERR?"
+    _free_s: float = field(default=float("-inf"), init=False)
+    _late: bool = field(default=False, init=False)  # a reply may still be on its way
+
+    def query(self, text: str) -> str:
+        """Ask and return the reply. Raises InstrumentError: silent, or refused where the question was lost."""
+        self.send(text)
+        self._late = True
+        reply = self.link.ask(b"", end=b"\n", timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
+        self._late, self._free_s = False, self.clock.now() + self.gap_s
+        if NAK in reply:
+            raise InstrumentError(f"{self.name}: it lost {text!r}: its input queue overran.", fault="refused")
+        return reply.decode("ascii", "replace")
+
+    def command(self, text: str) -> None:
+        """Tell, then ask for errors. Raises InstrumentError with what the supply says."""
+        self.send(text)
+        if not _none(error := self.query(self.errors)):
+            raise refused(self.name, text, error)
+
+    def send(self, text: str) -> None:
+        """Tell, once it is ready to hear; what was left on the line is dropped."""
+        self.clock.wait_until(self._free_s)
+        self.link.flush()
+        while self._late and self.link.receive(self.clock.now() + QUIET_S):
+            pass
+        self._late = False
+        self.link.send(text.encode() + b"\n")
+        self._free_s = self.clock.now() + self.gap_s
+
+    def identify(self, fits: Callable[[str, str], bool], kind: str) -> Identity:
+        """Who it says it is. Raises InstrumentError where maker and model do not fit: it is no `kind`."""
+        maker, model, serial, firmware = (*map(str.strip, self.query("*IDN?").split(",")), "", "", "")[:4]
+        if not fits(maker.upper(), model):
+            raise InstrumentError(f"{self.name}: {maker} {model} answered, not {kind}.", fault="another instrument")
+        return Identity(maker, model, serial, firmware)
+
+    def empty_errors(self) -> None:
+        """Read away the errors of the time before. Raises InstrumentError where its queue has no end."""
+        for _ in range(LONGEST_QUEUE):
+            if _none(error := self.query(self.errors)):
+                return
+        raise InstrumentError(f"{self.name}: its queue of errors has no end: {error}.", fault="wrong reply")
+
+
+def refused(name: str, text: str, why: str) -> InstrumentError:
+    """The error for a command that a supply did not take."""
+    remedy = "Coils go to zero; look at the supply's panel."
+    return InstrumentError(f"{name}: {text!r} failed: {why}.", fault="refused", remedy=remedy)
+
+
+def _none(error: str) -> bool:
+    return error.startswith(("0,", "+0,"))
