@@ -96,7 +96,8 @@ class EchoingDevice:
 def modbus_over_echo(options: str) -> list[int]:
     with terminal() as (master, path):
         device, clock = EchoingDevice(master, [rtu("0103 02 0007")]), RealClock()
-        link = ModbusLink(open_link(f"modbus-rtu://{path}{options}", clock), clock, timeout_s=10.0 if options else 0.3, quiet_s=0.1)
+        patience_s = 10.0 if options else 0.3
+        link = ModbusLink(open_link(f"modbus-rtu://{path}{options}", clock), clock, timeout_s=patience_s, quiet_s=0.1)
         try:
             return link.read_holding(1, 7, 1)
         finally:
