@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,14 +12,16 @@ from labcal.fit.observations import SCALAR
 from labcal.loop.bins import binned
 from labcal.loop.correlation import correlation_s, follows_itself
 from labcal.loop.decide import Cause, forward, looks, refined
+from labcal.loop.findings import findings
 from labcal.loop.floor import Floor, floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan, rms
 from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
+from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
-from labcal.loop.result import ClosedLoop, Errors, Pictures, Verdict
+from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
 from labcal.loop.search import Candidate, Search, Weighed, expand
 from labcal.loop.setaside import at_rail, farness, outliers
-from labcal.loop.words import next_experiment, summary, why, why_not
+from labcal.loop.words import in_doubt, next_experiment, summary, why, why_not
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
 from labcal.record import Run
@@ -45,6 +47,8 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     """Find the residual of `run`, trace it, and say what it is. Raises InputError where the run says too little."""
     progress("fitting the base model")
     problem, level, stuck = prepared(run)
+    if (finding := doubt(problem, level)) is not None:
+        return doubted(run, problem, level, stuck, finding)
     progress("weighing every effect")
     search = searched(run, problem)
     progress("holding out blocks of time")
@@ -60,6 +64,17 @@ def searched(run: Run, problem: Problem, only: Cause | None = None) -> Search:
     if only is not None:
         search = search.among([c for c in search.candidates if c.cause == only])
     return _without_outliers(search)
+
+
+def doubted(run: Run, problem: Problem, level: Floor, stuck: int, finding: Finding) -> ClosedLoop:
+    """The result where the data are wrong in themselves: no effect is searched in them."""
+    rows = np.ones(len(problem), dtype=bool)
+    search = Search(problem, [], rows, _lowest(run), rows)
+    blocks = plan(problem, 0.0)
+    honest = held_out(search, blocks, _always(()))
+    found = Evidence(search, (), (), (), honest, (), level, blocks, 0.0)
+    base = refit(problem, [])
+    return replace(_result(run, found, base, base, {"outliers": 0, "saturation": stuck}), **in_doubt(finding))
 
 
 def weighed(search: Search, level: Floor) -> Evidence:
@@ -234,7 +249,7 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
     verdict = _verdict(found, aside, len(problem))
     accepted = [*_of_the_data(aside, problem, verdict, found.far), *_records(found, after)]
-    affine = problem.affine
+    affine, noticed = problem.affine, findings(run, problem, found.level)
     return ClosedLoop(
         run_id=run.run_id,
         residual_kind=problem.kind,
@@ -253,6 +268,8 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         covariance=_covariance(after),
         frame_known=not bool((problem.seen.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
+        findings=noticed,
+        remarks=tuple(finding.says for finding in noticed),
         pictures=pictured(before.problem, after.problem),
     )
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.fit import Fit
 from labcal.model import AffineMap, EffectRecord
+from labcal.model.calibration import Owner
 
 Array = NDArray[np.float64]
 Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexplained"]
@@ -32,6 +33,15 @@ class NextExperiment:
     why: str
     do: str
     procedure: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """Something about the data or the lab that is not an effect of the list, for people: its kind and a sentence."""
+
+    kind: str
+    belongs_to: Owner
+    says: str
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,7 +76,8 @@ class ClosedLoop:
     frame_known: bool
     noise_nT: float  # standard deviation of one axis of one reading
     pictures: Pictures
-    remarks: tuple[str, ...] = ()  # the residual's tests and other findings, in words
+    findings: tuple[Finding, ...] = ()
+    remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
 
     @property
     def done(self) -> bool:
@@ -106,6 +117,7 @@ class ClosedLoop:
             "verdict": self.verdict,
             "summary": self.summary,
             "next_experiment": None if self.next_experiment is None else asdict(self.next_experiment),
+            "findings": [asdict(finding) for finding in self.findings],
         }
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from labcal.loop.experiments import between
 from labcal.loop.holdout import HeldOut
-from labcal.loop.result import NextExperiment, Verdict
+from labcal.loop.result import Finding, NextExperiment, Verdict
 from labcal.loop.search import NAMED, Candidate, Weighed
 from labcal.model.effects import family
 
@@ -29,6 +29,17 @@ def summary(found: Evidence, verdict: Verdict, aside: dict[str, int]) -> str:
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
     return sentences[verdict] + (f" {rows}." if rows else "")
+
+
+def in_doubt(finding: Finding) -> dict[str, Any]:
+    """What a result says where the data themselves are wrong."""
+    return {
+        "verdict": "unexplained",
+        "summary": f"{finding.says} No effect was searched in such data.",
+        "next_experiment": NextExperiment(finding.says, "put the bundle or the wiring right, and close the loop again"),
+        "findings": (finding,),
+        "remarks": (finding.says,),
+    }
 
 
 def why(step: HeldOut, own: Weighed) -> str:

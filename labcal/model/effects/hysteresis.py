@@ -43,8 +43,14 @@ def dahl(drive: Array, width: float) -> Array:
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """The loops z(s_i) along each sensor axis: Dahl's where the form has a width, else stops of its thresholds."""
+    """The loops z(s_i) along each sensor axis: Dahl's where the form has a width, else stops of its thresholds.
+
+    Against a vector reference s is the reference's: the reading's own noise would drive the loop, and in a field that
+    stands still be taken off by it.
+    """
     s = scene.along_axes_nT
+    if scene.rig is not None:
+        s = np.asarray(np.linalg.solve(scene.axes, scene.rig.prediction_nT.T).T)
     if any(shape.name == "w_nT" for shape in form.shape):
         loops = [_by_segment(scene, s, partial(dahl, width=form.at("w_nT")))]
     else:
