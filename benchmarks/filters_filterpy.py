@@ -43,7 +43,9 @@ def slope(x: np.ndarray, B: np.ndarray) -> np.ndarray:
 
 def variance(x: np.ndarray, B: np.ndarray, H: float) -> float:
     """σ²(x), (5b)."""
-    return float(scalar_check.noise_variance(B[None], np.array([H]), x, SIGMA**2 * np.eye(3))[0])
+    return float(
+        scalar_check.noise_variance(scalar_check.regressor(B[None]), np.array([H]), x, SIGMA**2 * np.eye(3))[0]
+    )
 
 
 def theirs_extended(x: np.ndarray, P: np.ndarray) -> Callable[[np.ndarray, float], None]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import pickle
 import tempfile
 import time
+import warnings
 from collections.abc import Callable
 from contextlib import redirect_stdout
 from io import StringIO
@@ -22,14 +23,17 @@ from magyc.benchmark_methods.twostep import twostep_hsi
 
 from labcal.fit import twostep
 
-ROUNDS, SAMPLES, NOISE_G = 9, 1000, 0.003
+ROUNDS, SAMPLES, NT = 9, 1000, 1e-5  # one nanotesla in gauss
+THEIR_NOISE_G = 0.003
+Data = list[tuple[np.ndarray, np.ndarray, np.ndarray]]
 
 
-def theirs() -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def theirs() -> Data:
     """Noisy readings, noiseless readings and the field (3,) [G] of magyc's synthetic data, much motion."""
+    np.random.seed(0)  # noqa: NPY002, its generator draws from the global one
     with tempfile.TemporaryDirectory() as folder:
         with redirect_stdout(StringIO()):
-            create_synthetic_dataset(Path(folder), niter=ROUNDS, nsamples=SAMPLES, mag_noise_G=NOISE_G)
+            create_synthetic_dataset(Path(folder), niter=ROUNDS, nsamples=SAMPLES, mag_noise_G=THEIR_NOISE_G)
         data = pickle.loads(next(Path(folder).glob("*.pkl")).read_bytes())
     high = data["high"]
     return [
@@ -37,8 +41,8 @@ def theirs() -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
     ]
 
 
-def ours() -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """The same of a sensor turned about its three axes in 0.5 G, noise a third of theirs."""
+def ours(noise_G: float) -> Data:
+    """The same of a sensor turned about its three axes in 0.5 G."""
     out = []
     turn = np.linspace(0, 2 * np.pi, SAMPLES // 3 + 1)[:-1]
     across = np.sin(1.2) * np.column_stack([np.cos(turn), np.sin(turn)])
@@ -47,7 +51,7 @@ def ours() -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
     soft = np.array([[1.05, 0.02, -0.01], [0.02, 0.97, 0.015], [-0.01, 0.015, 1.02]])
     clean = field @ soft + [0.02, 0.05, -0.03]
     for seed in range(ROUNDS):
-        noise = NOISE_G / 3 * np.random.default_rng(seed).standard_normal(clean.shape)
+        noise = noise_G * np.random.default_rng(seed).standard_normal(clean.shape)
         out.append((clean + noise, clean, np.array([0.5, 0, 0])))
     return out
 
@@ -68,13 +72,18 @@ def calibrate_labcal(reading: np.ndarray, field: np.ndarray, noise: float) -> np
 def measure(
     calibrate: Callable[..., np.ndarray], reading: np.ndarray, clean: np.ndarray, field: np.ndarray, noise: float
 ) -> tuple[float, float]:
-    """Seconds, and the rms error of the magnitude [G] left on noiseless readings; infinite where there is no answer."""
-    start = time.perf_counter()
-    try:
-        corrected = calibrate(reading, field, noise)
-    except (ArithmeticError, np.linalg.LinAlgError):
-        corrected = np.full_like(reading, np.nan)
-    seconds = time.perf_counter() - start
+    """Processor seconds, and the rms error of the magnitude [G] left on noiseless readings.
+
+    The seconds are the best of three; the error is infinite where there is no answer.
+    """
+    seconds = np.inf
+    for _ in range(3):
+        start = time.process_time()
+        try:
+            corrected = calibrate(reading, field, noise)
+        except (ArithmeticError, np.linalg.LinAlgError):
+            corrected = np.full_like(reading, np.nan)
+        seconds = min(seconds, time.process_time() - start)
     if not np.isfinite(corrected).all():
         return seconds, float("inf")
     design = np.column_stack([reading, np.ones(len(reading))])
@@ -85,14 +94,17 @@ def measure(
 
 def main() -> None:
     """Print one line for each data set."""
-    sets = ("magyc's synthetic data", theirs(), NOISE_G), ("three axes, 0.5 G", ours(), NOISE_G / 3)
+    warnings.simplefilter("ignore", RuntimeWarning)  # magyc's roots of negative numbers
+    sets = [("magyc's synthetic data", theirs(), THEIR_NOISE_G)]
+    sets += [(f"three axes in 50 000 nT, noise {noise} nT", ours(noise * NT), noise * NT) for noise in (1, 5, 25, 100)]
     for name, data, noise in sets:
         rows = [[measure(f, *run, noise) for f in (calibrate_magyc, calibrate_labcal)] for run in data]
-        (slow, fast), (before, after) = np.median(np.array(rows), axis=0).T
-        good = np.sum(np.array(rows)[:, :, 1] < 0.01, axis=0)
+        times, errors = np.moveaxis(np.array(rows), 2, 0)
+        (slow, fast), (before, after) = np.median(times, axis=0) * 1e3, np.median(errors, axis=0) / NT
+        good = " and ".join(map(str, np.sum(errors < 1000 * NT, axis=0)))
         print(
-            f"{name}: magyc {slow * 1e3:.1f} ms, labcal {fast * 1e3:.2f} ms, ratio {slow / fast:.0f}; magnitude error "
-            f"{before * 1e5:.1f} nT against {after * 1e5:.1f} nT; within 1000 nT {good[0]} and {good[1]} of {len(rows)}"
+            f"{name}: magyc {slow:.1f} ms, labcal {fast:.2f} ms, ratio {np.median(times[:, 0] / times[:, 1]):.0f}; "
+            f"magnitude error {before:.2f} nT against {after:.2f} nT; within 1000 nT {good} of {ROUNDS}"
         )
 
 

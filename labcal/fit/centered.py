@@ -37,14 +37,13 @@ def estimate(
 
     `noise` (3, 3) is the covariance of a reading, `reference_noise` the standard deviation of a magnitude. With
     `unbiased` False the noise's share of the moments stays in, as published; an estimate `near` the solution spares
-    passes. Raises ArithmeticError where the readings
-    do not determine nine parameters (unless published).
+    passes. Raises ArithmeticError where the readings do not determine nine parameters (unless published).
     """
     unit = float(np.sqrt(np.mean(magnitude**2)))
-    reading, magnitude = reading / unit, magnitude / unit
+    L, magnitude = scalar_check.regressor(reading / unit), magnitude / unit
     c_E = np.zeros(9) if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
     for _ in range(PASSES if near is None else 1):
-        found = moments(reading, magnitude, c_E, noise / unit**2, reference_noise / unit)
+        found = moments(L, magnitude, c_E, noise / unit**2, reference_noise / unit)
         c_E, covariance = solve(found, unbiased=unbiased)
     return scalar_check.from_c_E(c_E, covariance).in_unit(unit)
 

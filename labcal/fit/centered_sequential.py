@@ -18,6 +18,7 @@ from labcal.fit.moments import Moments, moments, noise_part
 from labcal.fit.result import Fit
 from labcal.fit.scalar_check import Estimate
 from labcal.fit.scalar_run import Scalars, as_fit, noise_scale, scalars
+from labcal.fit.scalar_step import terms
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -53,20 +54,25 @@ class State:
         return cls(found.L, found.z, found.variance, covariance @ found.projection, np.asarray(covariance))
 
 
-def advance(state: State, L: Array, z: float, variance: float) -> State:
-    """One sample more: regressor `L` (9,), observation less its noise mean `z`, and σ², (19) to (22)."""
+def advance(state: State, L: Array, z: float, variance: float) -> tuple[State, float]:
+    """One sample more, and its innovation squared over what it was expected to be, (19) to (22).
+
+    `L` (9,) is its regressor, `z` its observation less the noise mean, `variance` σ².
+    """
     both = variance + state.variance
     ahead = L - state.L
     gain = state.covariance @ ahead
-    gain_scaled = gain / (ahead @ gain + both)
-    innovation = z - state.z - ahead @ state.c_E
-    return State(
-        state.L + state.variance / both * ahead,
-        state.z + state.variance / both * (z - state.z),
-        state.variance * variance / both,
-        state.c_E + gain_scaled * innovation,
-        state.covariance - gain_scaled[:, None] * gain,
+    expected = float(ahead @ gain) + both
+    innovation = z - state.z - float(ahead @ state.c_E)
+    share = state.variance / both
+    after = State(
+        state.L + share * ahead,
+        state.z + share * (z - state.z),
+        share * variance,
+        state.c_E + gain * (innovation / expected),
+        state.covariance - (gain / expected)[:, None] * gain,
     )
+    return after, innovation * innovation / expected
 
 
 class CenteredSequential:
@@ -90,16 +96,13 @@ class CenteredSequential:
             if begun is not None:
                 self._begin(*begun)
             return
-        at, noise = self._state.c_E, self._noise
-        B, H = np.asarray(reading)[None] / self._unit, np.array([magnitude / self._unit])
-        variance = scalar_check.noise_variance(B, H, at, noise, self._reference_noise)
-        z = scalar_check.observation(B, H) - scalar_check.noise_mean(at, noise)
-        L, before = scalar_check.regressor(B)[0], self._state
-        ahead, innovation = L - before.L, z[0] - before.z
-        expected = ahead @ before.covariance @ ahead + variance[0] + before.variance
+        c_E, unit = self._state.c_E, self._unit
+        at = terms(c_E, reading / unit, magnitude / unit, self._noise, self._reference_noise)
+        L = np.array(at.regressor)
+        z = at.innovation + float(L @ c_E) - at.square
+        self._state, surprise = advance(self._state, L, z, at.variance)
         self._steps += 1
-        self._surprise += float((innovation - ahead @ at) ** 2 / expected)
-        self._state = advance(before, L, float(z[0]), float(variance[0]))
+        self._surprise += surprise
 
     def estimate(self) -> Estimate:
         """Bias and D so far, the noise's share taken off. Raises ArithmeticError while undetermined."""
@@ -117,6 +120,6 @@ class CenteredSequential:
     def _begin(self, seen: Scalars, found: Estimate) -> None:
         self._unit = unit = float(np.sqrt(np.mean(seen.magnitude**2)))
         self._noise, self._reference_noise = seen.noise / unit**2, seen.reference_noise / unit
-        at = scalar_check.to_c_E(found.bias / unit, found.D)
-        first = moments(seen.reading / unit, seen.magnitude / unit, at, self._noise, self._reference_noise)
+        at, L = scalar_check.to_c_E(found.bias / unit, found.D), scalar_check.regressor(seen.reading / unit)
+        first = moments(L, seen.magnitude / unit, at, self._noise, self._reference_noise)
         self._state = State.of(first)

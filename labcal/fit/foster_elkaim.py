@@ -79,7 +79,9 @@ def linear(
     """The linear form, (8), for a field of constant magnitude; the arguments as in `twostep.estimate`."""
     unit = float(np.sqrt(np.mean(magnitude**2)))
     c_E = np.zeros(9) if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
-    found = moments(reading / unit, magnitude / unit, c_E, noise / unit**2, reference_noise / unit)
+    found = moments(
+        scalar_check.regressor(reading / unit), magnitude / unit, c_E, noise / unit**2, reference_noise / unit
+    )
     information, share = (TRACELESS.T @ part @ TRACELESS for part in (found.information, found.noise_information))
     right = TRACELESS.T @ (found.projection - unbiased * found.noise_gradient)
     if unbiased:

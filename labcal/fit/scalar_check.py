@@ -21,6 +21,9 @@ Array = NDArray[np.float64]
 ROW, COLUMN = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])
 MISSING = "turn the sensor about another body axis, or in a field of another magnitude"
 TWICE = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])  # an off-diagonal element stands in a quadratic form twice
+PLACE = np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])  # where a matrix' elements stand among the six
+PERFECT = np.repeat([0.0, 1.0, 0.0], 3)  # c and M = I + E of a perfect sensor
+SYMMETRIC = np.eye(6)[:, PLACE]  # (6, 3, 3): the symmetric matrices of the six unit vectors
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,24 +52,23 @@ def stacked(symmetric: Array) -> Array:
 
 def unstacked(six: Array) -> Array:
     """The symmetric matrix (3, 3) of six numbers."""
-    out = np.empty((3, 3))
-    out[ROW, COLUMN] = out[COLUMN, ROW] = six
-    return out
+    return np.asarray(six[PLACE])
 
 
 def regressor(reading: Array) -> Array:
     """L = [2 Bᵀ, −S] (n, 9) for readings (n, 3), (2c) and (4a)."""
-    x, y, z = reading.T
-    out = np.empty((len(reading), 9))
-    out[:, :3] = 2 * reading
-    for column, product in enumerate((x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z), start=3):
-        np.negative(product, out[:, column])
-    return out
+    out = np.empty((9, len(reading)))
+    x, y, z = np.multiply(reading.T, 2, out=out[:3])
+    for row, (a, b) in enumerate(((x, x), (y, y), (z, z), (x, y), (x, z), (y, z)), start=3):
+        np.multiply(a, b, out=out[row])
+    out[3:6] *= -0.25
+    out[6:] *= -0.5
+    return out.T
 
 
-def observation(reading: Array, magnitude: Array) -> Array:
-    """Z = |B|² − |H|² (n,), (3a)."""
-    return np.asarray(np.einsum("ij,ij->i", reading, reading) - magnitude**2)
+def observation(L: Array, magnitude: Array) -> Array:
+    """Z = |B|² − |H|² (n,), (3a), from the regressors of the readings (n, 9), which hold the squares of B."""
+    return np.asarray(-(L[:, 3] + L[:, 4] + L[:, 5] + magnitude * magnitude))
 
 
 def noise_mean(c_E: Array, noise: Array) -> float:
@@ -74,20 +76,22 @@ def noise_mean(c_E: Array, noise: Array) -> float:
 
     (5a) prints −Tr Σ; by (1) the reading contains the noise, so v = 2 hᵀε + |ε|².
     """
-    return float(np.sum(noise * (np.eye(3) + unstacked(c_E[3:]))))
+    return float(np.vdot(noise, unstacked(c_E[3:] + PERFECT[3:])))
 
 
-def noise_variance(reading: Array, magnitude: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Array:
-    """Variance of v (n,), (5b), for the covariance `noise` (3, 3) of the reading.
+def noise_variance(L: Array, magnitude: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Array:
+    """Variance of v (n,), (5b), from the regressors (n, 9), for the covariance `noise` (3, 3) of the reading.
 
     `reference_noise`, the standard deviation of |H|, is not in (5b). The direction of h comes from the reading, its
     length from |H|: weights that share the reading's noise would bias the estimate.
     """
-    M = np.eye(3) + unstacked(c_E[3:])
-    u = reading @ M - c_E[:3]
-    square = np.einsum("ij,ij->i", u - c_E[:3], reading) + bias_square(c_E)[0]
-    of_reading = np.einsum("ij,ij->i", u @ noise, u) * magnitude**2 / square
-    return np.asarray(4 * (of_reading + (reference_noise * magnitude) ** 2) + 2 * np.sum((noise @ M) * (noise @ M).T))
+    c, c_M = c_E[:3], c_E + PERFECT
+    M = unstacked(c_M[3:])
+    MS = M @ noise
+    of_noise = c @ noise @ c - L @ np.concatenate([MS @ c, stacked(MS @ M)])  # uᵀSu
+    of_reading = of_noise / (bias_square(c_E)[0] - L @ c_M)  # over |(I + D) B − b|²
+    of_square = 2 * float(np.vdot(MS, MS.T))
+    return np.asarray(4 * (of_reading + reference_noise**2) * (magnitude * magnitude) + of_square)
 
 
 def to_c_E(bias: Array, D: Array) -> Array:
@@ -97,11 +101,11 @@ def to_c_E(bias: Array, D: Array) -> Array:
 
 def to_b_D(c_E: Array) -> tuple[Array, Array]:
     """B (3,) and D (3, 3) of θ' (9,), (6) to (9). Raises ArithmeticError where I + E is not positive definite."""
-    values, vectors = np.linalg.eigh(np.eye(3) + unstacked(c_E[3:]))
+    values, vectors = np.linalg.eigh(unstacked(c_E[3:] + PERFECT[3:]))
     if not values[0] > 0:
         raise ArithmeticError(f"I + E is not positive definite, so no real scale factors belong to it: {MISSING}")
     root = np.sqrt(values)
-    return (vectors / root) @ vectors.T @ c_E[:3], (vectors * (root - 1)) @ vectors.T
+    return vectors @ (c_E[:3] @ vectors / root), (vectors * (root - 1)) @ vectors.T
 
 
 def jacobian(bias: Array, D: Array) -> Array:
@@ -109,12 +113,11 @@ def jacobian(bias: Array, D: Array) -> Array:
 
     Built from dE = 2 dD + D dD + dD D and dc = dD b, which settles the misprint in row 5, column 6 of (13).
     """
+    moved = D @ SYMMETRIC
     out = np.zeros((9, 9))
     out[:3, :3] = np.eye(3) + D
-    for column in range(6):
-        dD = unstacked(np.eye(6)[column])
-        out[:3, 3 + column] = dD @ bias
-        out[3:, 3 + column] = stacked(2 * dD + D @ dD + dD @ D)
+    out[:3, 3:] = (SYMMETRIC @ bias).T
+    out[3:, 3:] = (2 * SYMMETRIC + moved + moved.transpose(0, 2, 1))[:, ROW, COLUMN].T
     return out
 
 
@@ -127,5 +130,21 @@ def from_c_E(c_E: Array, covariance: Array) -> Estimate:
 
 def bias_square(c_E: Array) -> tuple[float, Array]:
     """|b|² = cᵀ (I + E)⁻¹ c and its gradient (9,), (27a) and (27b)."""
-    inner = np.linalg.solve(np.eye(3) + unstacked(c_E[3:]), c_E[:3])
-    return float(inner @ c_E[:3]), np.concatenate([2 * inner, -TWICE * inner[ROW] * inner[COLUMN]])
+    c0, c1, c2, *_ = numbers = c_E.tolist()
+    i0, i1, i2 = inner(numbers)
+    slope = [2 * i0, 2 * i1, 2 * i2, -i0 * i0, -i1 * i1, -i2 * i2, -2 * i0 * i1, -2 * i0 * i2, -2 * i1 * i2]
+    return i0 * c0 + i1 * c1 + i2 * c2, np.array(slope)
+
+
+def inner(c_E: list[float]) -> tuple[float, float, float]:
+    """(I + E)⁻¹ c by cofactors: in plain floats, because the filters need it at every reading."""
+    c0, c1, c2, m00, m11, m22, m01, m02, m12 = c_E
+    m00, m11, m22 = 1 + m00, 1 + m11, 1 + m22
+    a00, a01, a02 = m11 * m22 - m12 * m12, m02 * m12 - m01 * m22, m01 * m12 - m02 * m11
+    a11, a12, a22 = m00 * m22 - m02 * m02, m01 * m02 - m00 * m12, m00 * m11 - m01 * m01
+    determinant = m00 * a00 + m01 * a01 + m02 * a02
+    return (
+        (a00 * c0 + a01 * c1 + a02 * c2) / determinant,
+        (a01 * c0 + a11 * c1 + a12 * c2) / determinant,
+        (a02 * c0 + a12 * c1 + a22 * c2) / determinant,
+    )

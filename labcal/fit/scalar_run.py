@@ -122,8 +122,8 @@ def to_contract(gain: float) -> Array:
 
 def residual(seen: Scalars, found: Estimate) -> Array:
     """The residual of (3b) over its standard deviation (n,)."""
-    c_E = scalar_check.to_c_E(found.bias, found.D)
-    variance = scalar_check.noise_variance(seen.reading, seen.magnitude, c_E, seen.noise, seen.reference_noise)
+    c_E, L = scalar_check.to_c_E(found.bias, found.D), scalar_check.regressor(seen.reading)
+    variance = scalar_check.noise_variance(L, seen.magnitude, c_E, seen.noise, seen.reference_noise)
     field = seen.reading + seen.reading @ found.D - found.bias
     v = np.einsum("ij,ij->i", field, field) - seen.magnitude**2 - scalar_check.noise_mean(c_E, seen.noise)
     return np.asarray(v / np.sqrt(variance))

@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.fit.scalar_check import inner
+
 Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
 
@@ -40,15 +42,10 @@ class Terms(NamedTuple):
 def terms(x: Array, reading: Array, magnitude: float, noise: Array, reference_noise: float) -> Terms:
     """Terms of `reading` (3,) at the state `x` (9,); `noise` (3, 3) is its covariance, one unit throughout."""
     b0, b1, b2 = b = reading.tolist()
-    c0, c1, c2, m00, m11, m22, m01, m02, m12 = x.tolist()
+    c0, c1, c2, m00, m11, m22, m01, m02, m12 = state = x.tolist()
     m00, m11, m22 = 1 + m00, 1 + m11, 1 + m22
     (s00, s01, s02), (_, s11, s12), (_, _, s22) = noise.tolist()
-    a00, a01, a02 = m11 * m22 - m12 * m12, m02 * m12 - m01 * m22, m01 * m12 - m02 * m11
-    a11, a12, a22 = m00 * m22 - m02 * m02, m01 * m02 - m00 * m12, m00 * m11 - m01 * m01
-    determinant = m00 * a00 + m01 * a01 + m02 * a02
-    i0 = (a00 * c0 + a01 * c1 + a02 * c2) / determinant
-    i1 = (a01 * c0 + a11 * c1 + a12 * c2) / determinant
-    i2 = (a02 * c0 + a12 * c1 + a22 * c2) / determinant
+    i0, i1, i2 = inner(state)
     u0 = m00 * b0 + m01 * b1 + m02 * b2 - c0
     u1 = m01 * b0 + m11 * b1 + m12 * b2 - c1
     u2 = m02 * b0 + m12 * b1 + m22 * b2 - c2

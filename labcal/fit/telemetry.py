@@ -181,7 +181,8 @@ def symmetric(a: Array, b: Array) -> Array:
 def first_guess(rows: Rows) -> Array:
     """B and D (9,) without the currents: where TWOSTEP starts, or a perfect sensor."""
     try:
-        c_E = twostep.start(moments(rows.reading, rows.magnitude, np.zeros(9), rows.noise, rows.reference_noise))
+        L = scalar_check.regressor(rows.reading)
+        c_E = twostep.start(moments(L, rows.magnitude, np.zeros(9), rows.noise, rows.reference_noise))
         bias, D = scalar_check.to_b_D(c_E)
     except (ArithmeticError, np.linalg.LinAlgError):
         return np.zeros(9)

@@ -16,6 +16,7 @@ from scipy.linalg.lapack import dpotrf
 
 from labcal.fit.live import LiveFilter, fit_live
 from labcal.fit.result import Fit
+from labcal.fit.scalar_check import PLACE
 from labcal.fit.scalar_step import Terms, shared_gradient, terms
 from labcal.record import Run
 
@@ -24,7 +25,7 @@ Array = NDArray[np.float64]
 ALPHA, BETA = 0.1, 2.0  # the paper's, below (48)
 SPREAD = ALPHA * sqrt(3)  # γ = √(L + λ) with κ = 3 − L, (35) and (36): the same for nine and twelve states
 WEIGHT = 1 / (2 * SPREAD**2)  # (39c)
-SYMMETRIC = np.array([[3, 6, 7], [6, 4, 8], [7, 8, 5]])  # where E's elements stand in the state
+OF_E = 3 + PLACE  # where E's elements stand in the state
 EYE = np.eye(3)
 
 
@@ -43,9 +44,9 @@ def step(
 ) -> tuple[Array, Array, float]:
     """One update with nine states; see `live.Step`. R = σ²(x̂) is added to the innovation's variance, below (47)."""
     at = terms(x, reading, magnitude, noise, reference_noise)
-    root, rise = spread(x, P, at)
-    mean, expected = moments_of(rise)
-    return update(x, P, at, root @ (rise[:9] - rise[9:]), expected + at.variance, mean)
+    root, odd, even = spread(x, P, at)
+    mean, expected = moments_of(odd, even)
+    return update(x, P, at, root @ odd, expected + at.variance, mean)
 
 
 def step_augmented(
@@ -53,13 +54,13 @@ def step_augmented(
 ) -> tuple[Array, Array, float]:
     """One update with twelve states; the noise's sigma points carry v with its mean and variance."""
     at = terms(x, reading, magnitude, noise, reference_noise)
-    root, rise = spread(x, P, at)
+    root, odd, even = spread(x, P, at)
     n = SPREAD * factor(noise)
-    linear = 2 * (np.array(at.u) @ n)
-    square = np.add.reduce(n * ((EYE + x.take(SYMMETRIC)) @ n))
-    mean, expected = moments_of(np.concatenate([rise, square + linear, square - linear]))
+    linear = np.array(at.u) @ n
+    square = np.add.reduce(n * ((EYE + x.take(OF_E)) @ n))
+    mean, expected = moments_of(np.concatenate([odd, 4 * linear]), np.concatenate([even, 2 * square]))
     expected += 4 * (reference_noise * magnitude) ** 2
-    return update(x, P, at, root @ (rise[:9] - rise[9:]), expected, mean - at.mean)
+    return update(x, P, at, root @ odd, expected, mean - at.mean)
 
 
 def factor(covariance: Array) -> Array:
@@ -70,27 +71,23 @@ def factor(covariance: Array) -> Array:
     return np.asarray(root)
 
 
-def spread(x: Array, P: Array, at: Terms) -> tuple[Array, Array]:
-    """γ√P (9, 9), and ζ − ζ(0) (18,) at the sigma points x + its columns, then x − its columns, (33) and (43)."""
+def spread(x: Array, P: Array, at: Terms) -> tuple[Array, Array, Array]:
+    """γ√P (9, 9), and of ζ at the sigma points (33), (43) the differences ζ₊ − ζ₋ (9,) and the rises ζ₊ + ζ₋ − 2 ζ(0).
+
+    ζ₊ stands for x + a column of γ√P, ζ₋ for x − it.
+    """
     root = SPREAD * factor(P)
-    points = np.empty((18, 9))
-    np.add(x, root.T, points[:9])
-    np.subtract(x, root.T, points[9:])
-    c = points[:, :3]
-    inner = np.linalg.solve(EYE + points.take(SYMMETRIC, axis=1), c[:, :, None])[:, :, 0]
-    linear = np.array(at.regressor) @ root
-    rise = at.square - np.einsum("ij,ij->i", inner, c)
-    rise[:9] += linear
-    rise[9:] -= linear
-    return root, rise
+    points = np.concatenate([x + root.T, x - root.T])
+    c = points[:, :3, None]
+    square = np.add.reduce(np.linalg.solve(EYE + points.take(OF_E, axis=1), c) * c, axis=(1, 2))
+    plus, minus = square[:9], square[9:]
+    return root, np.array(at.regressor) @ (2 * root) + minus - plus, 2 * at.square - plus - minus
 
 
-def moments_of(rise: Array) -> tuple[float, float]:
-    """Weighted mean and variance of ζ − ζ(0) at the 2 L sigma points, (42) and (44); at the centre it is zero."""
-    mean = WEIGHT * float(np.add.reduce(rise))
-    states = len(rise) / 2
-    centre = 1 - states / SPREAD**2 + 1 - ALPHA**2 + BETA  # (39b)
-    return mean, WEIGHT * float(rise @ rise) + (centre - 2 + states / SPREAD**2) * mean * mean
+def moments_of(odd: Array, even: Array) -> tuple[float, float]:
+    """Weighted mean and variance of ζ − ζ(0), (39), (42) and (44), from `spread`'s differences and rises."""
+    mean = WEIGHT * float(np.add.reduce(even))
+    return mean, WEIGHT / 2 * float(odd @ odd + even @ even) + (BETA - ALPHA**2) * mean * mean
 
 
 def update(
