@@ -36,7 +36,7 @@ from labcal.bench.steps import (
     to_angle,
 )
 from labcal.errors import LimitNotMet
-from labcal.record.stream import Prompt
+from labcal.record.stream import CLOSURE, Event, Prompt
 from procedures.axes_check import check_axes
 from procedures.sync_check import check_sync
 
@@ -208,7 +208,7 @@ def _turns(bench: Bench, setting: Setting, axis: str, done: frozenset[str]) -> W
     after = yield from _first_position(bench, setting)
     moved = after.moved_from(before, attitude(bench, axis))
     u = float(np.hypot(before.u, after.u))
-    yield from _must_close(bench, f"closure {axis}", float(np.linalg.norm(moved)), u, setting.closure_nT)
+    yield from _closed(bench, f"closure {axis}", float(np.linalg.norm(moved)), u, setting.closure_nT)
 
 
 def _one_turn(
@@ -231,7 +231,7 @@ def _closing(bench: Bench, setting: Setting, first: Array, last: str) -> Work[No
     yield from _mount_or_redo(bench, setting, f"mount-{axis}-again", axis, last)
     again = yield from _zero_and_first_position(bench, setting, "closing")
     for name, moved in zip(POSITIONS, again - first, strict=True):
-        yield from _must_close(bench, f"closure, {name}", float(abs(moved)), 0.0, setting.closure_nT)
+        yield from _closed(bench, f"closure, {name}", float(abs(moved)), 0.0, setting.closure_nT)
     yield from coils_off(bench)
 
 
@@ -252,6 +252,13 @@ def _first_position(bench: Bench, setting: Setting) -> Work[Position]:
     yield from energise(bench, inclined_field(bench, setting.fields_nT[0], setting.inclination_deg))
     blocks = yield from record(bench, setting.dwell_s)
     return position(bench, blocks)
+
+
+def _closed(bench: Bench, name: str, moved_nT: float, u_nT: float, limit_nT: float) -> Work[None]:
+    """A closure enters the uncertainty of the zero, as a drift that lies anywhere within it, and has to be met."""
+    share = {"u_offset_nT": moved_nT / np.sqrt(12)}
+    yield Event(bench.clock.now(), CLOSURE, f"{name}: {moved_nT:.0f} nT, within which the zero lies", share)
+    yield from _must_close(bench, name, moved_nT, u_nT, limit_nT)
 
 
 def _must_close(bench: Bench, name: str, moved_nT: float, u_nT: float, limit_nT: float) -> Work[None]:

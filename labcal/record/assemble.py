@@ -9,8 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.record.header import RunHeader
-from labcal.record.run import Channel, Run, Segment
-from labcal.record.stream import NOT_USED, Block, Event, Item, ModeChanged, SegmentClosed, SegmentOpened, Stream
+from labcal.record.run import Channel, Reference, Run, Segment
+from labcal.record.stream import (
+    CLOSURE,
+    NOT_USED,
+    Block,
+    Event,
+    Item,
+    ModeChanged,
+    SegmentClosed,
+    SegmentOpened,
+    Stream,
+)
 
 Array = NDArray[np.float64]
 
@@ -39,7 +49,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         simulated=header.simulated,
         operator=header.operator,
         dut=header.dut,
-        reference=header.reference,
+        reference=_with_closure(header.reference, items),
         segments=tuple(stretch.segment for stretch in stretches),
         t_s=t,
         segment_index=place,
@@ -50,6 +60,14 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         row_mode=_modes(t, items),
         channels=_channels(header, t, items),
     )
+
+
+def _with_closure(reference: Reference, items: Iterable[Item]) -> Reference:
+    """`reference` with the largest closure in the uncertainty of its zero; one that is not stated stays unknown."""
+    moved = [float(i.data["u_offset_nT"]) for i in items if isinstance(i, Event) and i.kind == CLOSURE]
+    if reference.u_offset_nT is None or not moved:
+        return reference
+    return replace(reference, u_offset_nT=float(np.hypot(reference.u_offset_nT, max(moved))))
 
 
 @dataclass(frozen=True, slots=True)

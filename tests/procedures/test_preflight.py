@@ -56,6 +56,10 @@ def test_the_zero_the_checks_the_rate_and_the_closure_stand_in_the_record(bench_
     measured = {item.name: item for item in items if isinstance(item, Measurement)}
     assert measured["zero: ref_z"].value == pytest.approx(-43_700, abs=100)
     assert measured["closure z"].verdict == "PASS"
+    closures = [item.value for name, item in measured.items() if name.startswith("closure")]
+    assert len(closures) == 3
+    u_zero_nT = session.load_run(outcome.run_id).reference.u_offset_nT
+    assert u_zero_nT == pytest.approx(np.hypot(3.0, max(closures) / np.sqrt(12)))
     assert measured["z+50uT-nominal: missing sectors"].value == 0
     assert {"rotation rate", "DUT behind the angle", "closure, DUT less reference, coils off"} <= set(measured)
     assert [item.key for item in items if isinstance(item, Prompt) and item.acts][:3] == [
@@ -80,6 +84,7 @@ def test_a_closure_beyond_its_limit_fails_the_run(bench_file: BenchFile) -> None
     outcome = session.run("preflight", bench_file(drift), SHORT | {"closure_nT": "40"}, seed=4)
     assert outcome.status.startswith("failed: closure")
     assert "something moved or drifted" in outcome.status
+    assert (session.load_run(outcome.run_id).reference.u_offset_nT or 0) > 40 / np.sqrt(12)
     with pytest.raises(LimitNotMet):
         outcome.raise_fault()
 
