@@ -65,6 +65,7 @@ def run(
 def resume(
     run: str,
     bench: Path,
+    procedure: str | None = None,
     *,
     answer: Answer | None = None,
     clock: Clock | None = None,
@@ -72,9 +73,12 @@ def resume(
     control: Control | None = None,
     tell: Callable[[Item], None] = lambda item: None,
 ) -> Outcome:
-    """Go on with an interrupted run of the local store after its last finished step."""
+    """Go on with an interrupted run of the local store after its last finished step.
+
+    `procedure` names the file where the run's was a file of one's own.
+    """
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
-        found, ask = find(kept.header(run).procedure), answer or yes_to_all(lab.simulated)
+        found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
         return resume_run(lab, found, run, store=kept, answer=ask, control=control, tell=tell)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Annotated
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ from labcal.bench.look import Turned, delay_of, look_at_turn
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Limits
 from labcal.bench.position import Position, position
-from labcal.bench.rotation import Rotation, fastest_rate, rotate_once
+from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
 from labcal.bench.steps import (
     Blocks,
     Plan,
@@ -97,7 +97,11 @@ class Setting:
 def preflight(
     bench: Bench,
     *,
-    axes: Annotated[tuple[str, ...], "body axes, each mounted along the platform axis in turn"] = ("x", "y", "z"),
+    axes: Annotated[tuple[Literal["x", "y", "z"], ...], "body axes, each mounted along the platform axis in turn"] = (
+        "x",
+        "y",
+        "z",
+    ),
     magnitudes_nT: Annotated[tuple[float, ...], Limits(1e3, 1e5, unit="nT"), "field magnitudes"] = (20e3, 50e3),
     reverse: Annotated[bool, "the last magnitude also reversed"] = True,
     inclination_deg: Annotated[float, Limits(35, 65, unit="deg"), "field from the platform axis"] = 50.0,
@@ -118,6 +122,7 @@ def preflight(
         axes, fields, modes, inclination_deg, rate_deg_per_s > 0, rate_deg_per_s, timing_nT, u_time_s, step_deg,
         dwell_s, zero_s, closure_nT, u_mounting_deg,
     )  # fmt: skip
+    refuse_too_fast(bench, rate_deg_per_s)
     setting, done = wanted.at_rate_of(bench), resume.done if resume else frozenset()
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
@@ -238,6 +243,8 @@ def _closing(bench: Bench, setting: Setting, first: Array, last: str) -> Work[No
 def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[Array]:
     """|DUT| − |reference| (2,) [nT], coils off and in the first field: what no remounting changes by much."""
     off = yield from measure_ambient(bench, setting.zero_s, name=name)
+    for field_nT in setting.fields_nT:  # known here, not an hour later
+        bench.cage.refuse_beyond_limits(inclined_field(bench, field_nT, setting.inclination_deg))
     yield from energise(bench, inclined_field(bench, setting.fields_nT[0], setting.inclination_deg))
     on = yield from record(bench, setting.dwell_s)
     excess = np.array([position(bench, blocks).excess for blocks in (off, on)])

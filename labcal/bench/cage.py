@@ -59,6 +59,11 @@ class Cage:
         b = np.asarray(b_nT, dtype=float)
         self.set_currents(np.linalg.solve(self.matrix_nT_per_A, b - self.ambient_nT))
 
+    def refuse_beyond_limits(self, b_nT: ArrayLike) -> None:
+        """Raise LimitError where `set_field` would for `b_nT` (3,); nothing is sent."""
+        b = np.asarray(b_nT, dtype=float)
+        self._refuse_beyond_limits(np.asarray(np.linalg.solve(self.matrix_nT_per_A, b - self.ambient_nT)))
+
     def set_currents(self, i_A: ArrayLike) -> None:
         """Ramp the coils to `i_A` (3,), read every step back, then wait until they are settled.
 

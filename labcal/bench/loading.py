@@ -153,6 +153,8 @@ def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
     config = read_config(path)
     if clock is None:
         clock = VirtualClock(datetime.now(UTC)) if config.simulated else RealClock()
+    if isinstance(clock, VirtualClock) and not config.simulated:
+        raise InputError("a virtual clock is for a bench whose links are all emulated", file=path)
     loader = Loader(path, config, clock, seed or 0)
     with ExitStack() as on_failure:
         guardian = _guardian(loader)

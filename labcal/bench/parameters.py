@@ -94,6 +94,8 @@ class ParameterSpec:
                 raise InputError(f"{self.name} = {one} is refused: expected {self.expected}")
         if self.many and not value and not self.optional:
             raise InputError(f"{self.name} is empty: expected {self.expected}")
+        if self.many and len(set(value)) < len(value):
+            raise InputError(f"{self.name} states one twice: expected {self.expected}, no two alike")
         return value
 
     @property

@@ -12,7 +12,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.look import look_at_turn
 from labcal.bench.samples import samples
 from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, turn_by_hand
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Segment, Vector
 from labcal.record.stream import Block
 
@@ -66,9 +66,17 @@ def fastest_rate(bench: Bench, magnitude_nT: float, inclination_deg: float, u_ti
     Never beyond the platform's, or the DUT's own limit.
     """
     across_nT = abs(magnitude_nT) * np.sin(np.radians(inclination_deg))
-    by_timing = float(np.degrees(timing_nT / (across_nT * u_time_s)))
-    by_dut = bench.config.dut.limits.rate_deg_per_s or np.inf
-    return min(by_timing, bench.platform.max_rate_deg_per_s, by_dut)
+    return min(float(np.degrees(timing_nT / (across_nT * u_time_s))), _fastest(bench))
+
+
+def refuse_too_fast(bench: Bench, rate_deg_per_s: float) -> None:
+    """Raise InputError for a rate beyond the platform's or the DUT's limit, before anybody mounts anything."""
+    if rate_deg_per_s > (fastest := _fastest(bench)):
+        raise InputError(f"{rate_deg_per_s:g} deg/s is too fast: DUT and platform allow {fastest:g} deg/s")
+
+
+def _fastest(bench: Bench) -> float:
+    return min(bench.config.dut.limits.rate_deg_per_s or np.inf, bench.platform.max_rate_deg_per_s)
 
 
 def rotate_once(bench: Bench, rotation: Rotation) -> Work[Blocks]:

@@ -103,14 +103,19 @@ def clock_face(seconds: float) -> str:
 
 
 def _until_valid(prompt: Prompt) -> str:
-    choices = f" [{'/'.join(prompt.choices)}]" if prompt.choices else ""
+    """An answer that counts, in either case of letters; Enter gives the only choice there is."""
+    choices, only = "/".join(prompt.choices), len(prompt.choices) == 1
+    shown = f" [{choices}{', or Enter' if only else ''}]" if choices else ""
     while True:
-        print(f"{prompt.text}{choices} ", end="", file=sys.stderr, flush=True)
+        print(f"{prompt.text}{shown} ", end="", file=sys.stderr, flush=True)
         given = sys.stdin.readline()
         if not given:
             raise InputError(f"nobody answered: {prompt.text}")
-        given = given.strip()
-        if len(prompt.choices) == 1 and given == "":
+        said = given.strip()
+        if not prompt.choices:
+            return said
+        if only and not said:
             return prompt.choices[0]
-        if not prompt.choices or given in prompt.choices:
-            return given
+        if said.lower() in prompt.choices:
+            return said.lower()
+        print(f"{said!r} is no answer here: say {choices}.", file=sys.stderr)

@@ -62,13 +62,14 @@ def run(
     with _stop_on_interrupt(control), shown(progress.value) as display:
         options |= {"answer": None if yes else display.ask, "tell": display.tell}
         if resume is not None:
-            outcome = session.resume(resume, _bench(bench), **options)
+            _nothing_else(settings, dut, operator)
+            outcome = session.resume(resume, _bench(bench), procedure, **options)
         elif procedure is not None:
             given = _pairs(settings)
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, **options)
         else:
             return _list()
-    print(outcome.status, file=sys.stderr)
+    print(f"{outcome.status}; {outcome.at_rest}", file=sys.stderr)
     print(outcome.run_id)
     return outcome.raise_fault()
 
@@ -93,6 +94,12 @@ def _pairs(settings: Sequence[str]) -> dict[str, str]:
         if not equals or not key:
             raise InputError(f"--set {key}: expected KEY=VALUE")
     return {key.strip(): value for key, _, value in pairs}
+
+
+def _nothing_else(settings: Sequence[str], dut: str | None, operator: str) -> None:
+    given = {"--set": settings, "--dut": dut, "--operator": operator}
+    if said := [name for name, value in given.items() if value]:
+        raise InputError(f"--resume goes on with what the run was begun with: leave out {' and '.join(said)}")
 
 
 def _bench(given: Path | None) -> Path:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import labcal
@@ -22,18 +22,22 @@ from labcal.runner.drive import Drive, Ending, Tell
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
 
-RESUMED = "resumed"
+RESUMED, INTERRUPTED = "resumed", "interrupted"
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met."""
+    """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met.
+
+    `at_rest` is what was read back of the coils at the end: "coils at zero", or that they are not confirmed there.
+    """
 
     run_id: str
     status: str
     fault: BaseException | None
     failed: tuple[Measurement, ...] = ()
+    at_rest: str = ""
 
     def raise_fault(self) -> None:
         """Raise what went wrong, or LimitNotMet where a measurement failed; return where all is well."""
@@ -66,6 +70,7 @@ def run_procedure(
     wrong later is in the Outcome, and the coils are at zero.
     """
     values = settings(procedure.parameters, given)
+    _refuse_unknown_modes(bench, values)
     identities = bench.identities()
     header = RunHeader(
         run_id=run_id or new_run_id(bench),
@@ -96,10 +101,10 @@ def resume_run(
     control: Control | None = None,
     tell: Tell = lambda item: None,
 ) -> Outcome:
-    """Go on with an interrupted run after its last finished step.
+    """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
 
-    Raises InputError where the run was not interrupted, the procedure cannot be resumed or has changed since, or
-    another bench's instruments answer.
+    Raises InputError where the run was not interrupted, the procedure cannot be resumed, is another or has changed
+    since, or another bench's instruments answer.
     """
     header = store.header(run_id)
     _refuse_another(bench, procedure, header)
@@ -127,18 +132,32 @@ def _drive(
     tell: Tell,
     offset_s: float,
 ) -> Outcome:
-    failed: dict[str, Measurement] = {}
-
-    def notice(item: Item) -> None:
-        if isinstance(item, Measurement):
-            failed.pop(item.name, None)
-            if item.verdict == "FAIL":
-                failed[item.name] = item
-        tell(item)
-
-    drive = Drive(bench, writer.write, answer, control or Control(), notice, offset_s)
+    seen = _Seen(tell)
+    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, offset_s)
     ending = drive.run(procedure.function(bench, **values))
-    return Outcome(writer.run_id, *_written(writer, ending), tuple(failed.values()))
+    if "resume" in values and ending.fault is not None and not seen.energised:
+        ending = Ending(INTERRUPTED, ending.fault)
+    return Outcome(writer.run_id, *_written(writer, ending), tuple(seen.failed.values()), seen.at_rest)
+
+
+@dataclass
+class _Seen:
+    """What the outcome says of a run's items, taken down while they pass on to `tell`."""
+
+    tell: Tell
+    failed: dict[str, Measurement] = field(default_factory=dict)
+    energised: bool = False
+    at_rest: str = ""
+
+    def notice(self, item: Item) -> None:
+        if isinstance(item, Measurement):
+            self.failed.pop(item.name, None)
+            if item.verdict == "FAIL":
+                self.failed[item.name] = item
+        if isinstance(item, Event):
+            self.energised |= item.kind == "set-point"
+            self.at_rest = item.text if item.kind == "read-back" else self.at_rest
+        self.tell(item)
 
 
 def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | None]:
@@ -146,7 +165,7 @@ def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | No
     try:
         writer.finish(ending.status)
     except Exception as fault:
-        return "interrupted", ending.fault or fault
+        return INTERRUPTED, ending.fault or fault
     return ending.status, ending.fault
 
 
@@ -172,7 +191,17 @@ def _last_time(items: Sequence[Item]) -> float:
     return max(ends, default=0.0)
 
 
+def _refuse_unknown_modes(bench: Bench, values: Mapping[str, Any]) -> None:
+    """A power mode that the DUT does not have is refused before anybody mounts anything."""
+    allowed, given = bench.config.dut.limits.modes, values.get("modes") or (values.get("mode"),)
+    for mode in given if allowed else ():
+        if mode is not None and mode not in allowed:
+            raise InputError(f"power mode {mode!r} is none of the DUT's: {', '.join(allowed)}")
+
+
 def _refuse_another(bench: Bench, procedure: Found, header: RunHeader) -> None:
+    if procedure.name != header.procedure:
+        raise InputError(f"run {header.run_id} is a {header.procedure}, not a {procedure.name}")
     if not procedure.resumable:
         raise InputError(f"{procedure.name} cannot go on after an interruption: start it anew")
     if procedure.sha256 != header.source_sha256:

@@ -68,9 +68,9 @@ class RunWriter:
                     del self._pending[: len(rows)]
 
     def finish(self, status: str) -> None:
-        """Commit what is left and state how the run ended: `finished`, `stopped` or `failed: why`."""
-        if status not in ("finished", "stopped") and not status.startswith("failed: "):
-            raise ValueError(f"a run ends finished, stopped or failed: why; not {status!r}")
+        """Commit what is left and state how it ended: `finished`, `stopped`, `failed: why`, `interrupted` as before."""
+        if status not in ("finished", "stopped", "interrupted") and not status.startswith("failed: "):
+            raise ValueError(f"a run ends finished, stopped, interrupted or failed: why; not {status!r}")
         if self._closing.is_set():
             return
         self._closing.set()

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.errors import LimitNotMet
+from labcal.errors import InputError, LimitNotMet
 from labcal.fit.ml import ml
 from labcal.record.stream import Event, Measurement, Prompt
 from labcal.store import Store
@@ -87,6 +87,37 @@ def test_a_closure_beyond_its_limit_fails_the_run(bench_file: BenchFile) -> None
     assert (session.load_run(outcome.run_id).reference.u_offset_nT or 0) > 40 / np.sqrt(12)
     with pytest.raises(LimitNotMet):
         outcome.raise_fault()
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"axes": "x,q"}, "axes = q is refused: expected one of x, y, z"),
+        ({"axes": "x,y,x"}, "axes states one twice"),
+        ({"modes": "nominal,turbo"}, "power mode 'turbo' is none of the DUT's"),
+        ({"rate_deg_per_s": "36"}, "36 deg/s is too fast: DUT and platform allow 20 deg/s"),
+    ],
+)
+def test_what_cannot_be_done_is_refused_before_anybody_mounts_anything(
+    bench_file: BenchFile, given: dict[str, str], says: str
+) -> None:
+    asked: list[str] = []
+    with pytest.raises(InputError, match=says):
+        session.run(
+            "preflight", bench_file(), given, answer=lambda prompt: asked.append(prompt.key) or "done"
+        ).raise_fault()
+    assert not asked
+
+
+def test_a_field_that_the_coils_cannot_make_is_refused_after_the_zero_and_not_in_its_turn(
+    bench_file: BenchFile,
+) -> None:
+    tender = bench_file("", ("field_nT = 100000.0", "field_nT = 40000.0"))
+    outcome = session.run("preflight", tender, SHORT, seed=3)
+    assert "a field of 50000 nT is beyond the limit of the DUT, 40000 nT; nothing was set" in outcome.status
+    with Store.open() as store:
+        items = list(store.items(outcome.run_id))
+    assert not [i for i in items if isinstance(i, Event) and i.kind == "set-point"]
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -117,6 +118,29 @@ def test_only_the_same_run_is_resumed(bench_file: BenchFile, change: Any, says: 
     outcome = session.run("preflight", bench_file(), given, seed=2)
     with pytest.raises(InputError, match=says):
         session.resume(outcome.run_id, bench_file("", *([change] if change else [])), seed=2)
+
+
+def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_interrupted(bench_file: BenchFile) -> None:
+    bench, given = bench_file(), SHORT | {"magnitudes_nT": "20000"}
+    with Store.open() as store:
+        break_off(bench, given, store)
+    outcome = session.resume("R", bench, seed=2, answer=lambda prompt: "perhaps")
+    assert (outcome.status, outcome.at_rest) == ("interrupted", "coils at zero")
+    assert "'perhaps' is no answer" in str(outcome.fault)
+    with pytest.raises(InputError, match="run R is a preflight, not a ambient"):
+        session.resume("R", bench, "ambient", seed=2)
+    assert session.resume("R", bench, seed=2).status == "finished"
+
+
+def break_off(bench: Path, given: dict[str, str], store: Store) -> None:
+    """A run R whose program died while the axes were checked."""
+    outcome = session.run("preflight", bench, given, seed=2)
+    writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))
+    for item in store.items(outcome.run_id):
+        writer.write(item)
+        if isinstance(item, Step) and item.name == "axes-check":
+            break
+    writer.finish("interrupted")
 
 
 def test_what_keeps_no_steps_cannot_be_resumed(bench_file: BenchFile) -> None:
