@@ -8,6 +8,7 @@ another name.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,7 @@ MOST = 3  # effects accepted at most
 MATERIAL = 0.03  # of the noise's square: a smaller drop of the mean square is not worth a parameter
 SHARE = 0.01  # of all that was explained: a smaller part is a detail of the first effect's shape
 SHARE_OF_REST = 0.15  # of what still lies above the noise: as much as this is more than a detail
+SECANTS = 6  # rounds of a lag's own
 COMPANION = 0.7  # of the drop of the heaviest
 RELATED = {  # what a more general form of the first would also do
     "offset-current": ("offset-current-squared",),
@@ -113,9 +115,22 @@ def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
 
 def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     """The candidate at its best shape near the grid point that was found, by golden section in each shape."""
+    if any(shape.name == "secant_s" for shape in candidate.form.shape):
+        return _on_secant(search, candidate, accepted)
     for shape in candidate.form.shape:
         if shape.grid:
             candidate = _along(search, candidate, shape.name, accepted)
+    return candidate
+
+
+def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    """A lag's columns are a secant: taken over the lag that they give, until it settles."""
+    for _ in range(SECANTS):
+        lag = float(search.solved([*accepted, candidate])[-1])
+        settled = abs(lag - candidate.form.at("secant_s")) < 1e-3 * abs(lag) + 1e-6
+        if settled or abs(lag) < 1e-6:
+            break
+        candidate = replace(candidate, form=candidate.form.reshaped(secant_s=lag))
     return candidate
 
 

@@ -28,3 +28,24 @@ def test_a_shift_is_exact_for_a_parabola_and_stops_at_a_segment() -> None:
     moved = shifted(t, segment, values, 0.25)
     assert np.allclose(moved[1:8, 0], (t[1:8] + 0.25) ** 2)
     assert np.allclose(moved[10:, 0], 5.0)
+
+
+def test_a_slow_response_goes_on_over_a_short_gap_between_segments_and_starts_anew_after_a_long_one() -> None:
+    t = np.concatenate([np.arange(0.0, 100.0), np.arange(150.0, 250.0), np.arange(9000.0, 9100.0)])
+    segment = np.repeat([0, 1, 2], 100)
+    drive = np.minimum(t, 120.0)
+    whole = np.arange(0.0, 250.0)
+    expected = low_passed(whole, np.zeros(250, dtype=np.intp), np.minimum(whole, 120.0), 60.0)
+    out = low_passed(t, segment, drive, 60.0)
+    assert np.allclose(out[:100], expected[:100])
+    assert np.abs(out[100:200] - expected[150:]).max() < 4.0
+    assert np.allclose(out[200:], 120.0)
+
+
+def test_a_chain_of_stops_is_the_same_row_by_row() -> None:
+    drive = np.cumsum(np.random.default_rng(5).normal(0, 700, (300, 3)), axis=0)
+    state, expected = np.zeros(3), [np.zeros(3)]
+    for step in np.diff(drive, axis=0):
+        state = np.clip(state + step, -1500.0, 1500.0)
+        expected.append(state)
+    assert np.allclose(stop(drive, 1500.0), expected)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.model.effects.protocol import Array, Family, Form, Scene
-from labcal.model.effects.regressors import AXES
+from labcal.model.effects.regressors import AXES, BODY, driving
 from labcal.record import Run
 
 MIXED = tuple((i, i, j) for i in range(3) for j in range(3) if j != i)
@@ -19,24 +19,25 @@ CUBIC = tuple((i, i, j, j) for i in range(3) for j in range(3) if j != i)
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """Each parameter `q_x:xy` adds c s_x s_y to the reading along sensor axis x."""
-    s = scene.along_axes_nT
+    """Each parameter `q_x:xy` adds c s_x s_y to the reading along sensor axis x, s along B's axes for `body_q_…`."""
+    s = driving(form, scene)
     out = np.empty((len(scene), 3, len(form.parameters)))
     for column, (name, _) in enumerate(form.parameters):
-        axis, factors = name[2:].split(":")
+        axis, factors = name.removeprefix(BODY)[2:].split(":")
         product = np.prod([s[:, AXES.index(f)] for f in factors], axis=0)
         out[:, :, column] = product[:, None] * scene.axes[:, AXES.index(axis)]
     return out
 
 
-def _parameters(terms: tuple[tuple[int, ...], ...]) -> tuple[tuple[str, str], ...]:
+def _parameters(drive: str, terms: tuple[tuple[int, ...], ...]) -> tuple[tuple[str, str], ...]:
     unit = {2: "1/nT", 3: "1/nT^2"}
-    return tuple((f"q_{AXES[t[0]]}:{''.join(AXES[f] for f in t[1:])}", unit[len(t) - 1]) for t in terms)
+    return tuple((f"{drive}q_{AXES[t[0]]}:{''.join(AXES[f] for f in t[1:])}", unit[len(t) - 1]) for t in terms)
 
 
 def candidates(run: Run) -> list[Form]:
     """Products with the axis' own component, all products of second order, and the even cubic ones."""
-    return [Form(kernel, _parameters(terms)) for terms in (MIXED, SQUARES, MIXED + SQUARES + OPPOSITE, CUBIC)]
+    sets = (MIXED, SQUARES, MIXED + SQUARES + OPPOSITE, CUBIC)
+    return [Form(kernel, _parameters(drive, terms)) for drive in ("", BODY) for terms in sets]
 
 
 FAMILY = Family(

@@ -1,58 +1,59 @@
-"""Readings that remember where the field came from: Dahl's and the stop operator, each segment starting at rest.
+"""Readings that remember where the field came from: loops of Dahl's, stops, and a saturating loop.
 
 A stop of threshold r follows the field until it is r away from where it turned, several of them make a rounded loop
 (Prandtl-Ishlinskii; Visintin, Differential Models of Hysteresis, 1994, ch. III). Dahl's loop (ASME J. Dyn. Syst. 98,
-1976) approaches its branch exponentially over a field w.
+1976) approaches its branch exponentially over a field w. A magnetic part near saturation is a bounded function of the
+play, the field less the stop: Preisach's relays of one width (Visintin, ch. IV), about a curve of powers.
+Each segment starts at rest. The loop follows the field along the sensor's own axes, or along those of the body (`body_…`:
+a part beside the sensor, which knows nothing of the sensor's misalignment).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
-from labcal.model.effects.regressors import AXES, per_axis, stretches
+from labcal.model.effects.recursion import affine, clipped
+from labcal.model.effects.regressors import BODY, driving, per_axis, powered, stretches
 from labcal.record import Run
 
-THRESHOLDS_nT = (500.0, 1500.0, 4000.0, 10000.0, 25000.0)
-SEVERAL_nT = (1000.0, 5000.0, 20000.0)
+THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
+SEVERAL_nT = (500.0, 1500.0, 4000.0, 12000.0)
+WIDTHS_nT = (1000.0, 4000.0)
+SATURATION_nT = (10000.0, 20000.0, 40000.0)
+BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop
 
 
 def stop(drive: Array, threshold: float) -> Array:
     """The stop operator along rows of drive (n, k) [nT]: within ± threshold, starting at rest."""
-    state, out = np.zeros(drive.shape[1]), np.empty_like(drive)
-    out[0] = state
-    for row, step in enumerate(np.diff(drive, axis=0), start=1):
-        state = np.minimum(np.maximum(state + step, -threshold), threshold)
-        out[row] = state
-    return out
+    return clipped(np.diff(drive, axis=0, prepend=drive[:1]), threshold)
 
 
 def dahl(drive: Array, width: float) -> Array:
     """Dahl's loop along rows of drive (n, k), within ± 1: dz = (sign(dx) − z) |dx| / width, starting at rest."""
-    steps = np.diff(drive, axis=0)
-    keeps, toward = np.exp(-np.abs(steps) / width), np.sign(steps)
-    state, out = np.zeros(drive.shape[1]), np.empty_like(drive)
-    out[0] = state
-    for row, (keep, sign) in enumerate(zip(keeps, toward, strict=True), start=1):
-        state = sign + (state - sign) * keep
-        out[row] = state
-    return out
+    steps = np.diff(drive, axis=0, prepend=drive[:1])
+    keep = np.exp(-np.abs(steps) / width)
+    return affine(keep, np.sign(steps) * (1 - keep), 0.0)
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """The loops z(s_i) along each sensor axis: Dahl's where the form has a width, else stops of its thresholds.
+    """The loops z(s_i) along each axis: Dahl's of a width, saturating ones, or stops of the thresholds.
 
     Against a vector reference s is the reference's: the reading's own noise would drive the loop, and in a field that
     stands still be taken off by it.
     """
-    s = scene.along_axes_nT
-    if scene.rig is not None:
-        s = np.asarray(np.linalg.solve(scene.axes, scene.rig.prediction_nT.T).T)
-    if any(shape.name == "w_nT" for shape in form.shape):
+    s = driving(form, scene if scene.rig is None else replace(scene, field_nT=scene.rig.prediction_nT))
+    names = {shape.name for shape in form.shape}
+    if "w_nT" in names:
         loops = [_by_segment(scene, s, partial(dahl, width=form.at("w_nT")))]
+    elif "s_nT" in names:
+        play = s - _by_segment(scene, s, partial(stop, threshold=form.at("r_nT")))
+        level = form.at("s_nT")
+        loops = [np.tanh(play / level) - np.tanh(s / level), *(s**k for k in BENDS)]
     else:
         loops = [_by_segment(scene, s, partial(stop, threshold=r)) for r in _thresholds(form)]
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
@@ -65,15 +66,25 @@ def _by_segment(scene: Scene, s: Array, loop: Callable[[Array], Array]) -> Array
 def _thresholds(form: Form) -> list[float]:
     if form.shape:
         return [form.at("r_nT")]
-    return [float(name[1:].split("_")[0]) for name, _ in form.parameters[::3]]
+    return [float(name.removeprefix(BODY)[1:].split("_")[0]) for name, _ in form.parameters[::3]]
 
 
 def candidates(run: Run) -> list[Form]:
-    """Dahl's loop, one stop, and three."""
-    round_loop = Form(kernel, per_axis("c", "nT"), shape=(Shape("w_nT", THRESHOLDS_nT[1], "nT", THRESHOLDS_nT),))
-    one = Form(kernel, per_axis("c", "1"), shape=(Shape("r_nT", THRESHOLDS_nT[1], "nT", THRESHOLDS_nT),))
-    several = tuple((f"c{r:.0f}_{a}", "1") for r in SEVERAL_nT for a in AXES)
-    return [round_loop, one, Form(kernel, several)]
+    """Dahl's loop, one stop, several, and a saturating loop about a curve; each along either axes."""
+    found = []
+    for drive in ("", BODY):
+        width = Shape("w_nT", THRESHOLDS_nT[2], "nT", THRESHOLDS_nT)
+        threshold = Shape("r_nT", THRESHOLDS_nT[2], "nT", THRESHOLDS_nT)
+        bend = (Shape("r_nT", WIDTHS_nT[0], "nT", WIDTHS_nT), Shape("s_nT", SATURATION_nT[1], "nT", SATURATION_nT))
+        several = tuple(p for r in SEVERAL_nT for p in per_axis(f"{drive}c{r:.0f}", "1"))
+        bends = (p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k)))
+        found += [
+            Form(kernel, per_axis(f"{drive}c", "nT"), shape=(width,)),
+            Form(kernel, per_axis(f"{drive}c", "1"), shape=(threshold,)),
+            Form(kernel, several),
+            Form(kernel, (*per_axis(f"{drive}c", "nT"), *bends), shape=bend),
+        ]
+    return found
 
 
 FAMILY = Family(
@@ -81,7 +92,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("r_nT", "w_nT"),
+    shapes=("r_nT", "w_nT", "s_nT"),
     experiment="step the field up and down through the same values, or turn backwards",
     of_field=True,
 )

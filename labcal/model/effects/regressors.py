@@ -7,11 +7,14 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.effects.protocol import Array
+from labcal.model.effects.protocol import Array, Form, Scene
+from labcal.model.effects.recursion import affine
 from labcal.record import Run
 from labcal.record.run import Channel
 
 AXES = ("x", "y", "z")
+BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
+CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 
 
 def per_axis(name: str, unit: str) -> tuple[tuple[str, str], ...]:
@@ -19,9 +22,19 @@ def per_axis(name: str, unit: str) -> tuple[tuple[str, str], ...]:
     return tuple((f"{name}_{axis}", unit) for axis in AXES)
 
 
+def powered(order: int) -> str:
+    """The unit of the coefficient of this power of the field."""
+    return "1/nT" if order == 2 else f"1/nT^{order - 1}"
+
+
 def on_each_axis(drive: Array) -> Array:
     """The same drive (n,) on each body axis, (n, 3, 3)."""
     return np.asarray(drive[:, None, None] * np.eye(3))
+
+
+def driving(form: Form, scene: Scene) -> Array:
+    """The field (n, 3) [nT] that drives the form: along the sensor's own axes, or along those of the body."""
+    return scene.field_nT if form.parameters[0][0].startswith(BODY) else scene.along_axes_nT
 
 
 def moving(run: Run, quantities: Iterable[str]) -> list[Channel]:
@@ -47,17 +60,26 @@ def stretches(segment: NDArray[np.intp]) -> list[slice]:
 
 
 def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float) -> Array:
-    """First-order response (n,) to `drive` with time constant `tau_s`, starting anew in each segment.
+    """First-order response (n,) to `drive` with time constant `tau_s`, exact for a drive that is linear between rows.
 
-    Before a segment's first row the drive is taken to have moved as it does over the first tau_s of it.
+    What follows slowly does not start anew where a segment does: over a gap of up to CARRIED time constants the state
+    is carried, the drive bridged linearly. After a longer one, and before the first row, the drive is taken to have
+    moved as it does over the next tau_s.
     """
-    if tau_s <= 0:
+    if tau_s <= 0 or len(t_s) == 0:
         return drive
-    out = np.empty_like(drive)
-    for rows in stretches(segment):
-        t, x = t_s[rows], drive[rows]
-        out[rows] = _respond(t, x, tau_s, x[0] - tau_s * _slope(t, x, tau_s))
-    return out
+    steps = np.diff(t_s, prepend=t_s[0]) / tau_s
+    anew = (np.diff(segment, prepend=segment[0]) != 0) & ((steps <= 0) | (steps > CARRIED))
+    anew[0] = True
+    steps = np.maximum(steps, 0.0)
+    keep = np.exp(-steps)
+    ramp = np.where(steps > 0, (1 - keep) / np.where(steps > 0, steps, 1.0), 1.0)
+    add = (ramp - keep) * np.concatenate([drive[:1], drive[:-1]]) + (1 - ramp) * drive
+    starts = np.flatnonzero(anew)
+    for start, stop in zip(starts, [*starts[1:].tolist(), len(t_s)], strict=True):
+        add[start] = drive[start] - tau_s * _slope(t_s[start:stop], drive[start:stop], tau_s)
+    keep[anew] = 0.0
+    return affine(keep, add, 0.0)
 
 
 def _slope(t: Array, x: Array, tau_s: float) -> float:
@@ -66,18 +88,6 @@ def _slope(t: Array, x: Array, tau_s: float) -> float:
         return 0.0
     span = t[head] - t[head].mean()
     return float(span @ x[head] / (span @ span))
-
-
-def _respond(t: Array, x: Array, tau_s: float, start: float) -> Array:
-    """Exact for a drive that is linear between rows."""
-    out, state = [start], start
-    steps = np.diff(t) / tau_s
-    keeps = np.exp(-steps)
-    ramps = (1 - keeps) / np.where(steps > 0, steps, 1.0)
-    for keep, ramp, before, after in zip(keeps.tolist(), ramps.tolist(), x[:-1].tolist(), x[1:].tolist(), strict=True):
-        state = keep * state + (ramp - keep) * before + (1 - ramp) * after
-        out.append(state)
-    return np.array(out)
 
 
 def shifted(t_s: Array, segment: NDArray[np.intp], values: Array, by_s: float) -> Array:
