@@ -4,8 +4,8 @@ A stop of threshold r follows the field until it is r away from where it turned,
 (Prandtl-Ishlinskii; Visintin, Differential Models of Hysteresis, 1994, ch. III). Dahl's loop (ASME J. Dyn. Syst. 98,
 1976) approaches its branch exponentially over a field w. A magnetic part near saturation is a bounded function of the
 play, the field less the stop: Preisach's relays of one width (Visintin, ch. IV), about a curve of powers.
-Each segment starts at rest. The loop follows the field along the sensor's own axes, or along those of the body (`body_…`:
-a part beside the sensor, which knows nothing of the sensor's misalignment).
+Each segment starts at rest. The loop follows the field along the sensor's own axes, or along those of the body
+(`body_…`: a part beside the sensor, which knows nothing of the sensor's misalignment).
 """
 
 from __future__ import annotations
