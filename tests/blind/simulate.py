@@ -49,7 +49,10 @@ def make_run(seed, kinds, strength):
     no_angle = not scalar and not set(kinds) & {*RIG, "lag", "reference-drift"} and rng.random() < 0.05
     modes = ["nominal", "full-power"] if "offset-mode" in kinds or rng.random() < 0.3 else ["nominal"]
     run, fresh, end = record(
-        rng, statics=rng.random() < 0.5 and not scalar and "lag" not in kinds, long="lag" in kinds or rng.random() < 0.2, modes=modes
+        rng,
+        statics=rng.random() < 0.5 and not scalar and "lag" not in kinds,
+        long="lag" in kinds or rng.random() < 0.2,
+        modes=modes,
     )
     wanted = {"offset-current": ["load"], "offset-current-squared": ["levels"], "offset-temperature": ["temperature"],
               "gain-temperature": ["temperature"], "offset-channel": ["voltage"]}  # fmt: skip
