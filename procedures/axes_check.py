@@ -72,7 +72,7 @@ def _steps_seen(bench: Bench, step_A: Array, dwell_s: float) -> Work[tuple[Array
     vector = bench.config.reference.kind == "vector"
     for coil in range(3):
         for sign in (1, -1):
-            yield from drive(bench, sign * step_A[coil] * np.eye(3)[coil])
+            yield from drive(bench, sign * step_A[coil] * np.eye(3)[coil], confirm_signs=False)
             blocks = yield from record(bench, dwell_s)
             seen_by_dut[:, coil] += sign * dut_nT(bench, blocks).mean / 2
             if vector:
@@ -126,7 +126,7 @@ def _seen_across(bench: Bench, step_nT: float, dwell_s: float) -> Work[Array]:
     """What the DUT sees of a field step across the platform axis, up less down: free of offset and ambient."""
     step_A, seen = np.linalg.solve(bench.cage.matrix_nT_per_A, step_nT * across(bench)), np.zeros(3)
     for sign in (1, -1):
-        yield from drive(bench, sign * step_A)
+        yield from drive(bench, sign * step_A, confirm_signs=False)
         blocks = yield from record(bench, dwell_s)
         seen += sign * dut_nT(bench, blocks).mean / 2
     return seen

@@ -105,7 +105,7 @@ def _sweep(bench: Bench, field_nT: float, rungs: list[Rung], dwell_s: float) -> 
         largest_A = field_nT / float(np.linalg.norm(bench.cage.matrix_nT_per_A[:, coil]))
         for rung in rungs:
             begun = bench.clock.now()
-            yield from drive(bench, rung.fraction * largest_A * np.eye(3)[coil])
+            yield from drive(bench, rung.fraction * largest_A * np.eye(3)[coil], confirm_signs=False)
             driven = bench.clock.now()
             blocks = yield from record(bench, dwell_s, from_s=begun)
             seen = samples(blocks, "reference")

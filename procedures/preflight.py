@@ -241,11 +241,15 @@ def _closing(bench: Bench, setting: Setting, first: Array, last: str) -> Work[No
 
 
 def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[Array]:
-    """|DUT| − |reference| (2,) [nT], coils off and in the first field: what no remounting changes by much."""
+    """|DUT| − |reference| (2,) [nT], coils off and in the first field: what no remounting changes by much.
+
+    Signs are left to axes-check, which follows the first time and has the DUT as a second witness.
+    """
     off = yield from measure_ambient(bench, setting.zero_s, name=name)
     for field_nT in setting.fields_nT:  # known here, not an hour later
         bench.cage.refuse_beyond_limits(inclined_field(bench, field_nT, setting.inclination_deg))
-    yield from energise(bench, inclined_field(bench, setting.fields_nT[0], setting.inclination_deg))
+    first_field = inclined_field(bench, setting.fields_nT[0], setting.inclination_deg)
+    yield from energise(bench, first_field, confirm_signs=False)
     on = yield from record(bench, setting.dwell_s)
     excess = np.array([position(bench, blocks).excess for blocks in (off, on)])
     for what, value in zip(POSITIONS, excess, strict=True):

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.cage import Cage
 from labcal.bench.clock import Clock
@@ -33,6 +33,7 @@ from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
 COIL_POLL_S = 1.0
+SEE_S = 0.2  # of the reference, and at least one sample
 COIL_CHANNELS = tuple(
     spec
     for axis in AXES
@@ -70,6 +71,7 @@ class Bench:
         hands: Hands | None = None,
         links: Mapping[str, Reopens] | None = None,
         guardian: GuardianClient | None = None,
+        contacts: Collection[str] = (),
     ) -> None:
         self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated
         self.platform, self.reference, self.dut = platform, reference, dut
@@ -77,7 +79,7 @@ class Bench:
         self._guardian = guardian
         self.cage = Cage(
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
-            guardian=guardian.zero if guardian else None,
+            guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
         )  # fmt: skip
         self._instruments, self.hands = dict(instruments), hands
         self._links, self._known = links or {}, dict[str, Identity]()
@@ -185,6 +187,18 @@ class Bench:
             watch.see(blocks, now)
         if self._temperature is not None:
             self._temperature.see(readings[0])
+
+    def _field_seen(self) -> NDArray[np.float64] | None:
+        """The mean (3,) of what the reference sends next, C; None where none streams that sees the coils."""
+        stated = self.config.reference
+        if not self._streaming or stated.kind != "vector" or stated.place in ("remote", "computed"):
+            return None
+        begun, rows = self.clock.now(), np.empty((0, 3))
+        while not len(rows):
+            self._wait_until(self.clock.now() + SEE_S)
+            arrived = (b for b in self._pending if b.stream == "reference")
+            rows = np.vstack([np.empty((0, 3)), *(b.values[b.t_s >= begun] for b in arrived)])
+        return np.asarray(rows.mean(axis=0))
 
     def _into_cage(self, block: Block) -> Block:
         """The reference's reading, zero taken off, from its own axes into C."""

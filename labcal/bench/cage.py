@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
 from labcal.bench.roles import CoilSupply
+from labcal.bench.sign import SignCheck
 from labcal.bench.watch import Windings
 from labcal.bench.zero import RAMP_STEP_S, AtZero, to_zero
 from labcal.errors import InstrumentError, LimitError
@@ -26,7 +27,8 @@ class Cage:
 
     `ambient_nT` (3,) is the field in C with the coils at zero, as last measured by whoever measured it; `set_field`
     aims at the total field. `wait` is how time passes during ramps: the bench keeps its streams read meanwhile.
-    `guardian` brings real coils to zero in its own process, told why.
+    `guardian` brings real coils to zero in its own process, told why. `contacts` are the axes behind reversing
+    contacts, whose sign is confirmed by what `see` sees: the reference's field (3,) in C, None where there is none.
     """
 
     def __init__(
@@ -38,6 +40,8 @@ class Cage:
         dut_limits: DutLimits | None = None,
         wait: Callable[[float], None] | None = None,
         guardian: Callable[[str], list[AtZero]] | None = None,
+        contacts: Collection[str] = (),
+        see: Callable[[], Array | None] = lambda: None,
     ) -> None:
         self.limits: CageLimits = config.limits
         self.matrix_nT_per_A: Array = config.matrix
@@ -50,28 +54,33 @@ class Cage:
         self._guardian = guardian
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self._closed = False
+        floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
+        self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
         limits = config.limits
         self._windings = Windings(limits.rms_current_A or (math.inf,) * 3, limits.rms_window_s)
         self._refuse_slow_supplies()
 
-    def set_field(self, b_nT: ArrayLike) -> None:
-        """Bring the total field at the centre to `b_nT` (3,) in C. Raises LimitError with both numbers."""
+    def set_field(self, b_nT: ArrayLike, *, confirm_signs: bool = True) -> None:
+        """Bring the total field at the centre to `b_nT` (3,) in C, as `set_currents` does."""
         b = np.asarray(b_nT, dtype=float)
-        self.set_currents(np.linalg.solve(self.matrix_nT_per_A, b - self.ambient_nT))
+        self.set_currents(np.linalg.solve(self.matrix_nT_per_A, b - self.ambient_nT), confirm_signs=confirm_signs)
 
     def refuse_beyond_limits(self, b_nT: ArrayLike) -> None:
         """Raise LimitError where `set_field` would for `b_nT` (3,); nothing is sent."""
         b = np.asarray(b_nT, dtype=float)
         self._refuse_beyond_limits(np.asarray(np.linalg.solve(self.matrix_nT_per_A, b - self.ambient_nT)))
 
-    def set_currents(self, i_A: ArrayLike) -> None:
+    def set_currents(self, i_A: ArrayLike, *, confirm_signs: bool = True) -> None:
         """Ramp the coils to `i_A` (3,), read every step back, then wait until they are settled.
 
-        Raises LimitError (nothing was sent), or InstrumentError where a supply does not follow.
+        Behind reversing contacts the sign is confirmed on the reference, unless that is what the caller measures.
+        Raises LimitError (nothing was sent), or InstrumentError where a supply or a reversing contact does not follow.
         """
         target = np.asarray(i_A, dtype=float)
         self._refuse_beyond_limits(target)
         self._close_outputs()
+        if confirm_signs:
+            self._confirm_signs(target)
         self._ramp(target)
         self._wait(self._clock.now() + self._settle_s)
         self._confirm(target)
@@ -96,6 +105,7 @@ class Cage:
         A failure of one axis does not skip the others; the first failure is raised at the end.
         """
         self._closed = False
+        self._signs.forget()
         ended = self._guardian("the session is done with it") if self._guardian else self._to_zero()
         self.abrupt |= {end.axis for end in ended if end.abrupt}
         if faults := [end.fault for end in ended if end.fault is not None]:
@@ -119,6 +129,22 @@ class Cage:
             supply.set_current(0.0)
             supply.output(True)
         self._closed = True
+
+    def _confirm_signs(self, target: Array) -> None:
+        """Stop on the way where an axis has left zero behind its contacts, and see that its field has the sign."""
+        for probe in self._signs.probes(self.set_points_A(), target):
+            if (before := self._seen_at(probe.before)) is None or (after := self._seen_at(probe.after)) is None:
+                return
+            try:
+                self._signs.judge(probe, before, after)
+            except InstrumentError:
+                self.zero()
+                raise
+
+    def _seen_at(self, i_A: Array) -> Array | None:
+        self._ramp(i_A)
+        self._wait(self._clock.now() + self._settle_s)
+        return self._signs.see()
 
     def _confirm(self, target: Array) -> None:
         for axis, supply, wanted, flows in zip(AXES, self.supplies.values(), target, self.currents_A(), strict=True):

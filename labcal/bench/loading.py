@@ -200,18 +200,20 @@ def _sharing(loader: Loader, name: str, guardian: GuardianClient) -> Instrument:
 def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: GuardianClient | None) -> Bench:
     config = loader.config
     roles: dict[str, Any] = {entry.role: instruments[name] for name, entry in config.instruments.items()}
+    supplies = coil_supplies(roles, loader.clock) if guardian is None else {a: roles[f"coil-{a}"] for a in AXES}
     try:
         return Bench(
             config,
             loader.clock,
             instruments,
-            coil_supplies(roles, loader.clock) if guardian is None else {axis: roles[f"coil-{axis}"] for axis in AXES},
+            supplies,
             BenchPlatform(roles["platform"], config.platform, config.dut.limits),
             roles["reference"],
             roles["dut"],
             SimulatedHands(loader.twin, loader.clock) if config.simulated else None,
             {name: _link(loader, name, instrument, guardian) for name, instrument in instruments.items()},
             guardian,
+            [axis for axis, supply in supplies.items() if getattr(supply, "has_contacts", False)],
         )
     except LimitError as error:
         loader.refuse(str(error), ("cage", "limits"))

@@ -16,7 +16,7 @@ TIMEOUT_S = 1.0
 class ReversedSupply:
     """A CoilSupply with a sign. To change it: zero, confirmed; open; switch; read back; settle; close again."""
 
-    bipolar = True
+    bipolar = has_contacts = True
 
     def __init__(self, axis: str, supply: CoilSupply, relay: PolarityRelay, clock: Clock) -> None:
         self.name, self._axis, self._supply, self._relay, self._clock = supply.name, axis, supply, relay, clock
@@ -41,7 +41,8 @@ class ReversedSupply:
         return self._known_sign() * self._supply.measure_current()
 
     def output(self, on: bool) -> None:
-        """Close or open the supply's output."""
+        """Close or open the supply's output; the contacts are read again before they carry current."""
+        self._sign = None if on else self._sign
         self._supply.output(on)
         self._closed = on
 

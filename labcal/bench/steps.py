@@ -181,17 +181,17 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
                 return None
 
 
-def energise(bench: Bench, b_nT: ArrayLike) -> Work[None]:
-    """Bring the total field at the centre to `b_nT` (3,) in C, and say so in the record."""
+def energise(bench: Bench, b_nT: ArrayLike, *, confirm_signs: bool = True) -> Work[None]:
+    """Bring the total field at the centre to `b_nT` (3,) in C, and say so in the record; as `Cage.set_field`."""
     b = [float(v) for v in np.asarray(b_nT)]
-    bench.cage.set_field(b)
+    bench.cage.set_field(b, confirm_signs=confirm_signs)
     yield _set_point(bench, f"field {b[0]:.0f} {b[1]:.0f} {b[2]:.0f} nT", field_nT=b)
 
 
-def drive(bench: Bench, i_A: ArrayLike) -> Work[None]:
-    """Bring the coil currents to `i_A` (3,), and say so in the record."""
+def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[None]:
+    """Bring the coil currents to `i_A` (3,), and say so in the record; as `Cage.set_currents`."""
     i = [float(v) for v in np.asarray(i_A)]
-    bench.cage.set_currents(i)
+    bench.cage.set_currents(i, confirm_signs=confirm_signs)
     yield _set_point(bench, f"currents {i[0]:.4f} {i[1]:.4f} {i[2]:.4f} A", current_A=i)
 
 

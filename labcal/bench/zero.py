@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import TypeVar
 
 from labcal.bench.clock import Clock
 from labcal.bench.roles import CoilSupply
 from labcal.errors import InstrumentError
 
+T = TypeVar("T")
 RAMP_STEP_S = 0.1
 ZERO_TIMEOUT_S = 1.0
 
@@ -41,43 +43,63 @@ def to_zero(
     rates_A_per_s: Mapping[str, float],
     clock: Clock,
     wait: Callable[[float], None] | None = None,
+    known_A: Mapping[str, float] | None = None,
 ) -> dict[str, AtZero]:
     """Ramp every axis to zero, see it below its `zero_current_A`, then open it where it can open.
 
-    An axis that fails on the ramp is set to zero at once and opened without a ramp, as far as it answers.
+    Every axis is set to zero before the first is read back, and read back before the first is opened. One that fails
+    on the ramp is set to zero without a ramp, as far as it answers, after all others: its silence keeps no line busy
+    that they need. `known_A`: set-points that need not be asked for.
     """
     faults: dict[str, InstrumentError] = {}
-    _ramp_down(supplies, rates_A_per_s, clock, wait or clock.wait_until, faults)
-    return {axis: _release(axis, supply, clock, faults.get(axis)) for axis, supply in supplies.items()}
+    levels = dict(known_A or {})
+    levels |= _each({axis: supply.set_point for axis, supply in supplies.items() if axis not in levels}, faults)
+    arrived = _ramp_down(supplies, levels, rates_A_per_s, clock, wait or clock.wait_until, faults)
+    well, ill = [axis for axis in supplies if axis not in faults], list(faults)
+    ended = {end.axis: end for axes in (well, ill) for end in _released(axes, supplies, clock, arrived, faults)}
+    return {axis: ended[axis] for axis in supplies}
 
 
 def _ramp_down(
     supplies: Mapping[str, CoilSupply],
+    levels: Mapping[str, float],
     rates: Mapping[str, float],
     clock: Clock,
     wait: Callable[[float], None],
     faults: dict[str, InstrumentError],
-) -> None:
-    start = {axis: level for axis, s in supplies.items() if (level := _tried(axis, s.set_point, faults)) is not None}
-    begun = clock.now()
-    duration = max((abs(level) / rates[axis] for axis, level in start.items()), default=0.0)
-    left = float(duration > 0)
-    while left > 0:  # by the clock, so that a slow supply takes larger steps and not longer
-        left = max(0.0, 1 - (clock.now() + RAMP_STEP_S - begun) / duration)
-        for axis, level in start.items():
-            if axis not in faults and level:
-                _tried(axis, partial(supplies[axis].set_current, level * left), faults)
+) -> set[str]:
+    """Bring the set-points down together; returns the axes that hold zero now."""
+    duration = max((abs(level) / rates[axis] for axis, level in levels.items()), default=0.0)
+    begun, lead_s, arrived, left = clock.now(), RAMP_STEP_S, set[str](), float(duration > 0)
+    while left > 0:  # by the clock: a slow line takes larger steps and not longer
+        pass_begun = clock.now()
+        left = max(0.0, 1 - (pass_begun + lead_s - begun) / duration)
+        going = [axis for axis, level in levels.items() if level and axis not in faults]
+        arrived = set(_each({a: partial(supplies[a].set_current, levels[a] * left) for a in going}, faults))
+        lead_s = max(RAMP_STEP_S, clock.now() - pass_begun)
         wait(begun + duration * (1 - left))
+    return arrived
 
 
-def _release(axis: str, supply: CoilSupply, clock: Clock, fault: InstrumentError | None) -> AtZero:
-    try:
-        supply.set_current(0.0)
-        current = wait_for_zero(axis, supply, clock)
-        supply.output(False)
-        return AtZero(axis, current, supply.can_open, fault)
-    except InstrumentError as error:
-        return AtZero(axis, None, False, fault or error)
+def _released(
+    axes: Sequence[str],
+    supplies: Mapping[str, CoilSupply],
+    clock: Clock,
+    arrived: set[str],
+    before: Mapping[str, InstrumentError],
+) -> list[AtZero]:
+    """Zero on all that are not there yet, then the read-backs of all, then the outputs."""
+    faults: dict[str, InstrumentError] = {}
+    _each({axis: partial(supplies[axis].set_current, 0.0) for axis in axes if axis not in arrived}, faults)
+    set_to_zero = [axis for axis in axes if axis not in faults]
+    currents = _each({axis: partial(wait_for_zero, axis, supplies[axis], clock) for axis in set_to_zero}, faults)
+    _each({axis: partial(supplies[axis].output, False) for axis in currents}, faults)
+    return [
+        AtZero(axis, None, False, before.get(axis, faults[axis]))
+        if axis in faults
+        else AtZero(axis, currents[axis], supplies[axis].can_open, before.get(axis))
+        for axis in axes
+    ]
 
 
 def wait_for_zero(axis: str, supply: CoilSupply, clock: Clock) -> float:
@@ -95,9 +117,12 @@ def wait_for_zero(axis: str, supply: CoilSupply, clock: Clock) -> float:
     return left
 
 
-def _tried(axis: str, act: Callable[[], float | None], faults: dict[str, InstrumentError]) -> float | None:
-    try:
-        return act()
-    except InstrumentError as error:
-        faults[axis] = error
-        return None
+def _each(acts: Mapping[str, Callable[[], T]], faults: dict[str, InstrumentError]) -> dict[str, T]:
+    """What each axis' act gives; what fails on one is kept in `faults` and stops no other."""
+    done: dict[str, T] = {}
+    for axis, act in acts.items():
+        try:
+            done[axis] = act()
+        except InstrumentError as error:
+            faults[axis] = error
+    return done

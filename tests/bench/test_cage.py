@@ -151,3 +151,57 @@ def test_a_fault_in_the_file_is_one_sentence_with_its_line(tmp_path: Path, old: 
         opened(changed(tmp_path, old, new))
     assert says in str(caught.value)
     assert caught.value.line is not None
+
+
+def welded(monkeypatch: pytest.MonkeyPatch, bench: Bench, axis: str) -> None:
+    """The relay of this axis reads back as set, and its contacts stay where they are."""
+    monkeypatch.setattr(lab_of(bench).coils[axis], "reverse", lambda t_s, sign: None)
+
+
+def test_a_welded_contact_is_seen_by_the_reference_at_small_current(
+    bench: Bench, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bench.start()
+    welded(monkeypatch, bench, "y")
+    bench.cage.set_currents([0.5, 0.5, -0.5])
+    with pytest.raises(InstrumentError, match=r"coil y.*step of -0\.04 A was seen") as caught:
+        bench.cage.set_currents([-0.5, -0.5, 0.5])
+    assert caught.value.fault == "polarity not confirmed"
+    assert "zero" in caught.value.remedy
+    assert abs(bench.cage.currents_A()).max() < 0.001
+    reached = lab_of(bench).coils["y"].current.at(np.arange(0.0, bench.clock.now(), 0.01))
+    assert reached.max() < 0.51  # never more than the set-point before
+
+
+def test_every_reversal_is_looked_at_and_nothing_else(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    bench.start()
+    judged: list[tuple[int, ...]] = []
+    judge = bench.cage._signs.judge
+    monkeypatch.setattr(
+        bench.cage._signs, "judge", lambda probe, *seen: (judged.append(probe.axes), judge(probe, *seen))
+    )
+    for currents in ([0.5, 0.5, 0.0], [1.0, 0.2, 0.01], [1.0, -0.2, 0.3], [-0.3, -0.4, 0.3], [0.3, 0.4, -0.01]):
+        bench.cage.set_currents(currents)
+    assert judged == [(0, 1), (2,), (1,), (0,), (0, 1)]
+    bench.cage.zero()
+    bench.cage.set_currents([0.3, 0.0, 0.0])
+    assert judged[5:] == [(0,)]
+
+
+def test_the_way_of_a_probe_never_leaves_the_straight_line(bench: Bench) -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(500):
+        start, target = rng.uniform(-1, 1, (2, 3))
+        bench.cage._signs.forget()
+        for probe in bench.cage._signs.probes(start, target):
+            for point in (probe.before, probe.after):
+                parts = (point - start) / (target - start)
+                assert np.ptp(parts) < 1e-9
+                assert -1e-9 < parts[0] < 1 + 1e-9
+
+
+def test_without_a_reference_that_sees_the_coils_the_read_back_is_all_there_is(tmp_path: Path) -> None:
+    with opened(changed(tmp_path, 'place = "dut"', 'place = "remote"')) as bench:
+        bench.start()
+        bench.cage.set_currents([0.5, -0.5, 0.0])
+        assert bench.cage.currents_A() == pytest.approx([0.5, -0.5, 0.0], abs=0.01)

@@ -34,6 +34,7 @@ class Coil:
     current_limit_A: float
     ramp_limit_A_per_s: float
     energised: bool = False
+    in_motion: bool = False  # a set-point is on its way, or was when it failed: what the supply holds is not known
     tripped: InstrumentError | None = None  # told to the session until it sets zero itself
     unresolved: InstrumentError | None = None  # why zero is not confirmed
 
@@ -53,6 +54,13 @@ class Coil:
     def limit(self) -> CoilLimit:
         """Current and ramp."""
         return CoilLimit(self.axis, self.current_limit_A, self.rate_A_per_s)
+
+    @property
+    def known_A(self) -> float | None:
+        """The set-point that the bare supply holds, where this guardian has set it and seen it read back."""
+        if not self.energised or self.in_motion or self.unresolved is not None:
+            return None
+        return self.limit.level_A if self.bare.bipolar else abs(self.limit.level_A)
 
     @property
     def rate_A_per_s(self) -> float:
@@ -82,6 +90,7 @@ class Guardian:
             axis: {
                 "name": coil.name,
                 "bipolar": coil.signed.bipolar,
+                "has_contacts": isinstance(coil.signed, ReversedSupply),
                 "zero_current_A": coil.signed.zero_current_A,
                 "can_open": coil.signed.can_open,
                 "ramp_A_per_s": coil.signed.ramp_A_per_s,
@@ -118,9 +127,10 @@ class Guardian:
                 coil.tripped = None
             self._refuse(coil)
             coil.limit.refuse(current_A, coil.line.clock.now())
-            coil.energised = coil.energised or current_A != 0
+            coil.energised, coil.in_motion = coil.energised or current_A != 0, True
             coil.signed.set_current(current_A)
             coil.limit.was_set(current_A, coil.line.clock.now())
+            coil.in_motion = False
 
     def set_point(self, axis: str) -> float:
         """The signed set-point, read back [A]."""
@@ -228,7 +238,8 @@ def _line_down(coils: Sequence[Coil]) -> list[AtZero]:
                 faults[coil.axis] = AtZero(coil.axis, None, False, fault)
         supplies = {axis: coil.bare for axis, coil in ready.items()}
         rates = {axis: coil.rate_A_per_s for axis, coil in ready.items()}
-        ended: Mapping[str, AtZero] = {**faults, **to_zero(supplies, rates, coils[0].line.clock)}
+        known = {axis: level for axis, coil in ready.items() if (level := coil.known_A) is not None}
+        ended: Mapping[str, AtZero] = {**faults, **to_zero(supplies, rates, coils[0].line.clock, known_A=known)}
         for coil in coils:
             _settle(coil, ended[coil.axis])
         return list(ended.values())
@@ -245,5 +256,5 @@ def _connect(coil: Coil) -> None:
 def _settle(coil: Coil, end: AtZero) -> None:
     coil.unresolved = end.fault if end.current_A is None else None
     if coil.unresolved is None:
-        coil.energised = False
+        coil.energised = coil.in_motion = False
         coil.limit.at_zero()

@@ -34,6 +34,11 @@ class CoilLimit:
         self._allowance_A = max(0.0, self._allowed(now_s) - abs(current_A - self._level_A))
         self._level_A, self._t_s = current_A, now_s
 
+    @property
+    def level_A(self) -> float:
+        """What was set last [A]."""
+        return self._level_A
+
     def at_zero(self) -> None:
         """The coil has come to zero by itself."""
         self._level_A, self._allowance_A = 0.0, self._ramp_A_per_s * BURST_S

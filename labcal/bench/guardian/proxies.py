@@ -34,6 +34,7 @@ class GuardedSupply(GuardedInstrument):
         facts = guardian.facts[axis]
         super().__init__(str(facts["name"]), guardian)
         self._axis = axis
+        self.has_contacts = bool(facts["has_contacts"])
         self.bipolar, self.can_open = bool(facts["bipolar"]), bool(facts["can_open"])
         self.zero_current_A, self.ramp_A_per_s = float(facts["zero_current_A"]), float(facts["ramp_A_per_s"])
 
