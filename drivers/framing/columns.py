@@ -73,11 +73,14 @@ class Columns:
 
 
 def channels(settings: Columns) -> tuple[ChannelSpec, ...]:
-    """The housekeeping of a column map."""
+    """The housekeeping of a column map; temp_coil… is the windings', all else the DUT's."""
     names = [c for c in settings.columns if c not in ("t", "x", "y", "z", "-")]
     unstated: tuple[Quantity, str] = ("other", "")
     stated = {n: settings.quantities.get(n) or QUANTITIES.get(n.split("_")[0], unstated) for n in names}
-    return tuple(ChannelSpec(name, unit, quantity) for name, (quantity, unit) in stated.items())
+    return tuple(
+        ChannelSpec(name, unit, quantity, "coil" if name.startswith("temp_coil") else "dut")
+        for name, (quantity, unit) in stated.items()
+    )
 
 
 def number(text: str, decimal: str = ".") -> float | None:

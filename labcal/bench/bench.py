@@ -28,7 +28,7 @@ from labcal.bench.roles import (
     RotationPlatform,
 )
 from labcal.bench.samples import merged
-from labcal.bench.watch import StreamWatch, TemperatureLimit
+from labcal.bench.watch import FieldLimit, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
@@ -85,7 +85,8 @@ class Bench:
         self._links, self._known = links or {}, dict[str, Identity]()
         self._pending: list[Block] = []
         self._watches: list[StreamWatch] = []
-        self._temperature = self._temperature_limit()
+        self._limits: list[TemperatureLimit] = []
+        self._field_limit = self._limit_of_the_field_seen()
         self._streaming = False
         self._next_angle_s = self._next_coils_s = math.inf
 
@@ -124,6 +125,7 @@ class Bench:
             StreamWatch(sensor.name, stated.silent_s, stated.stuck_s, now)
             for sensor, stated in ((self.dut, self.config.dut), (self.reference, self.config.reference))
         ]
+        self._limits = self._temperature_limits(now)
         self._streaming = True
 
     def stream_until(self, t_s: float) -> list[Block]:
@@ -174,10 +176,28 @@ class Bench:
         if self._streaming:
             self._listen()
 
-    def _temperature_limit(self) -> TemperatureLimit | None:
-        allowed = self.config.dut.limits.temperature_C
-        channels = tuple(c.name for c in self.dut.channels if c.quantity == "temperature")
-        return TemperatureLimit(allowed, channels) if allowed and channels else None
+    def _temperature_limits(self, now_s: float) -> list[TemperatureLimit]:
+        """Of the DUT and of the windings, as far as they are stated."""
+        dut, winding = self.config.dut.limits.temperature_C, self.config.cage.limits.temperature_C
+        stated = (
+            ("dut", dut, "let the DUT come back into its range."),
+            (
+                "coil",
+                None if winding is None else (-math.inf, winding),
+                "let the windings cool, then use less current.",
+            ),
+        )
+        return [
+            TemperatureLimit(allowed, temperatures_of(self.dut, role), remedy, now_s)
+            for role, allowed, remedy in stated
+            if allowed is not None
+        ]
+
+    def _limit_of_the_field_seen(self) -> FieldLimit | None:
+        if self.config.reference.place in ("remote", "computed"):
+            return None
+        stated = (self.config.dut.limits.field_nT, self.config.cage.limits.field_nT)
+        return FieldLimit(min(limit for limit in stated if limit is not None))
 
     def _listen(self) -> None:
         now = self.clock.now()
@@ -185,8 +205,10 @@ class Bench:
         for watch, blocks in zip(self._watches, readings, strict=True):
             self._pending += blocks
             watch.see(blocks, now)
-        if self._temperature is not None:
-            self._temperature.see(readings[0])
+        for limit in self._limits:
+            limit.see(readings[0], now)
+        if self._field_limit is not None:
+            self._field_limit.see(readings[1])
 
     def _field_seen(self) -> NDArray[np.float64] | None:
         """The mean (3,) of what the reference sends next, C; None where none streams that sees the coils."""
@@ -231,6 +253,11 @@ class Bench:
     def _keep(self, stream: Any, source: str, columns: tuple[str, ...], t_s: float, values: ArrayLike) -> None:
         row = np.asarray(values, dtype=float)[None, :]
         self._pending.append(Block(stream, source, columns, np.array([t_s]), row))
+
+
+def temperatures_of(dut: DutStream, role: str) -> tuple[str, ...]:
+    """The temperature channels that belong to `role`."""
+    return tuple(c.name for c in dut.channels if c.quantity == "temperature" and c.role == role)
 
 
 def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None, greet: bool = True) -> Bench:

@@ -46,6 +46,7 @@ class CageLimits(_Table):
     field_nT: Positive  # of the field at the centre
     rms_current_A: PerAxis | None = None  # root mean square over `rms_window_s`: what the wire bears for ever
     rms_window_s: Positive = 600.0
+    temperature_C: Finite | None = None  # of the windings, where a channel tells it
 
 
 class CageConfig(_Table):
@@ -114,6 +115,14 @@ class DutLimits(_Table):
         if self.temperature_C is not None and self.temperature_C[0] >= self.temperature_C[1]:
             raise ValueError("temperature_C must be [lowest, highest]")
         return self
+
+    def refuse_mode(self, mode: str) -> None:
+        """Raise InputError where the DUT may not be in this power mode; no modes stated: it may be in any."""
+        if self.modes and mode not in self.modes:
+            raise InputError(
+                f"power mode {mode!r} is none of those that [dut.limits] allows: {', '.join(self.modes)}; "
+                "nothing was switched."
+            )
 
 
 class DutConfig(_Table):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
 
-from labcal.bench.bench import Bench, Reopens
+from labcal.bench.bench import Bench, Reopens, temperatures_of
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
 from labcal.bench.guardian.client import GuardianClient
@@ -22,7 +22,7 @@ from labcal.bench.hands import SimulatedHands
 from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
-from labcal.bench.roles import CoilSupply, Instrument, PolarityRelay
+from labcal.bench.roles import CoilSupply, DutStream, Instrument, PolarityRelay
 from labcal.errors import InputError, LimitError
 
 DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"
@@ -200,6 +200,7 @@ def _sharing(loader: Loader, name: str, guardian: GuardianClient) -> Instrument:
 def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: GuardianClient | None) -> Bench:
     config = loader.config
     roles: dict[str, Any] = {entry.role: instruments[name] for name, entry in config.instruments.items()}
+    _refuse_limits_on_the_unknown(loader, roles["dut"])
     supplies = coil_supplies(roles, loader.clock) if guardian is None else {a: roles[f"coil-{a}"] for a in AXES}
     try:
         return Bench(
@@ -217,6 +218,14 @@ def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: G
         )
     except LimitError as error:
         loader.refuse(str(error), ("cage", "limits"))
+
+
+def _refuse_limits_on_the_unknown(loader: Loader, dut: DutStream) -> None:
+    """A limit that nothing can bind would only look like one."""
+    if loader.config.dut.limits.temperature_C is not None and not temperatures_of(dut, "dut"):
+        loader.refuse("the DUT tells no temperature (a channel temp_…)", ("dut", "limits", "temperature_C"))
+    if loader.config.cage.limits.temperature_C is not None and not temperatures_of(dut, "coil"):
+        loader.refuse("no channel temp_coil… tells it", ("cage", "limits", "temperature_C"))
 
 
 def _link(loader: Loader, name: str, instrument: Instrument, guardian: GuardianClient | None) -> Reopens:

@@ -101,7 +101,9 @@ def turn_by_hand(bench: Bench, to_deg: float) -> Work[None]:
     """Ask a person to turn the dial to `to_deg`, and what it then reads. Raises InstrumentError for an abort."""
     assert bench.by_hand is not None
     bench.platform.move_to(to_deg, bench.platform.max_rate_deg_per_s)
+    limit = bench.config.dut.limits.rate_deg_per_s
     text, drawing = bench.by_hand.question(), {"angle_deg": to_deg}
+    text += f" No faster than {limit:g} deg/s." if limit else ""
     answer = yield Prompt(bench.clock.now(), f"turn-{to_deg:g}", text, (), acts=True, drawing=drawing)
     bench.by_hand.confirm(answer or "")
 
@@ -221,9 +223,7 @@ def not_used(bench: Bench, segments: Sequence[str], reason: str) -> Event:
 
 def switch_mode(bench: Bench, mode: str) -> Work[None]:
     """Ask the person to bring the DUT into the power mode `mode`."""
-    allowed = bench.config.dut.limits.modes
-    if allowed and mode not in allowed:
-        raise InputError(f"power mode {mode!r} is none of the DUT's: {', '.join(allowed)}")
+    bench.config.dut.limits.refuse_mode(mode)
     text = f"Switch the DUT to power mode {mode}."
     yield Prompt(bench.clock.now(), f"mode-{mode}", text, acts=True, drawing={"mode": mode})
     yield ModeChanged(bench.clock.now(), mode)

@@ -13,6 +13,8 @@ from labcal.record.stream import Block
 
 Array = NDArray[np.float64]
 STUCK_SAMPLES = 100
+UNKNOWN_S = 60.0  # without a value so long, a temperature that has a limit is not known
+SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to the limit itself
 
 
 class StreamWatch:
@@ -54,26 +56,59 @@ class StreamWatch:
 
 
 class TemperatureLimit:
-    """Raises InstrumentError where one of the DUT's temperatures [degC] leaves its allowed range."""
+    """Raises InstrumentError where one of these temperatures [degC] leaves its range, or none has come for long."""
 
-    def __init__(self, allowed_C: tuple[float, float], channels: tuple[str, ...]) -> None:
-        self._allowed, self._channels = allowed_C, channels
+    def __init__(self, allowed_C: tuple[float, float], channels: tuple[str, ...], remedy: str, now_s: float) -> None:
+        self._allowed, self._channels, self._remedy = allowed_C, channels, remedy
+        self._last_s = dict.fromkeys(channels, now_s)
 
-    def see(self, blocks: list[Block]) -> None:
-        """Look at the housekeeping that has come."""
+    def see(self, blocks: list[Block], now_s: float) -> None:
+        """Look at the housekeeping that has come up to `now_s`."""
         for block in blocks:
             for name in set(self._channels) & set(block.columns):
                 values = block.values[:, block.columns.index(name)]
-                for value, beyond, limit in (
-                    (float(np.nanmin(values)), np.less, self._allowed[0]),
-                    (float(np.nanmax(values)), np.greater, self._allowed[1]),
-                ):
-                    if beyond(value, limit):
-                        raise InstrumentError(
-                            f"{block.source}: {name} is {value:g} degC, its limit is {limit:g} degC.",
-                            fault="limit reached",
-                            remedy="Coils go to zero; let the DUT come back into its range.",
-                        )
+                if (known := np.isfinite(values)).any():
+                    self._last_s[name] = float(block.t_s[known][-1])
+                    self._judge(block.source, name, values[known])
+        for name, last_s in self._last_s.items():
+            if now_s - last_s > UNKNOWN_S:
+                raise InstrumentError(
+                    f"{name}: no temperature for {now_s - last_s:.0f} s, and it has a limit.",
+                    fault="silent",
+                    remedy=f"Coils go to zero; see why {name} is not told.",
+                )
+
+    def _judge(self, source: str, name: str, values: Array) -> None:
+        low, high = self._allowed
+        for value, limit, beyond in (
+            (values.min(), low, values.min() < low),
+            (values.max(), high, values.max() > high),
+        ):
+            if beyond:
+                raise InstrumentError(
+                    f"{source}: {name} is {value:g} degC, its limit is {limit:g} degC.",
+                    fault="limit reached",
+                    remedy=f"Coils go to zero; {self._remedy}",
+                )
+
+
+class FieldLimit:
+    """Raises InstrumentError where the reference, beside the DUT, sees more than `limit_nT` and `SEEN` allow."""
+
+    def __init__(self, limit_nT: float) -> None:
+        self._limit_nT = limit_nT
+
+    def see(self, blocks: list[Block]) -> None:
+        """Look at the readings (n, 3) or (n, 1) [nT] of the reference that have come."""
+        for block in blocks:
+            if block.stream == "reference" and len(block):
+                seen = float(np.linalg.norm(block.values, axis=1).max())
+                if seen > SEEN * self._limit_nT:
+                    raise InstrumentError(
+                        f"{block.source}: a field of {seen:.0f} nT is seen, the limit is {self._limit_nT:.0f} nT.",
+                        fault="limit reached",
+                        remedy="Coils go to zero; is the ambient field what it was when it was measured last?",
+                    )
 
 
 class Windings:
@@ -81,14 +116,15 @@ class Windings:
 
     def __init__(self, rms_limit_A: tuple[float, float, float], window_s: float) -> None:
         self._limit, self._window_s = np.array(rms_limit_A), window_s
-        self._mean, self._current, self._t_s = np.zeros(3), np.zeros(3), 0.0
+        self.mean_A2: Array = np.zeros(3)
+        self._current, self._t_s = np.zeros(3), 0.0
 
     def see(self, currents_A: Array, now_s: float) -> None:
         """Take in the measured currents (3,). Raises InstrumentError (limit reached) where a winding has had enough."""
         fading = math.exp(-(now_s - self._t_s) / self._window_s)
-        self._mean = self._current**2 + (self._mean - self._current**2) * fading
+        self.mean_A2 = self._current**2 + (self.mean_A2 - self._current**2) * fading
         self._current, self._t_s = currents_A, now_s
-        for axis, rms, limit in zip(AXES, np.sqrt(self._mean), self._limit, strict=True):
+        for axis, rms, limit in zip(AXES, np.sqrt(self.mean_A2), self._limit, strict=True):
             if rms > limit:
                 raise InstrumentError(
                     f"coil {axis}: {rms:.3g} A root mean square over {self._window_s:.0f} s, its limit is {limit:g} A.",
@@ -99,7 +135,7 @@ class Windings:
     def refuse(self, target_A: Array) -> None:
         """Raise LimitError where a current would have to be taken back within a tenth of the window."""
         ahead = math.exp(-0.1)
-        soon = np.sqrt(target_A**2 + (self._mean - target_A**2) * ahead)
+        soon = np.sqrt(target_A**2 + (self.mean_A2 - target_A**2) * ahead)
         for axis, rms, limit in zip(AXES, soon, self._limit, strict=True):
             if rms > limit:
                 raise LimitError(

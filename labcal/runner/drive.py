@@ -13,7 +13,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.steps import Procedure
 from labcal.errors import InstrumentError, Stopped
-from labcal.record.stream import Block, Event, Item, Prompt, Step
+from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.control import Aborted, Control
 from labcal.runner.prompts import Answer, checked
 
@@ -54,6 +54,7 @@ class Drive:
             with closing(procedure):
                 self.bench.start()
                 for item in self._items(procedure):
+                    self._refuse_mode(item)
                     self._keep(item)
                     if isinstance(item, Prompt):
                         self._reply = self._ask(item)
@@ -78,6 +79,16 @@ class Drive:
             except StopIteration:
                 return
             yield item
+
+    def _refuse_mode(self, item: Item) -> None:
+        """Whatever a procedure is written like, it brings the DUT into no power mode that it may not be in."""
+        limits = self.bench.config.dut.limits
+        if isinstance(item, ModeChanged):
+            limits.refuse_mode(item.mode)
+        elif isinstance(item, SegmentOpened) and item.segment.mode is not None:
+            limits.refuse_mode(item.segment.mode)
+        elif isinstance(item, Prompt) and "mode" in item.drawing:
+            limits.refuse_mode(str(item.drawing["mode"]))
 
     def _keep(self, item: Item) -> None:
         item = _later(item, self.offset_s) if self.offset_s else item

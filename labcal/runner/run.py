@@ -70,7 +70,7 @@ def run_procedure(
     wrong later is in the Outcome, and the coils are at zero.
     """
     values = settings(procedure.parameters, given)
-    _refuse_unknown_modes(bench, values)
+    _refuse_modes(bench, values)
     identities = bench.identities()
     header = RunHeader(
         run_id=run_id or new_run_id(bench),
@@ -115,6 +115,13 @@ def resume_run(
     software = {"software": f"labcal {labcal.__version__}"}
     writer.write(Event(_last_time(items) + GAP_S, RESUMED, "goes on after an interruption", software))
     return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, offset)
+
+
+def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
+    """Raise InputError for a power mode that the DUT may not be in, before anything is asked or energised."""
+    for mode in (values.get("mode"), *(values.get("modes") or ())):
+        if isinstance(mode, str):
+            bench.config.dut.limits.refuse_mode(mode)
 
 
 def new_run_id(bench: Bench) -> str:
@@ -189,14 +196,6 @@ def so_far(items: Sequence[Item]) -> Resume:
 def _last_time(items: Sequence[Item]) -> float:
     ends = [float(item.t_s[-1]) if isinstance(item, Block) else item.t_s for item in items]
     return max(ends, default=0.0)
-
-
-def _refuse_unknown_modes(bench: Bench, values: Mapping[str, Any]) -> None:
-    """A power mode that the DUT does not have is refused before anybody mounts anything."""
-    allowed, given = bench.config.dut.limits.modes, values.get("modes") or (values.get("mode"),)
-    for mode in given if allowed else ():
-        if mode is not None and mode not in allowed:
-            raise InputError(f"power mode {mode!r} is none of the DUT's: {', '.join(allowed)}")
 
 
 def _refuse_another(bench: Bench, procedure: Found, header: RunHeader) -> None:

@@ -12,12 +12,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.__main__ import patience
-from labcal.bench.guardian.limits import CoilLimit
+from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
+from labcal.bench.guardian.logbook import note, written
+from labcal.bench.guardian.memory import Memory
 from labcal.bench.links import ports
 from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError, LimitError
+from labcal.home import home
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
 
 def test_a_current_beyond_the_limit_is_refused_with_both_numbers() -> None:
@@ -42,6 +48,59 @@ def test_steps_that_come_too_fast_are_refused() -> None:
         limit.was_set(0.2 * step, 0.01 * step)
     with pytest.raises(LimitError):
         limit.refuse(0.6, 0.03)
+
+
+AT_REST = {"x": 0.0, "y": 0.0, "z": 0.0}
+
+
+def together(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, limits: str = "") -> TogetherLimit:
+    monkeypatch.setattr(ports, "runtime_folder", lambda: tmp_path)
+    monkeypatch.setattr("labcal.bench.guardian.memory.runtime_folder", lambda: tmp_path)
+    text = EXAMPLE.read_text(encoding="utf-8").replace("field_nT = 120000.0", f"field_nT = 120000.0\n{limits}")
+    (tmp_path / "bench.toml").write_text(text, encoding="utf-8")
+    return TogetherLimit(read_config(tmp_path / "bench.toml"), Memory(["tcp://localhost:9"]))
+
+
+def test_a_field_that_no_ambient_explains_is_refused_with_both_numbers(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    limit = together(tmp_path, monkeypatch)
+    limit.refuse({"x": 1.9, "y": 1.9, "z": 1.9})
+    with pytest.raises(LimitError, match=r"field of 17\d{4} nT .* 100000 nT"):
+        limit.refuse({"x": 2.0, "y": -2.0, "z": 2.0})
+    with pytest.raises(LimitError):
+        limit.refuse({"x": float("nan"), "y": 0.0, "z": 0.0})
+
+
+def test_what_a_winding_has_borne_is_known_to_the_next_guardian(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stated = "rms_current_A = 1.0\nrms_window_s = 600"
+    limit = together(tmp_path, monkeypatch, stated)
+    assert limit.hot(AT_REST | {"y": 2.0}, 10.0) is None
+    assert limit.hot(AT_REST | {"y": 2.0}, 100.0) is None
+    hot = limit.hot(AT_REST | {"y": 2.0}, 200.0)
+    assert hot is not None
+    assert (hot.fault, "coil y" in hot.what) == ("limit reached", True)
+    assert written(at_most_s=30)
+    again = together(tmp_path, monkeypatch, stated)
+    with pytest.raises(LimitError, match="coil y"):
+        again.refuse(AT_REST | {"y": 1.01})
+    again.refuse(AT_REST | {"x": 1.01})
+    for spoilt in ("", "[]", '{"utc_s": "x", "mean_A2": [1,2,3]}', '{"utc_s": 0, "mean_A2": [1, NaN, -1]}', "\xff"):
+        next(tmp_path.glob("duty-*.json")).write_text(spoilt)
+        together(tmp_path, monkeypatch, stated).refuse(AT_REST | {"y": 1.01})
+
+
+def test_a_log_that_cannot_be_written_delays_nobody(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path / "file"))
+    (tmp_path / "file").write_text("not a folder")
+    note("lost")
+    assert written(at_most_s=30)
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
+    note("kept")
+    assert written(at_most_s=30)
+    assert (home() / "guardian.log").read_text().endswith("kept\n")
 
 
 @pytest.mark.parametrize("ramp_s", [0.0, 0.5, 1.0, 1.5])

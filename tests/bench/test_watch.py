@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labcal.bench.watch import StreamWatch, TemperatureLimit, Windings
+from labcal.bench.watch import FieldLimit, StreamWatch, TemperatureLimit, Windings
 from labcal.errors import InstrumentError, LimitError
 from labcal.record.stream import Block
 
@@ -61,11 +61,32 @@ def test_a_winding_bears_its_rms_current_for_ever_and_twice_that_for_a_while() -
     hot.refuse(np.array([0.0, 0.5, 0.0]))
 
 
+def housekeeping(t: list[float], *temperatures: float) -> Block:
+    values = np.column_stack([np.full(len(t), 99.0), temperatures])
+    return Block("channel", "dut", ("i_eps", "temp_dut"), np.array(t), values)
+
+
 def test_a_dut_too_warm_is_a_limit_reached() -> None:
-    warm = Block("channel", "dut", ("i_eps", "temp_dut"), np.array([1.0, 2.0]), np.array([[0.4, 59.0], [0.4, np.nan]]))
-    limit = TemperatureLimit((-20.0, 60.0), ("temp_dut",))
-    limit.see([warm])
-    hot = Block("channel", "dut", ("i_eps", "temp_dut"), np.array([3.0]), np.array([[99.0, 60.5]]))
+    limit = TemperatureLimit((-20.0, 60.0), ("temp_dut",), "wait.", 0.0)
+    limit.see([housekeeping([1.0, 2.0], 59.0, np.nan)], 2.0)
     with pytest.raises(InstrumentError, match=r"temp_dut is 60\.5 degC.*60 degC") as caught:
-        limit.see([hot])
+        limit.see([housekeeping([3.0], 60.5)], 3.0)
+    assert caught.value.fault == "limit reached"
+    with pytest.raises(InstrumentError, match=r"temp_dut is -21 degC.*-20 degC"):
+        limit.see([housekeeping([3.0], -21.0)], 3.0)
+
+
+def test_a_temperature_that_has_a_limit_and_is_not_told_any_more_is_silent() -> None:
+    limit = TemperatureLimit((-20.0, 60.0), ("temp_dut",), "wait.", 0.0)
+    limit.see([housekeeping([50.0, 55.0], 20.0, np.nan)], 109.0)
+    with pytest.raises(InstrumentError, match="temp_dut: no temperature for 61 s") as caught:
+        limit.see([housekeeping([110.0], np.nan)], 111.0)
+    assert caught.value.fault == "silent"
+
+
+def test_a_field_seen_beyond_the_limit_is_a_limit_reached() -> None:
+    limit = FieldLimit(100_000.0)
+    limit.see([reference(np.array([1.0]), np.array([[0.0, 0.0, -104_900.0]]))])
+    with pytest.raises(InstrumentError, match=r"105100 nT is seen, the limit is 100000 nT") as caught:
+        limit.see([reference(np.array([2.0]), np.array([[105_100.0, 0.0, 0.0]]))])
     assert caught.value.fault == "limit reached"

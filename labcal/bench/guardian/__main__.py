@@ -18,7 +18,7 @@ from pathlib import Path
 from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.keeper import Guardian
-from labcal.bench.guardian.logbook import note
+from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.server import Server
 from labcal.bench.guardian.spawn import STANDBY, spawn
 from labcal.bench.links import ports
@@ -67,6 +67,7 @@ class Watch:
             time.sleep(LOOK_S)
             in_doubt = in_doubt or self._guardian.energised
             self._look_after(server)
+            self._guardian.look_at_duty()
             if self._guardian.unresolved and time.monotonic() - retried > RETRY_S:
                 self._guardian.try_again()
                 retried = time.monotonic()
@@ -164,4 +165,5 @@ def main(path: Path, how: str) -> None:
 
 if __name__ == "__main__":
     main(Path(sys.argv[1]), "".join(sys.argv[2:]))
+    written(at_most_s=2.0)
     os._exit(0)  # wait for no thread that still listens to a silent instrument

@@ -12,8 +12,9 @@ from threading import RLock
 from typing import Any, cast
 
 from labcal.bench.config import AXES, BenchConfig
-from labcal.bench.guardian.limits import CoilLimit
+from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
 from labcal.bench.guardian.lines import Line, LockedRelay, open_lines, relay_of
+from labcal.bench.guardian.memory import Memory
 from labcal.bench.polarity import ReversedSupply
 from labcal.bench.roles import CoilSupply, Identity
 from labcal.bench.zero import AtZero, to_zero
@@ -81,6 +82,7 @@ class Guardian:
             axis: Coil(axis, name := names[f"coil-{axis}"], self._lines[name], relay, most, rate)
             for axis, most, rate in zip(AXES, limits.current_A, limits.ramp_A_per_s, strict=True)
         }
+        self._together = TogetherLimit(config, Memory(config.guarded_links))
         self._zeroing = RLock()
         self._exchanges_s = 0.0  # how long zero takes where nothing flows: three supplies on one slow line take longest
 
@@ -127,6 +129,7 @@ class Guardian:
                 coil.tripped = None
             self._refuse(coil)
             coil.limit.refuse(current_A, coil.line.clock.now())
+            self._together.refuse(self._held_A() | {axis: current_A})
             coil.energised, coil.in_motion = coil.energised or current_A != 0, True
             coil.signed.set_current(current_A)
             coil.limit.was_set(current_A, coil.line.clock.now())
@@ -157,13 +160,13 @@ class Guardian:
                 )
             coil.signed.output(on)
 
-    def zero(self, why: str, *, by_session: bool = False) -> list[AtZero]:
+    def zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> list[AtZero]:
         """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError.
 
-        Where it was not the session that asked, it is told so at its next order.
+        Where it was not the session that asked, it is told so, or told `fault`, at its next order.
         """
         for coil in self.coils.values() if not by_session else ():
-            coil.tripped = InstrumentError(
+            coil.tripped = fault or InstrumentError(
                 f"coil {coil.axis} was taken to zero: {why}.",
                 fault="taken to zero",
                 remedy="See guardian.log; what was measured since then was measured without this coil.",
@@ -176,6 +179,12 @@ class Guardian:
                 self._exchanges_s = time.monotonic() - begun
             self._note("read back: " + "; ".join(map(_read_back, ended)))
         return ended
+
+    def look_at_duty(self) -> None:
+        """Zero where a winding has borne enough, whatever the session believes."""
+        hot = self._together.hot(self._held_A(), time.monotonic())
+        if hot is not None and self.energised:
+            self.zero(hot.what, fault=hot)
 
     def try_again(self) -> None:
         """Try once more what did not come to zero: the link is opened again and the instrument asked who it is."""
@@ -204,6 +213,9 @@ class Guardian:
     def unresolved(self) -> dict[str, InstrumentError]:
         """Axes whose zero is not confirmed, and why."""
         return {axis: coil.unresolved for axis, coil in self.coils.items() if coil.unresolved is not None}
+
+    def _held_A(self) -> dict[str, float]:
+        return {axis: coil.limit.level_A if coil.energised else 0.0 for axis, coil in self.coils.items()}
 
     def _refuse(self, coil: Coil) -> None:
         if coil.tripped is not None:

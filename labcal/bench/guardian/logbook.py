@@ -1,19 +1,54 @@
-"""What the guardian did, when and why: one line each in `guardian.log` of the user's data folder."""
+"""What the guardian did, when and why: one line each in `guardian.log` of the user's data folder.
+
+A disk may be full, or far away and silent: a thread of its own writes, and nothing that brings coils to zero waits.
+"""
 
 from __future__ import annotations
 
 import os
+import threading
+from collections.abc import Callable
+from contextlib import suppress
 from datetime import UTC, datetime
+from functools import cache, partial
+from queue import SimpleQueue
 
+from labcal.errors import InputError
 from labcal.home import home
+
+_jobs: SimpleQueue[Callable[[], None]] = SimpleQueue()
 
 
 def note(text: str) -> None:
-    """Append a line with the UTC time and the process; a disk that is full does not keep the coils from zero."""
-    line = f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%S.%f}Z [{os.getpid()}] {text}\n"
-    try:
-        home().mkdir(parents=True, exist_ok=True)
-        with (home() / "guardian.log").open("a", encoding="utf-8") as log:
-            log.write(line)
-    except OSError:
-        pass
+    """Append a line with the UTC time of now and the process."""
+    later(partial(_append, f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%S.%f}Z [{os.getpid()}] {text}\n"))
+
+
+def later(write: Callable[[], None]) -> None:
+    """Have something written when the disk allows it, in turn."""
+    _jobs.put(write)
+    _start_writer()
+
+
+def written(at_most_s: float) -> bool:
+    """Wait until all that was noted so far is written; False where it took longer than `at_most_s`."""
+    done = threading.Event()
+    later(done.set)
+    return done.wait(at_most_s)
+
+
+@cache
+def _start_writer() -> None:
+    threading.Thread(target=_write, daemon=True).start()
+
+
+def _write() -> None:
+    while True:
+        with suppress(OSError, InputError):
+            _jobs.get()()
+
+
+def _append(line: str) -> None:
+    home().mkdir(parents=True, exist_ok=True)
+    with (home() / "guardian.log").open("a", encoding="utf-8") as log:
+        log.write(line)
