@@ -119,10 +119,7 @@ class DutLimits(_Table):
     def refuse_mode(self, mode: str) -> None:
         """Raise InputError where the DUT may not be in this power mode; no modes stated: it may be in any."""
         if self.modes and mode not in self.modes:
-            raise InputError(
-                f"power mode {mode!r} is none of those that [dut.limits] allows: {', '.join(self.modes)}; "
-                "nothing was switched."
-            )
+            raise InputError(f"power mode {mode!r} is none of the DUT's: {', '.join(self.modes)}")
 
 
 class DutConfig(_Table):

@@ -103,7 +103,7 @@ def test_no_procedure_turns_faster_or_goes_higher_than_the_dut_bears(tmp_path: P
 def test_a_mode_that_is_not_allowed_is_refused_before_anything_is_asked(
     tmp_path: Path, procedure: str, given: dict[str, str]
 ) -> None:
-    with pytest.raises(InputError, match="power mode 'flight' is none of those"):
+    with pytest.raises(InputError, match="power mode 'flight' is none of the DUT's"):
         session.run(procedure, bench_file(tmp_path), given, seed=1)
     assert session.runs() == []
 
