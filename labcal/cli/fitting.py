@@ -15,6 +15,11 @@ if TYPE_CHECKING:
     from labcal.fit import Fit
     from labcal.model.apply import Applied
 
+FIT_WORDS = (
+    "Residual: rms of |b| less the reference's magnitude; held out: the same on stretches of time that the fit did not "
+    "see. u(k): standard uncertainties of the offsets x, y, z. Frame: free where magnitudes leave the rotation open."
+)
+
 
 @app.command("fit", rich_help_panel="Calibration")
 def fit(
@@ -70,18 +75,24 @@ def _show_fits(fits: list[Fit]) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    table = Table("Method", "Residual |b| nT", "Held out nT", "u(k) nT", "Frame", "Time ms", box=None)
+    table = Table(box=None)
+    for name in ("Method", "Residual\nnT", "Held out\nnT", "u(k)\nnT", "Frame", "Time\nms"):
+        table.add_column(name, no_wrap=True, justify="left" if name in ("Method", "Frame") else "right")
     for found in fits:
         table.add_row(found.method, *_cells(found)) if found.ok else table.add_row(found.method, "none", style="yellow")
     console = Console()
     console.print(table)
+    console.print(FIT_WORDS, style="dim", highlight=False)
+    why_not: dict[str, list[str]] = {}
     for found in fits:
         if not found.ok:
-            console.print(f"{found.method}: {found.why_not}", style="yellow", highlight=False)
+            why_not.setdefault(str(found.why_not), []).append(found.method)
+    for reason, methods in why_not.items():
+        console.print(f"{', '.join(methods)}: {reason}", style="yellow", highlight=False)
 
 
 def _cells(found: Fit) -> tuple[str, ...]:
-    u = "" if found.covariance is None else " ".join(f"{found.covariance[i, i] ** 0.5:.1f}" for i in (9, 10, 11))
+    u = "none" if found.covariance is None else " ".join(f"{found.covariance[i, i] ** 0.5:.1f}" for i in (9, 10, 11))
     residuals = ("" if v is None else f"{v:.1f}" for v in (found.rms_scalar_nT, found.holdout_rms_scalar_nT))
     return (*residuals, u, "known" if found.frame_known else "free", f"{found.seconds * 1000:.0f}")
 

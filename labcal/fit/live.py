@@ -103,9 +103,12 @@ class LiveFilter:
             if begun is not None:
                 self._begin(*begun)
             return
-        self._x, self._P, surprise = type(self).step(
-            self._x, self._P, reading / unit, magnitude / unit, self._noise, self._reference_noise
-        )
+        try:
+            self._x, self._P, surprise = type(self).step(
+                self._x, self._P, reading / unit, magnitude / unit, self._noise, self._reference_noise
+            )
+        except (ArithmeticError, ValueError):  # a variance below nought: nothing can be expected of it
+            surprise = np.inf
         self._steps += 1
         self._surprise += surprise
 
@@ -125,8 +128,9 @@ class LiveFilter:
         chance = float(fdtri(self._steps, len(self._start) - 9, 1 - CHANCE))
         if np.isfinite(ratio) and ratio < max(SURPRISE, chance):
             return None
+        size = f"are {ratio:.1f} times" if np.isfinite(ratio) else "are beyond"
         return (
-            f"the filter has diverged, or the sensor has changed: its innovations squared are {ratio:.1f} times "
+            f"the filter has diverged, or the sensor has changed: its innovations squared {size} "
             "what its covariance and the noise of the first readings allow"
         )
 
@@ -155,9 +159,9 @@ def fit_live(run: Run, method: str, kind: type[LiveFilter]) -> Fit:
         live = kind(seen.noise, seen.reference_noise)
         for reading, magnitude in zip(seen.reading, seen.magnitude.tolist(), strict=True):
             live.update(reading, magnitude)
-        found, why_not = live.estimate(), live.diverged()
-        if why_not:
+        if why_not := live.diverged():
             return Fit(method, ok=False, why_not=why_not)
+        found = live.estimate()
     except (ArithmeticError, ValueError) as error:
         return Fit(method, ok=False, why_not=str(error))
     scale = noise_scale(seen, found)

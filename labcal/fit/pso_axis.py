@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.fit.declared import widen
 from labcal.fit.pso_loci import Loci, loci_of, reading_noise_nT
 from labcal.fit.pso_objectives import Planes, cofactor
 from labcal.fit.pso_polish import Polished, noise_bias_in_sigma, polish, singular_values, worst_uncertainty_nT
@@ -66,12 +67,15 @@ def polished_fit(method: str, run: Run, loci: Loci, theta: Array, basis: Array |
         return refused(method, why_not)
     unit = np.concatenate([np.full(9, run.dut.nominal_nT_per_unit), np.ones(3)])
     honest = noise_bias_in_sigma(loci, found) < LARGEST_BIAS
+    affine, frame_known = map_of(run, found.theta), basis is None
     return Fit(
         method,
         ok=True,
-        affine=map_of(run, found.theta),
-        covariance=found.covariance * np.outer(unit, unit) if honest else None,
-        frame_known=basis is None,
+        affine=affine,
+        covariance=widen(run, affine, found.covariance * np.outer(unit, unit), frame_known=frame_known)
+        if honest
+        else None,
+        frame_known=frame_known,
         noise_nT=found.noise_nT,
     )
 

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import i0e, i1e
 
+from labcal.fit.correlation import variance_inflation
 from labcal.fit.pso_loci import Loci
 from labcal.model.affine import jacobian
 
@@ -34,7 +35,7 @@ class Polished:
 
     theta: Array  # (12,) K row by row [nT of B per nT of reading], then k [nT]
     heights: Array  # (h,) [nT]
-    covariance: Array  # (12, 12) of theta
+    covariance: Array  # (12, 12) of theta, widened where residuals correlate
     noise_nT: float  # standard deviation of one component in the corrected space
     converged: bool
 
@@ -93,6 +94,7 @@ def polish(
             break
     noise = _Noise(sigma, min(reference_noise_nT / sigma, 1.0), white_in)
     covariance = _covariance(loci, full, unknown, free, noise)[:12, :12]
+    covariance *= variance_inflation(_evaluate(loci, full, unknown, sigma).seen, loci.locus)
     return Polished(full[:12], full[12:], covariance, sigma, size < 1e-7)
 
 

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit import scalar_check
+from labcal.fit.correlation import variance_inflation
+from labcal.fit.declared import widen
 from labcal.fit.result import Fit
 from labcal.fit.scalar_check import COLUMN, MISSING, ROW, Estimate
 from labcal.geometry import unit
@@ -95,16 +97,18 @@ def as_fit(run: Run, method: str, seen: Scalars, found: Estimate, *, widened: bo
     The covariance is widened for residuals that correlate, unless it has been (`widened`).
     """
     slope, gain = to_contract(run.dut.nominal_nT_per_unit), run.dut.nominal_nT_per_unit
-    wider = 1.0 if widened else correlation(residual(seen, found))
-    found = replace(found, covariance=found.covariance * wider)
+    if not widened:
+        wider = variance_inflation(residual(seen, found)[:, None], run.segment_index[usable(run)])
+        found = replace(found, covariance=found.covariance * wider)
     uncertain = worst_uncertainty(found, float(seen.magnitude.max()))
     if uncertain > LARGEST_U * seen.magnitude.max():
         return Fit(method, ok=False, why_not=f"the field would be uncertain by {uncertain:.0f} nT: {MISSING}")
+    affine = AffineMap(gain * (np.eye(3) + found.D), found.bias)
     return Fit(
         method,
         ok=True,
-        affine=AffineMap(gain * (np.eye(3) + found.D), found.bias),
-        covariance=slope @ found.covariance @ slope.T,
+        affine=affine,
+        covariance=widen(run, affine, slope @ found.covariance @ slope.T, frame_known=False),
         bias_nT=found.bias,
         D=found.D,
         noise_nT=float(np.sqrt(np.trace(seen.noise) / 3)),
@@ -133,20 +137,6 @@ def noise_scale(seen: Scalars, found: Estimate) -> float:
     """Observed over expected standard deviation of the residuals, nine degrees of freedom taken off."""
     r = residual(seen, found)
     return float(np.sqrt(r @ r / (len(r) - 9)))
-
-
-def correlation(r: Array) -> float:
-    """How many times fewer independent residuals (n,) there are than residuals: 1 + 2 Σ ρ_j, at least 1.
-
-    The sum ends at the first autocorrelation ρ_j within two standard deviations, 2 / √n, of none.
-    """
-    r, total = r - r.mean(), 1.0
-    for lag in range(1, len(r) // 4):
-        rho = float(r[:-lag] @ r[lag:] / (r @ r))
-        if rho < 2 / np.sqrt(len(r)):
-            break
-        total += 2 * rho
-    return total
 
 
 def worst_uncertainty(found: Estimate, field: float) -> float:

@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.fit import scalar_check, twostep
+from labcal.fit.correlation import variance_inflation
 from labcal.fit.moments import determined, moments
 from labcal.fit.result import Fit
 from labcal.fit.scalar_check import COLUMN, MISSING, ROW, TWICE, Estimate
-from labcal.fit.scalar_run import ROUNDS, Scalars, as_fit, correlation, scalars, usable
+from labcal.fit.scalar_run import ROUNDS, Scalars, as_fit, scalars, usable
 from labcal.model import EffectRecord, Parameter
 from labcal.model.effects.regressors import middle, per_axis
 from labcal.record import Channel, Run
@@ -50,13 +51,16 @@ def telemetry(run: Run, *, channels: Sequence[str] | None = None) -> Fit:
     known = np.flatnonzero(np.isfinite(current).all(axis=1))
     try:
         refuse_dependent(current[known], [c.name for c in chosen])
-        seen, current = scalars(run.select(known)), current[known][usable(run.select(known))]
+        run = run.select(known)
+        rows = usable(run)
+        seen, current = scalars(run), current[known][rows]
         seen, found = settle_currents(seen, current)
     except np.linalg.LinAlgError:
         return Fit("telemetry", ok=False, why_not=f"the magnitudes do not determine all parameters: {MISSING}")
     except (ArithmeticError, ValueError) as error:
         return Fit("telemetry", ok=False, why_not=str(error))
-    widened = found.covariance * correlation(residual(seen, current, found))
+    wider = variance_inflation(residual(seen, current, found)[:, None], run.segment_index[rows])
+    widened = found.covariance * wider
     fitted = as_fit(run, "telemetry", seen, replace(found.affine, covariance=widened[:9, :9]), widened=True)
     u = np.sqrt(np.diag(widened)[9:]).reshape(-1, 3)
     return replace(fitted, effects=tuple(map(record, chosen, zero.values(), found.e, u))) if fitted.ok else fitted

@@ -112,6 +112,53 @@ def test_a_run_that_determines_nothing_is_a_negative_result(shared: Path, tmp_pa
     assert not out.exists()
 
 
+def test_currents_that_depend_on_each_other_are_named(
+    bench_run: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
+    assert _run(["fit", str(bench_run), "--method", "telemetry"]) == 1
+    assert "the currents i_panel, i_total are linearly dependent" in capsys.readouterr().out
+    assert _run(["fit", str(bench_run), "--method", "telemetry", "--channels", "i_panel,i_load", "--json", "-"]) == 0
+    (found,) = json.loads(capsys.readouterr().out)["fits"]
+    assert [effect["channels"] for effect in found["effects"]] == [["i_panel"], ["i_load"]]
+
+
+def test_all_methods_stand_side_by_side_with_what_the_columns_mean(
+    bench_run: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
+    _run(["fit", str(bench_run), "--method", "all"])
+    said = capsys.readouterr().out
+    assert all(f" {method} " in said for method in METHODS)
+    assert "standard uncertainties of the offsets" in said
+
+
+@pytest.fixture
+def bench_run(tmp_path: Path) -> Path:
+    """A bundle of a sensor that tumbles, with two currents that move its offset and their sum."""
+    random = np.random.default_rng(0)
+    direction = random.standard_normal((400, 3))
+    field = direction / np.linalg.norm(direction, axis=1, keepdims=True) * random.uniform(2e4, 5e4, (400, 1))
+    current = random.uniform(0, 1, (400, 2))
+    reading = field + [500.0, -300.0, 200.0] + current @ [[900.0, 0, 0], [0, 700.0, 0]] + random.normal(0, 20, (400, 3))
+    names = ("i_panel", "i_load", "i_total")
+    header = {
+        "format": "labcal-run/1", "run_id": "r1", "started_utc": "2026-01-01T00:00:00Z", "simulated": True,
+        "operator": "",
+        "dut": {"serial": "s", "model": "m", "unit": "nT", "nominal_nT_per_unit": 1.0, "noise_nT": 20.0},
+        "reference": {"kind": "scalar", "serial": "r", "noise_nT": None},
+        "segments": [{"id": "all", "kind": "free", "mode": "nominal", "note": ""}],
+        "channels": {name: {"unit": "A", "quantity": "current"} for name in names},
+    }  # fmt: skip
+    (tmp_path / "run.json").write_text(json.dumps(header))
+    columns = [np.arange(400.0), *reading.T, np.linalg.norm(field, axis=1), *current.T, 2 * current[:, 0]]
+    with (tmp_path / "samples.csv").open("w", newline="") as file:
+        rows = csv.writer(file)
+        rows.writerow(["t_s", "segment", "dut_x", "dut_y", "dut_z", "ref_f", *names])
+        rows.writerows([t, "all", *rest] for t, *rest in np.column_stack(columns).tolist())
+    return tmp_path
+
+
 def test_unknown_methods_and_channels_are_refused(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run = str(shared / PRACTICE / "bundle")
     assert _run(["fit", run, "--method", "magic"]) == 2

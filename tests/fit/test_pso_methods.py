@@ -281,6 +281,21 @@ def share_inside(found, truth, seeds):
     return np.mean([np.abs(a.theta - truth) < 1.96 * np.sqrt(np.diag(a.covariance)) for a in answers], axis=0)
 
 
+def test_residuals_that_correlate_widen_the_covariance():
+    run, theta = platform_run(12, samples=200), np.concatenate([K.ravel(), k_NT])
+    slow = 200.0 * np.sin(np.arange(len(run)) / 40.0)[:, None] * np.ones(3)
+    bare, wide = (polish(loci_of(r), theta) for r in (run, replace(run, reading=run.reading + slow)))
+    louder = (wide.noise_nT / bare.noise_nT) ** 2
+    assert np.all(np.diag(wide.covariance) > 5 * louder * np.diag(bare.covariance))
+
+
+def test_what_is_declared_of_the_mounting_is_in_the_covariance():
+    run = platform_run(0)
+    loose = replace(run, segments=tuple(replace(s, u_axis_body_deg=1.0) for s in run.segments))
+    u = np.sqrt(np.diag(pso_axis(loose).covariance))
+    assert u[1] == pytest.approx(np.radians(1.0) * K[1, 1], rel=0.05)
+
+
 def test_no_covariance_where_uneven_gains_and_noise_would_bias_it():
     found = pso_axis(simulate(MODELS[0], 0, white_in="reading"))
     assert found.ok

@@ -7,7 +7,6 @@ from scipy.signal import lfilter
 
 from labcal.fit import centered, fit, scalar_check, twostep
 from labcal.fit.moments import weighted
-from labcal.fit.scalar_run import correlation
 
 B, D = np.array([0.1, -0.06, 0.12]), np.array([[0.05, 0.03, -0.04], [0.03, 0.1, 0.02], [-0.04, 0.02, -0.03]])
 TRUTH = np.concatenate([lab.BIAS, scalar_check.stacked(lab.D)])
@@ -161,14 +160,6 @@ def test_without_the_noise_share_the_published_estimate_is_biased_and_ours_is_no
             error[unbiased].append((found.theta - TRUTH) / np.sqrt(np.diag(found.covariance)))
     assert np.abs(np.mean(error[False], axis=0)).max() > 2
     assert np.abs(np.mean(error[True], axis=0)).max() < 4 / np.sqrt(20)
-
-
-def test_correlated_residuals_count_for_fewer():
-    random = np.random.default_rng(0)
-    white = random.standard_normal(20_000)
-    correlated = lfilter([1.0], [1.0, -0.8], white)
-    assert correlation(white) == pytest.approx(1, abs=0.06)
-    assert correlation(correlated) == pytest.approx((1 + 0.8) / (1 - 0.8), rel=0.2)  # three deviations of the estimate
 
 
 def test_the_covariance_is_widened_for_correlated_residuals():

@@ -107,6 +107,17 @@ def test_a_filter_whose_sensor_changes_says_that_it_has_diverged(method):
     assert fit(lab.run_of(field, 7), method).ok
 
 
+def test_a_filter_whose_numbers_break_down_says_that_it_has_diverged():
+    class Broken(EKF):
+        @staticmethod
+        def step(*_):
+            raise ValueError("math domain error")
+
+    _, live = ended(Broken, 7, lab.tumbling(7, 400))
+    assert live.started
+    assert "diverged" in live.diverged()
+
+
 @pytest.mark.parametrize("method", ["ekf", "ukf", "ukf-augmented", "centered-sequential"])
 def test_what_a_run_does_not_determine_is_refused(method):
     found = fit(lab.run_of(lab.circles([0, 1], [2e4]), 1), method)
