@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from drivers.framing.hmr2300 import Frames
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
@@ -20,9 +19,6 @@ NT_PER_COUNT = 1e5 / 15000
 RATES = (10, 20, 25, 30, 40, 50, 60, 100, 123, 154)
 FASTEST = {("ascii", 9600): 30, ("ascii", 19200): 50, ("binary", 9600): 100, ("binary", 19200): 154}
 FULL_SCALE = 30_000
-LOST = 1400  # bytes in which two places for the end sign stay as good as each other
-AXIS = rb"([ +-]) *(\d{1,2}),(\d{3})"
-ASCII_FRAME = re.compile(rb"%b *%b *%b *\r" % (AXIS, AXIS, AXIS))
 COLUMNS = ("ref_x", "ref_y", "ref_z")
 
 
@@ -54,8 +50,8 @@ class Hmr2300:
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
-        self._rest, self._stamp, self._streaming, self._next_poll_s = b"", 0.0, False, 0.0
-        self._mishaps, self._in_step = Mishaps(name), True
+        self._streaming, self._next_poll_s, self._mishaps = False, 0.0, Mishaps(name)
+        self._frames = Frames(name, binary=settings.format == "binary")
 
     def identify(self) -> Identity:
         """Ask for its serial number and firmware; it must not be streaming."""
@@ -78,14 +74,17 @@ class Hmr2300:
         ):
             self._ask("WE", "OK")
             self._ask(words, reply)
-        self._rest, self._streaming, self._in_step, self._next_poll_s = b"", True, True, self._clock.now()
+        self._frames = Frames(self.name, binary=s.format == "binary")
+        self._streaming, self._next_poll_s = True, self._clock.now()
         if s.mode == "continuous":
             self._link.send(f"*{s.id:02d}C\r".encode())
 
     def read_until(self, t_s: float) -> list[Block]:
         """Samples that arrived up to `t_s` [nT, its own axes]."""
         pieces = self._polled(t_s) if self.settings.mode == "polled" else self._link.receive(t_s)
-        frames = self._frames(pieces)
+        frames = self._frames.feed(pieces)
+        while self._frames.bad:
+            self._mishaps.note("bad frame", self._frames.bad.pop(0))
         if not frames:
             return []
         counts = np.array([c for _, c, _ in frames], dtype=float)
@@ -134,56 +133,3 @@ class Hmr2300:
             self._next_poll_s += 1 / self.settings.rate
         self._clock.wait_until(t_s)
         return pieces
-
-    def _frames(self, pieces: list[tuple[float, bytes]]) -> list[tuple[float, NDArray[np.int16] | list[int], bytes]]:
-        frames = []
-        for stamp, data in pieces:
-            if not self._rest:
-                self._stamp = stamp
-            self._rest += data
-            while (taken := self._take_frame()) is not None:
-                if taken[0] is not None:
-                    frames.append((self._stamp, taken[0], taken[1]))
-                else:
-                    self._mishaps.note("bad frame", self._stamp)
-                self._stamp = stamp
-        return frames
-
-    def _take_frame(self) -> tuple[NDArray[np.int16] | list[int] | None, bytes] | None:
-        """The next frame and its counts (None where it is no good), or None where it is not whole yet."""
-        if self.settings.format == "binary":
-            return self._take_binary()
-        end = self._rest.find(b"\r") + 1
-        if end == 0:
-            return None
-        frame, self._rest = self._rest[:end], self._rest[end:]
-        found = ASCII_FRAME.fullmatch(frame)
-        if found is None:
-            return None, frame
-        parts = found.groups()
-        counts = [(-1 if parts[k] == b"-" else 1) * int(parts[k + 1] + parts[k + 2]) for k in (0, 3, 6)]
-        return counts, frame
-
-    def _take_binary(self) -> tuple[NDArray[np.int16] | None, bytes] | None:
-        """Frames of seven bytes with CR at the end; 0Dh occurs inside too."""
-        if len(self._rest) < 7 or not (self._in_step or self._find_step()):
-            return None
-        if self._rest[6] != 0x0D:
-            self._in_step = False
-            return None, b""
-        frame, self._rest = self._rest[:7], self._rest[7:]
-        return np.frombuffer(frame[:6], dtype=">i2").astype(np.int16), frame
-
-    def _find_step(self) -> bool:
-        """After a slip: drop bytes up to a frame, once only one of the seven places has all its end signs."""
-        while len(self._rest) >= 28:
-            places = [p for p in range(7) if not self._rest[p + 6 :: 7].strip(b"\r")]
-            if len(places) == 1:
-                self._rest, self._in_step = self._rest[places[0] :], True
-                return True
-            if len(places) > 1 and len(self._rest) < LOST:
-                return False
-            if places:
-                raise InstrumentError(f"{self.name}: its frames cannot be told apart.", fault="wrong reply")
-            self._rest = self._rest[7:]
-        return False

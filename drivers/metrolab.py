@@ -9,6 +9,7 @@ import numpy as np
 
 from drivers.framing.mishaps import Mishaps
 from drivers.framing.polling import Polls
+from drivers.framing.scpi import Scpi
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
@@ -52,16 +53,17 @@ class Metrolab:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self._polls, self._mishaps = Polls(clock, settings.rate), Mishaps(name)
+        self._scpi = Scpi(name, link, clock, settings.timeout_s, errors=":SYST:ERR?;*STB?")
 
     def identify(self) -> Identity:
         """Ask who it is. Raises InstrumentError where it is no magnetometer of this family."""
-        maker, model, serial, firmware = (*self._ask("*IDN?").split(","), "", "", "")[:4]
-        if "METROLAB" not in maker.upper() or not re.search(self.settings.models, model):
-            raise InstrumentError(
-                f"{self.name}: {maker} {model} answered, not a Metrolab magnetometer.", fault="another instrument"
-            )
-        self._no_error("before")
-        return Identity(maker.strip(), model.strip(), serial.strip(), firmware.strip())
+        models = self.settings.models
+        who = self._scpi.identify(
+            lambda maker, model: "METROLAB" in maker and re.search(models, model) is not None,
+            "a Metrolab magnetometer",
+        )
+        self._scpi.empty_errors()
+        return who
 
     def start(self) -> None:
         """Stop what it does, set format, averaging and range, and see that it took them."""
@@ -69,8 +71,7 @@ class Metrolab:
         range_words = (f":SENS:FLUX:RANG {s.range_T}{'' if s.range_T == 'AUTO' else 'T'}",) if s.range_T else ()
         for words in (":ABOR", ":INIT:CONT OFF", ":FORM:DATA ASCII", f":AVER:COUN {s.average}", ":TRIG:SOUR IMM",
                       ":TRIG:COUN 1", *range_words):  # fmt: skip
-            self._link.send(words.encode() + b"\n")
-            self._no_error(words)
+            self._scpi.command(words)
         self._polls.start()
 
     def read_until(self, t_s: float) -> list[Block]:
@@ -94,7 +95,7 @@ class Metrolab:
     def stop(self) -> None:
         """Trigger no more."""
         self._polls.stop()
-        self._link.send(b":ABOR\n")
+        self._scpi.send(":ABOR")
 
     def make_safe(self) -> None:
         """Trigger no more."""
@@ -107,29 +108,13 @@ class Metrolab:
     def _reading(self, stamp: float) -> tuple[list[float], str] | None:
         """x, y, z [nT] and the reply; None, noted, where it is no good."""
         fetch = ";".join(f":FETC:ARR:{axis}? 1,{self.settings.digits}" for axis in "XYZ")
-        reply = self._ask(f":INIT;{fetch}")
+        reply = self._scpi.query(f":INIT;{fetch}")
         values = [nanotesla(part) for part in reply.split(";")]
         good = [v for v in values if v is not None]
         if len(values) != 3 or len(good) != 3:
             self._mishaps.note("bad frame", stamp)
-            self._link.flush()
             return None
         return good, reply
-
-    def _ask(self, text: str) -> str:
-        reply = self._link.ask(text.encode() + b"\n", end=b"\n", timeout_s=self.settings.timeout_s)
-        return reply.decode("utf-8", "replace").strip()
-
-    def _no_error(self, after: str) -> None:
-        """Empty the queue of errors. Raises InstrumentError with what it says about `after`."""
-        errors = []
-        for _ in range(50):
-            error = self._ask(":SYST:ERR?;*STB?").split(";")[0]
-            if re.match(r"[+-]?0\s*(,|$)", error):
-                break
-            errors.append(error)
-        if errors and after != "before":
-            raise InstrumentError(f"{self.name}: {after!r} failed: {errors[0]}.", fault="refused")
 
 
 def nanotesla(text: str) -> float | None:

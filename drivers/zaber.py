@@ -11,10 +11,11 @@ from labcal.bench.links import Link
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
-REPLY = re.compile(rb"@(\d\d) (\d) (?:(\d\d) )?(OK|RJ) (IDLE|BUSY) (\S\S) (.*?)(?::([0-9A-F]{2}))?\r\n")
+REPLY = re.compile(rb"@(\d\d) (\d) (?:(\d\d) )?(OK|RJ) (IDLE|BUSY) ([!-~]{2}) ([ -9;-~]*)(?::([0-9A-F]{2}))?\r\n")
 SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
 NOT_HOMED = ("WR", "WH")
 TOUCHED = ("NC", "NI")
+MOST_OLD = 20  # older replies and alerts before the reply to a request
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,12 +50,12 @@ class ZaberStage:
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
         self._steps_per_turn: int | None = None
         self._target_deg: float | None = None
-        self._id = 0
+        self._id, self._summed = 0, False  # summed: it has sent a checksum, so every reply must have one
 
     def identify(self) -> Identity:
         """Ask for device id, serial number and firmware, and how many microsteps make a turn."""
         device, serial, version = (self._ask(f"get {what}").data for what in ("deviceid", "system.serial", "version"))
-        self._steps_per_turn = int(self._ask("get limit.cycle.dist").data)
+        self._steps_per_turn = self._number("get limit.cycle.dist")[0]
         return Identity("Zaber", f"device {device}", serial, version)
 
     def home(self) -> None:
@@ -71,10 +72,10 @@ class ZaberStage:
 
     def moving(self) -> bool:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
-        reply = self._ask("get pos")
+        position, reply = self._number("get pos")
         self._refuse_faults(reply)
         if not reply.busy:
-            angle = int(reply.data) / self._steps_per_deg
+            angle = position / self._steps_per_deg
             refuse_elsewhere(self.name, angle, self._target_deg, self.settings.tolerance_deg)
         return reply.busy
 
@@ -84,8 +85,8 @@ class ZaberStage:
 
     def state(self) -> tuple[float, bool]:
         """Position [deg] and whether it is busy, in one reply."""
-        reply = self._ask("get pos")
-        return int(reply.data) / self._steps_per_deg, reply.busy
+        position, reply = self._number("get pos")
+        return position / self._steps_per_deg, reply.busy
 
     def make_safe(self) -> None:
         """Stop with a brake ramp."""
@@ -99,28 +100,40 @@ class ZaberStage:
     @property
     def _steps_per_deg(self) -> float:
         if self._steps_per_turn is None:
-            self._steps_per_turn = int(self._ask("get limit.cycle.dist").data)
+            self._steps_per_turn = self._number("get limit.cycle.dist")[0]
         return self._steps_per_turn / 360
+
+    def _number(self, words: str) -> tuple[int, Reply]:
+        reply = self._ask(words)
+        if not re.fullmatch(r"-?\d+", reply.data, re.ASCII):
+            raise InstrumentError(f"{self.name}: {words!r} was answered {reply.data!r}.", fault="wrong reply")
+        return int(reply.data), reply
 
     def _ask(self, words: str) -> Reply:
         self._id = (self._id + 1) % 96
         text = f"/{self.settings.address} {self.settings.axis} {self._id:02d} {words}".rstrip()
         request = text.encode() + b"\r\n"
-        while (
-            reply := self._matched(self._link.ask(request, end=b"\r\n", timeout_s=self.settings.timeout_s), words)
-        ) is None:
+        for _ in range(MOST_OLD):
+            frame = self._link.ask(request, end=b"\r\n", timeout_s=self.settings.timeout_s)
+            if (reply := self._matched(frame, words)) is not None:
+                return reply
             request = b""  # an older reply, or an alert: the one to this request is still to come
-        return reply
+        raise InstrumentError(f"{self.name}: it says much, but does not answer {words!r}.", fault="wrong reply")
 
     def _matched(self, frame: bytes, words: str) -> Reply | None:
         found = REPLY.fullmatch(frame)
-        if found is None or (found[8] and checksum(frame[1:-5]) != found[8].decode()):
+        if found is None or not self._sound(frame, found[8]):
             raise InstrumentError(f"{self.name}: {frame!r} is no valid reply.", fault="wrong reply")
         if found[3] is None or int(found[3]) != self._id:
             return None
         if found[4] == b"RJ":
             raise InstrumentError(f"{self.name}: {words!r} was rejected: {found[7].decode()}.", fault="refused")
         return Reply(found[7].decode(), found[5] == b"BUSY", found[6].decode())
+
+    def _sound(self, frame: bytes, sum_: bytes | None) -> bool:
+        fits = sum_ is not None and checksum(frame[1:-5]) == sum_.decode()
+        self._summed = self._summed or fits
+        return fits or (sum_ is None and not self._summed)
 
     def _refuse_faults(self, reply: Reply) -> None:
         if reply.warning.startswith("F") or reply.warning in TOUCHED + NOT_HOMED:

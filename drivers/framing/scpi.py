@@ -37,7 +37,7 @@ class Scpi:
         self._late, self._free_s = False, self.clock.now() + self.gap_s
         if NAK in reply:
             raise InstrumentError(f"{self.name}: it lost {text!r}: its input queue overran.", fault="refused")
-        return reply.decode("ascii", "replace")
+        return reply.decode("utf-8", "replace")
 
     def command(self, text: str) -> None:
         """Tell, then ask for errors. Raises InstrumentError with what the supply says."""

@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -16,6 +17,8 @@ from labcal.bench.cage import Cage
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.platform import BenchPlatform
+from labcal.bench.reconnect import Reconnecting, bring_back
 from labcal.bench.roles import (
     ByHand,
     ChannelSpec,
@@ -34,6 +37,7 @@ from labcal.record.stream import Block, Event
 
 COIL_POLL_S = 1.0
 SEE_S = 0.2  # of the reference, and at least one sample
+PATIENCE = 0.9  # of the time after which a sensor is called silent: a lost line is called by its own name
 COIL_CHANNELS = tuple(
     spec
     for axis in AXES
@@ -83,6 +87,12 @@ class Bench:
         )  # fmt: skip
         self._instruments, self.hands = dict(instruments), hands
         self._links, self._known = links or {}, dict[str, Identity]()
+        self._streams = [
+            Reconnecting(sensor, partial(self.reconnect, sensor.name), PATIENCE * stated.silent_s)
+            for sensor, stated in ((dut, config.dut), (reference, config.reference))
+        ]
+        if isinstance(platform, BenchPlatform):
+            platform.bring_back = partial(bring_back, partial(self.reconnect, platform.name), clock)
         self._pending: list[Block] = []
         self._watches: list[StreamWatch] = []
         self._limits: list[TemperatureLimit] = []
@@ -135,8 +145,8 @@ class Bench:
         return merged(arrived)
 
     def events(self) -> list[Event]:
-        """What the streams lost on their way since this was asked last: gaps, wrong checksums, broken frames."""
-        return [*self.dut.events(), *self.reference.events()]
+        """What the streams lost since this was asked last: gaps, wrong checksums, broken frames, their line."""
+        return [event for stream in self._streams for event in stream.events()]
 
     def stop(self) -> None:
         """End all streams."""
@@ -201,7 +211,8 @@ class Bench:
 
     def _listen(self) -> None:
         now = self.clock.now()
-        readings = self.dut.read_until(now), [self._into_cage(block) for block in self.reference.read_until(now)]
+        dut, reference = (stream.read_until(now) for stream in self._streams)
+        readings = dut, [self._into_cage(block) for block in reference]
         for watch, blocks in zip(self._watches, readings, strict=True):
             self._pending += blocks
             watch.see(blocks, now)

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeVar
+
 from labcal.bench.config import DutLimits, PlatformConfig
 from labcal.bench.roles import Identity, RotationPlatform
-from labcal.errors import LimitError
+from labcal.errors import InstrumentError, LimitError
+
+T = TypeVar("T")
 
 
 class BenchPlatform:
     """A RotationPlatform whose angles are right-handed about the platform axis: the stage's own sense times its sign.
 
-    Moves beyond the wrap limit, or faster than stage or DUT may turn, raise LimitError and nothing is sent.
+    Moves beyond the wrap limit, or faster than stage or DUT may turn, raise LimitError and nothing is sent. Where its
+    line is lost, what is read is asked again once `bring_back` returns; a move never is.
     """
+
+    bring_back: Callable[[InstrumentError], None] | None = None
 
     def __init__(self, stage: RotationPlatform, config: PlatformConfig, dut_limits: DutLimits) -> None:
         self.name, self.motorised = stage.name, stage.motorised
@@ -42,15 +50,15 @@ class BenchPlatform:
 
     def moving(self) -> bool:
         """Whether it moves; False means arrived and confirmed."""
-        return self._stage.moving()
+        return self._read(self._stage.moving)
 
     def angle_deg(self) -> float:
         """The angle now."""
-        return self._sign * self._stage.angle_deg()
+        return self._sign * self._read(self._stage.angle_deg)
 
     def state(self) -> tuple[float, bool]:
         """The angle now and whether it moves."""
-        angle, moving = self._stage.state()
+        angle, moving = self._read(self._stage.state)
         return self._sign * angle, moving
 
     def make_safe(self) -> None:
@@ -60,3 +68,12 @@ class BenchPlatform:
     def close(self) -> None:
         """Let go of the link."""
         self._stage.close()
+
+    def _read(self, ask: Callable[[], T]) -> T:
+        try:
+            return ask()
+        except InstrumentError as fault:
+            if fault.fault != "link lost" or self.bring_back is None:
+                raise
+            self.bring_back(fault)
+            return ask()

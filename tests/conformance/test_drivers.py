@@ -70,7 +70,6 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "manual": [b"x"],
 }
 LONGER = {
-    "Hmr2300": "two formats in two modes each",
     "EaSupply": "remote control is taken from one interface, held and given back",
 }
 

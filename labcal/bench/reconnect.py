@@ -1,0 +1,80 @@
+"""A line that was lost and comes back: its instrument is greeted again, and refused where it is another one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from labcal.bench.clock import Clock
+from labcal.bench.roles import Magnetometer
+from labcal.errors import InstrumentError
+from labcal.record.stream import Block, Event
+
+RETRY_S = 0.5
+BACK_S = 3.0  # so long is a stage waited for
+AWAY = ("link lost", "silent", "in use")  # faults with which a plug that is out, or just in again, may show
+
+
+def bring_back(reopen: Callable[[], object], clock: Clock, lost: InstrumentError) -> None:
+    """Wait until the line is back. Raises `lost` where it does not come in time, or that another instrument answers."""
+    deadline = clock.now() + BACK_S
+    while True:
+        clock.wait_until(clock.now() + RETRY_S)
+        try:
+            reopen()
+            return
+        except InstrumentError as fault:
+            if fault.fault not in AWAY:
+                raise
+            if clock.now() > deadline:
+                raise lost from fault
+
+
+class Reconnecting:
+    """Reads a sensor; while its line is lost nothing is read and it is tried again, for `patience_s` at the most.
+
+    `reopen` opens the line and raises InstrumentError where another instrument answers than before.
+    """
+
+    def __init__(self, sensor: Magnetometer, reopen: Callable[[], object], patience_s: float) -> None:
+        self._sensor, self._reopen, self._patience_s = sensor, reopen, patience_s
+        self._lost: InstrumentError | None = None
+        self._since_s = self._next_s = 0.0
+        self._events: list[Event] = []
+
+    def read_until(self, t_s: float) -> list[Block]:
+        """What has come. Raises the first fault where the line does not come back in time."""
+        if self._lost is not None:
+            self._try_again(t_s, self._lost)
+            return []
+        try:
+            return self._sensor.read_until(t_s)
+        except InstrumentError as fault:
+            if fault.fault != "link lost":
+                raise
+            self._lost, self._since_s, self._next_s = fault, t_s, t_s + RETRY_S
+            self._note(t_s, "link lost", f"its link is lost: {fault.what}")
+            return []
+
+    def events(self) -> list[Event]:
+        """What the sensor lost, and when its line went and came back, since this was asked last."""
+        noted, self._events = self._events, []
+        return [*self._sensor.events(), *noted]
+
+    def _try_again(self, t_s: float, lost: InstrumentError) -> None:
+        if t_s - self._since_s > self._patience_s:
+            raise lost
+        if t_s < self._next_s:
+            return
+        self._next_s = t_s + RETRY_S
+        try:
+            self._reopen()
+            self._sensor.start()
+        except InstrumentError as fault:
+            if fault.fault not in AWAY:
+                raise
+            return
+        self._lost = None
+        self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its link was lost")
+
+    def _note(self, t_s: float, fault: str, text: str) -> None:
+        self._events.append(Event(t_s, "stream", f"{self._sensor.name}: {text}", {"fault": fault}))

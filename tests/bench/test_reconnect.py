@@ -1,0 +1,174 @@
+"""A plug that is pulled and put in again: a real pty that goes and comes back, with the same instrument or another."""
+
+from __future__ import annotations
+
+import os
+import pty
+import sys
+import threading
+import tty
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from datetime import UTC, datetime
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from drivers.emulators.hmr2300 import Hmr2300Emulator
+from drivers.emulators.zaber import ZaberEmulator
+from labcal.bench import Bench, open_bench, reconnect
+from labcal.bench.clock import RealClock, VirtualClock
+from labcal.bench.reconnect import BACK_S, Reconnecting, bring_back
+from labcal.errors import InstrumentError
+from labcal.record.stream import Block
+from labcal.twin import open_twin
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
+PATIENCE_S = 60.0
+
+
+class Plug:
+    """A serial adapter at a fixed path that can be pulled out and put in."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def put_in(self, emulator: Any) -> None:
+        self._master, self._slave = pty.openpty()
+        tty.setraw(self._slave)
+        os.set_blocking(self._master, False)
+        self._out = threading.Event()
+        self._thread = threading.Thread(target=self._pump, args=(emulator,), daemon=True)
+        self._thread.start()
+        self.path.symlink_to(os.ttyname(self._slave))
+
+    def pull(self) -> None:
+        self.path.unlink()
+        self._out.set()
+        self._thread.join(10)
+        os.close(self._slave)
+        os.close(self._master)
+
+    def _pump(self, emulator: Any) -> None:
+        clock = RealClock()
+        while not self._out.wait(0.002):
+            with suppress(BlockingIOError):
+                emulator.take(clock.now(), os.read(self._master, 4096))
+            for _, piece in emulator.emit(clock.now()):
+                os.write(self._master, piece)
+
+
+class OtherSensor(Hmr2300Emulator):
+    """Another HMR2300."""
+
+    def _reply(self, t_s: float, text: str) -> bytes:
+        return super()._reply(t_s, text).replace(b"12345", b"54321")
+
+
+def sensor(kind: type[Hmr2300Emulator] = Hmr2300Emulator) -> Hmr2300Emulator:
+    return kind(open_twin({}, 1), {}, SimpleNamespace(id=0))
+
+
+@contextmanager
+def bench_with(plug: Plug, role: str) -> Iterator[Bench]:
+    """The example bench, with one instrument on a real line."""
+    text = EXAMPLE.read_text().replace('role = "reference"', f'role = "reference"\n#{role}', 1)
+    head = {"reference": 'driver = "hmr2300"\nlink = ', "platform": 'driver = "zaber"\nlink = '}[role]
+    text = text[: text.rindex("[twin]")].replace(head + '"emulated://"', f'{head}"serial://{plug.path}?baud=115200"')
+    text = text.replace('kind = "vector"', f'kind = "vector"\nsilent_s = {PATIENCE_S}')
+    text = text.replace('serial = "SIM-0001"\nmodel', f'silent_s = {PATIENCE_S}\nserial = "SIM-0001"\nmodel', 1)
+    path = plug.path.with_name("bench.toml")
+    path.write_text(text)
+    with open_bench(path) as bench:
+        yield bench
+
+
+def streamed_until(bench: Bench, fault: str) -> list[Block]:
+    """Blocks of the reference until an event of this fault comes; the clock is only there to end what hangs."""
+    blocks, deadline = list[Block](), bench.clock.now() + PATIENCE_S
+    while bench.clock.now() < deadline:
+        blocks += [b for b in bench.stream_until(bench.clock.now() + 0.1) if b.stream == "reference"]
+        if fault in [event.data["fault"] for event in bench.events()]:
+            return blocks
+    raise AssertionError(f"{fault} did not come")
+
+
+def test_a_sensor_that_was_pulled_is_greeted_and_started_again_and_another_one_is_refused(tmp_path: Path) -> None:
+    plug = Plug(tmp_path / "ttyUSB0")
+    plug.put_in(sensor())
+    with bench_with(plug, "reference") as bench:
+        bench.start()
+        plug.pull()
+        streamed_until(bench, "link lost")
+        plug.put_in(sensor())
+        streamed_until(bench, "reconnected")
+        before = bench.clock.now()
+        while not (again := [b for b in bench.stream_until(bench.clock.now() + 0.2) if b.stream == "reference"]):
+            assert bench.clock.now() < before + PATIENCE_S
+        assert again[0].t_s[0] > before
+        plug.pull()
+        streamed_until(bench, "link lost")
+        plug.put_in(sensor(OtherSensor))
+        with pytest.raises(InstrumentError, match=r"54321 answers, before it was .*12345") as caught:
+            streamed_until(bench, "reconnected")
+        assert caught.value.fault == "another instrument"
+    plug.pull()
+
+
+def test_a_stage_that_was_pulled_is_read_again_once_it_is_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reconnect, "BACK_S", PATIENCE_S)
+    plug, lab = Plug(tmp_path / "ttyUSB0"), open_twin({}, 1)
+    stage = ZaberEmulator(lab, {}, SimpleNamespace(address=1, axis=1))
+    plug.put_in(stage)
+    with bench_with(plug, "platform") as bench:
+        angle = bench.platform.angle_deg()
+        plug.pull()
+        back = threading.Timer(0.3, plug.put_in, [stage])
+        back.start()
+        assert bench.platform.angle_deg() == pytest.approx(angle, abs=0.01)
+        back.join()
+    plug.pull()
+
+
+class Lost:
+    """A sensor whose line is lost for good; what `reopen` does is given."""
+
+    name = "sensor"
+
+    def __init__(self, *faults: str) -> None:
+        self.faults, self.opened = list(faults), 0
+
+    def read_until(self, t_s: float) -> list[Block]:
+        raise InstrumentError("out", fault="link lost")
+
+    def start(self) -> None:
+        pass
+
+    def events(self) -> list[Any]:
+        return []
+
+    def reopen(self) -> None:
+        self.opened += 1
+        raise InstrumentError("no", fault=self.faults.pop(0) if len(self.faults) > 1 else self.faults[0])
+
+
+def test_a_sensor_that_does_not_come_back_is_a_lost_link() -> None:
+    lost = Lost("link lost", "silent", "in use")
+    stream = Reconnecting(lost, lost.reopen, 5.0)  # type: ignore[arg-type]
+    for t in (0.0, 0.2, 1.0, 2.0, 4.9):
+        assert stream.read_until(t) == []
+    with pytest.raises(InstrumentError, match="out") as caught:
+        stream.read_until(5.1)
+    assert caught.value.fault == "link lost"
+    assert lost.opened == 3
+
+
+def test_another_instrument_ends_the_waiting_at_once() -> None:
+    lost, clock = Lost("link lost", "another instrument"), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    with pytest.raises(InstrumentError) as caught:
+        bring_back(lost.reopen, clock, InstrumentError("out", fault="link lost"))
+    assert caught.value.fault == "another instrument"
+    assert clock.now() < BACK_S
