@@ -13,8 +13,7 @@ from labcal.errors import InstrumentError
 
 REPLY = re.compile(rb"@(\d\d) (\d) (?:(\d\d) )?(OK|RJ) (IDLE|BUSY) ([!-~]{2}) ([ -9;-~]*)(?::([0-9A-F]{2}))?\r\n")
 SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
-NOT_HOMED = ("WR", "WH")
-TOUCHED = ("NC", "NI")
+NOT_HOMED, TOUCHED = ("WR", "WH"), ("NC", "NI")
 MOST_OLD = 20  # older replies and alerts before the reply to a request
 
 
