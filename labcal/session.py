@@ -12,6 +12,7 @@ from typing import Any, Literal
 from labcal import certificate, fit, loop
 from labcal.bench import off
 from labcal.bench.bench import open_bench
+from labcal.bench.cage_file import CageCalibration, sha256_of, write_cage
 from labcal.bench.clock import Clock
 from labcal.bench.greet import Greeting, greet
 from labcal.bench.zero import AtZero
@@ -28,6 +29,7 @@ from labcal.model.apply import Applied
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
+from labcal.runner.cage import approved_cage
 from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
 
 THIS_LAB = "this lab's trust list"
@@ -58,7 +60,8 @@ def run(
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
         return run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
-            dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), run_id=run_id, control=control, tell=tell,
+            dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
+            run_id=run_id, control=control, tell=tell,
         )  # fmt: skip
 
 
@@ -80,6 +83,14 @@ def resume(
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
         return resume_run(lab, found, run, store=kept, answer=ask, control=control, tell=tell)
+
+
+def approve_cage(run: str, name: str, out: Path) -> CageCalibration:
+    """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
+    with Store.open() as kept:
+        found = approved_cage(kept.header(run), kept.status(run), kept.items(run), name)
+    write_cage(found, out)
+    return found
 
 
 def load_run(run: str) -> Run:
@@ -206,7 +217,7 @@ def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = Non
 def draft(run: str, found: Fit, out: Path) -> Calibration:
     """Write the draft calibration that a fit of `run` makes."""
     bundle = run_bundle(run)
-    made = fit.draft_calibration(bundle.run(), found, bundle.sha256)
+    made = fit.draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run))
     write_bytes(out, certificate.calibration_bytes(made))
     return made
 
@@ -227,7 +238,9 @@ def close_loop(
     if report is not None:
         write_report(closed_loop_page(closed, measured), report)
     if out is not None:
-        made = fit.draft_calibration(measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
+        made = fit.draft_calibration(
+            measured, closed.fit(), bundle.sha256, metrics=closed.metrics(), cage_sha256=_cage_sha256(run)
+        )
         write_bytes(out, certificate.calibration_bytes(made))
     return closed
 
@@ -235,6 +248,14 @@ def close_loop(
 def one_cause(run: str, effect: str, channels: tuple[str, ...]) -> loop.OneCause:
     """The residual of `run` without one cause and with it alone, whether the loop named it or not."""
     return loop.one_cause(load_run(run), effect, channels)
+
+
+def _cage_sha256(run: str) -> str | None:
+    """SHA-256 of the cage calibration that a recorded run was driven by; a bundle does not tell."""
+    if _is_path(run):
+        return None
+    with Store.open() as store:
+        return store.cage_sha256(run)
 
 
 def _proposing(closed: ClosedLoop) -> ClosedLoop:

@@ -8,12 +8,13 @@ from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.cage import Cage
+from labcal.bench.cage_file import Place
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.guardian.client import GuardianClient
@@ -60,7 +61,8 @@ class Reopens(Protocol):
 class Bench:
     """Instruments in their roles. Angles are the contract's (`angle_sign` is applied), currents are signed.
 
-    `hands` does to a simulated lab what a prompt asks of a person; None in a real one.
+    `hands` does to a simulated lab what a prompt asks of a person; None in a real one. `carry` is what the DUT's place
+    has beyond a remote reference's; None where that is not known, or the reference stands at the DUT.
     """
 
     def __init__(
@@ -76,6 +78,7 @@ class Bench:
         links: Mapping[str, Reopens] | None = None,
         guardian: GuardianClient | None = None,
         contacts: Collection[str] = (),
+        carry: Place | None = None,
     ) -> None:
         self.name, self.config, self.clock, self.simulated = config.name, config, clock, config.simulated
         self.platform, self.reference, self.dut = platform, reference, dut
@@ -85,7 +88,7 @@ class Bench:
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
             guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
         )  # fmt: skip
-        self._instruments, self.hands = dict(instruments), hands
+        self._instruments, self.hands, self.carry = dict(instruments), hands, carry
         self._links, self._known = links or {}, dict[str, Identity]()
         self._streams = [
             Reconnecting(sensor, partial(self.reconnect, sensor.name), PATIENCE * stated.silent_s)
@@ -125,6 +128,12 @@ class Bench:
     def channels(self) -> tuple[ChannelSpec, ...]:
         """All housekeeping channels that `stream_until` delivers: the DUT's, the coils' and the platform's."""
         return (*self.dut.channels, *COIL_CHANNELS, MOTOR_CHANNEL)
+
+    @property
+    def reference_kind(self) -> Literal["vector", "scalar", "none"]:
+        """What the record may call the field at the DUT: a remote reference that nothing carries there is none."""
+        stated = self.config.reference
+        return "none" if stated.place == "remote" and self.carry is None else stated.kind
 
     def start(self) -> None:
         """Begin all streams; from here on nothing that arrives is lost, ramps included."""
@@ -234,11 +243,15 @@ class Bench:
         return np.asarray(rows.mean(axis=0))
 
     def _into_cage(self, block: Block) -> Block:
-        """The reference's reading, zero taken off, from its own axes into C."""
+        """The reference's reading, zero taken off, from its own axes into C; a remote one's carried to the DUT's place.
+
+        Carried with the currents as last read: during a ramp, of at most one and a half seconds, those from before it.
+        """
         stated = self.config.reference
         if block.values.shape[1] != 3:
             return block
-        return replace(block, values=(block.values - stated.offset_nT) @ np.array(stated.cage_from_sensor).T)
+        field = (block.values - stated.offset_nT) @ np.array(stated.cage_from_sensor).T
+        return replace(block, values=field if self.carry is None else field + self.carry.at(self.cage.flowing_A))
 
     def _poll(self) -> None:
         if self.clock.now() >= self._next_angle_s:

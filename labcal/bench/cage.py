@@ -52,6 +52,7 @@ class Cage:
         self._clock = clock
         self._wait = wait or clock.wait_until
         self._guardian = guardian
+        self.flowing_A: Array = np.zeros(3)  # signed, as last read
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self._closed = False
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
@@ -93,6 +94,7 @@ class Cage:
         """Measured signed currents (3,). Raises InstrumentError (limit reached) where a winding has had enough."""
         currents = np.array([supply.measure_current() for supply in self.supplies.values()])
         self._windings.see(currents, self._clock.now())
+        self.flowing_A = currents
         return currents
 
     def set_points_A(self) -> Array:

@@ -50,18 +50,20 @@ class CageLimits(_Table):
 
 
 class CageConfig(_Table):
-    """The coils: the measured current-to-field matrix, or one constant an axis, and their limits."""
+    """The coils: the measured current-to-field matrix, here or in a file of its own, or constants; and their limits."""
 
     constants_nT_per_A: PerAxis | None = None
     matrix_nT_per_A: Matrix | None = None  # columns are the coil axes in C
+    calibration: str | None = None  # a cage calibration file, from the folder of bench.toml
     limits: CageLimits
     settle_s: Annotated[float, Field(ge=0)] = 0.2  # after a ramp, before the field is believed
 
     @model_validator(mode="after")
     def _one_of_two(self) -> Self:
-        if (self.constants_nT_per_A is None) == (self.matrix_nT_per_A is None):
-            raise ValueError("state either constants_nT_per_A or matrix_nT_per_A")
-        if np.linalg.cond(self.matrix) > 100:
+        stated = (self.constants_nT_per_A, self.matrix_nT_per_A, self.calibration)
+        if sum(way is not None for way in stated) != 1:
+            raise ValueError("state one of constants_nT_per_A, matrix_nT_per_A and calibration")
+        if self.calibration is None and np.linalg.cond(self.matrix) > 100:
             raise ValueError("matrix_nT_per_A is singular: its columns are the three coil axes")
         return self
 
@@ -70,6 +72,8 @@ class CageConfig(_Table):
         """Current-to-field matrix (3, 3) [nT/A]; columns are the coil axes in C."""
         if self.matrix_nT_per_A is not None:
             return np.array(self.matrix_nT_per_A)
+        if self.constants_nT_per_A is None:
+            raise ValueError(f"the matrix stands in {self.calibration}: see labcal.bench.cage_file.calibrated")
         return np.diag(np.array(self.constants_nT_per_A))
 
 

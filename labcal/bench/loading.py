@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 from pydantic import TypeAdapter, ValidationError
 
 from labcal.bench.bench import Bench, Reopens, temperatures_of
+from labcal.bench.cage_file import CageCalibration, calibrated
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
 from labcal.bench.guardian.client import GuardianClient
@@ -150,7 +151,7 @@ def speaks_modbus(hints: Mapping[str, Any]) -> bool:
 
 def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
     """Open every instrument of `path` and put it in its role; links are let go of where one of them fails."""
-    config = read_config(path)
+    config, cage = calibrated(read_config(path), path)
     if clock is None:
         clock = VirtualClock(datetime.now(UTC)) if config.simulated else RealClock()
     if isinstance(clock, VirtualClock) and not config.simulated:
@@ -164,7 +165,7 @@ def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
         for name in config.instruments:
             instruments[name] = _instrument(loader, name, guardian)
             on_failure.callback(instruments[name].close)
-        bench = _in_roles(loader, instruments, guardian)
+        bench = _in_roles(loader, instruments, guardian, cage)
         on_failure.pop_all()
         return bench
 
@@ -197,7 +198,12 @@ def _sharing(loader: Loader, name: str, guardian: GuardianClient) -> Instrument:
     return cast(Instrument, driver(name, GuardedModbus(name, guardian), loader.clock, settings))
 
 
-def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: GuardianClient | None) -> Bench:
+def _in_roles(
+    loader: Loader,
+    instruments: Mapping[str, Instrument],
+    guardian: GuardianClient | None,
+    cage: CageCalibration | None,
+) -> Bench:
     config = loader.config
     roles: dict[str, Any] = {entry.role: instruments[name] for name, entry in config.instruments.items()}
     _refuse_limits_on_the_unknown(loader, roles["dut"])
@@ -215,6 +221,7 @@ def _in_roles(loader: Loader, instruments: Mapping[str, Instrument], guardian: G
             {name: _link(loader, name, instrument, guardian) for name, instrument in instruments.items()},
             guardian,
             [axis for axis, supply in supplies.items() if getattr(supply, "has_contacts", False)],
+            cage.carry if cage and config.reference.place == "remote" else None,
         )
     except LimitError as error:
         loader.refuse(str(error), ("cage", "limits"))

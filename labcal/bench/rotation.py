@@ -44,7 +44,7 @@ class Rotation:
 
     def segment(self, bench: Bench) -> Segment:
         """The segment of the record. A scalar reference knows no axis in the cage."""
-        platform, vector = bench.config.platform, bench.config.reference.kind == "vector"
+        platform, vector = bench.config.platform, bench.reference_kind == "vector"
         return Segment(
             self.name,
             "rotation",

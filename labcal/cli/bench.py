@@ -51,3 +51,19 @@ def off(file: Path = FILE) -> None:
         current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
         print(f"coil {end.axis}: {current}  {end.words}")
     raise typer.Exit(INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE)
+
+
+@bench.command()
+def cage(
+    run: str = typer.Argument(..., metavar="RUN", help="A finished run of cage-calibration."),
+    name: str = typer.Option(..., "--as", metavar="NAME", help="Who approves it; not the operator."),
+    out: Path = typer.Option(
+        ..., "--out", metavar="CAGE.json", help="The file for `[cage] calibration` of bench.toml."
+    ),
+) -> None:
+    """Approve the cage calibration of RUN, a draft until then."""
+    from labcal.session import approve_cage
+
+    found = approve_cage(run, name, out)
+    print(f"{out}: the cage as run {found.run_id} found it, approved by {found.approved_by}")
+    print(f'Put calibration = "{out.name}" into [cage] of the bench file, in place of its matrix.')

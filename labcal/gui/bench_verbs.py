@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 
 def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
     """What a bench file states: names, roles, limits, the cage's matrix, what is known of the reference."""
+    from labcal.bench.cage_file import calibrated
     from labcal.bench.config import read_config
 
-    config = read_config(Path(bench))
+    config, _ = calibrated(read_config(Path(bench)), Path(bench))
     instruments = {name: {"role": i.role, "link": i.link, "driver": i.driver} for name, i in config.instruments.items()}
     return {
         "name": config.name,

@@ -36,3 +36,4 @@ class RunHeader:
     bench: str = ""  # bench.toml, its whole text
     instruments: tuple[Mapping[str, str], ...] = ()  # name, manufacturer, model, serial, firmware
     software: str = ""
+    cage_sha256: str | None = None  # of the approved cage calibration's file

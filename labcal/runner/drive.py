@@ -11,6 +11,7 @@ from typing import Any
 
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.roles import CoilSupply
 from labcal.bench.steps import Procedure
 from labcal.errors import InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
@@ -165,25 +166,29 @@ class Drive:
                 come_to_rest()
             except Exception as fault:
                 faults.append(fault)
+        lost = list[Exception]()
         try:
             for axis in sorted(bench.cage.abrupt):
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
-            self._keep(self._read_back(faults))
+            self._keep(self._read_back(faults, lost))
         except Exception as fault:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
-        return (
-            ending
-            if self._at_zero
-            else Ending(f"failed: coils NOT confirmed at zero: {_sentence(faults[0])}", faults[0])
-        )
+        if not self._at_zero:
+            first = (faults + lost)[0]
+            return Ending(f"failed: coils NOT confirmed at zero: {_sentence(first)}", first)
+        return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
 
-    def _read_back(self, faults: list[Exception]) -> Event:
-        """The currents as read back, an axis that does not answer as None, and what went wrong on the way."""
+    def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
+        """The currents as read back, an axis that does not answer as None, and what went wrong on the way.
+
+        `lost` takes what the supplies still had to tell: a coil that the guardian took to zero says so before it
+        measures again.
+        """
         axes = self.bench.cage.supplies
-        currents = {axis: _tried(supply.measure_current, faults) for axis, supply in axes.items()}
+        currents = {axis: _measured(supply, lost) for axis, supply in axes.items()}
         self._at_zero = all(i is not None and abs(i) < axes[axis].zero_current_A for axis, i in currents.items())
         text = "coils at zero" if self._at_zero else "coils NOT confirmed at zero"
-        said = {"current_A": list(currents.values()), "faults": [_sentence(f) for f in faults]}
+        said = {"current_A": list(currents.values()), "faults": [_sentence(f) for f in faults + lost]}
         return self._event("read-back", text, **said)
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
@@ -203,12 +208,16 @@ def _put_answer(answer: Answer, prompt: Prompt, answers: queue.Queue[str | BaseE
         answers.put(fault)
 
 
-def _tried(measure: Callable[[], float], faults: list[Exception]) -> float | None:
+def _measured(supply: CoilSupply, lost: list[Exception]) -> float | None:
+    """The current [A], asked again after an order of zero where the first answer is a fault; None where both are."""
     try:
-        return measure()
+        return supply.measure_current()
     except InstrumentError as fault:
-        faults.append(fault)
-        return None
+        lost.append(fault)
+    with suppress(InstrumentError):
+        supply.set_current(0.0)
+        return supply.measure_current()
+    return None
 
 
 def _sentence(fault: BaseException) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+import numpy as np
+
 import labcal
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import settings
@@ -58,6 +60,7 @@ def run_procedure(
     operator: str = "",
     dut_serial: str | None = None,
     bench_file: str = "",
+    cage_sha256: str | None = None,
     run_id: str | None = None,
     filled: Mapping[str, Any] | None = None,
     control: Control | None = None,
@@ -86,6 +89,7 @@ def run_procedure(
         bench=bench_file,
         instruments=_named(identities),
         software=f"labcal {labcal.__version__}",
+        cage_sha256=cage_sha256,
     )
     writer = store.begin(header)
     return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, 0.0)
@@ -231,15 +235,21 @@ def _dut(bench: Bench, serial: str | None) -> Dut:
 
 
 def _reference(bench: Bench, identities: Mapping[str, Identity]) -> Reference:
-    config = bench.config.reference
+    """What is stated about the reference; where it is carried to the DUT, with the uncertainty of that."""
+    config, carry = bench.config.reference, bench.carry
+    u_scale_ppm, u_offset_nT = config.u_scale_ppm, config.u_offset_nT
+    if carry is not None:
+        ppm = 1e6 * carry.u_matrix_nT_per_A / float(np.linalg.norm(bench.cage.matrix_nT_per_A, axis=0).min())
+        u_scale_ppm = u_scale_ppm and float(np.hypot(u_scale_ppm, ppm))
+        u_offset_nT = u_offset_nT and float(np.hypot(u_offset_nT, carry.u_offset_nT))
     return Reference(
-        kind=config.kind,
+        kind=bench.reference_kind,
         serial=identities[bench.reference.name].serial,
         noise_nT=config.noise_nT,
         place=config.place,
         position_m=config.position_m,
-        u_scale_ppm=config.u_scale_ppm,
-        u_offset_nT=config.u_offset_nT,
+        u_scale_ppm=u_scale_ppm,
+        u_offset_nT=u_offset_nT,
         u_align_deg=config.u_align_deg,
         u_time_s=config.u_time_s,
         calibration=config.calibration,

@@ -150,6 +150,10 @@ class Store:
         with transaction(self._connection, self.path):
             self._connection.execute(INSERT_ITEM, (self._number(run_id), *row))
 
+    def cage_sha256(self, run_id: str) -> str | None:
+        """SHA-256 of the approved cage calibration that drove the run; None where none did, or it was imported."""
+        return None if self._imported(run_id) is not None else self.header(run_id).cage_sha256
+
     def items(self, run_id: str, *, skip: int = 0) -> Iterator[Item]:
         """The timeline of a recorded run, after its first `skip` items: committed ones, in the order of writing."""
         number, what = self._number(run_id), ", ".join(Row._fields)

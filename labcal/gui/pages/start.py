@@ -132,6 +132,9 @@ class StartPage(QWidget):
         if not cage["matrix_nT_per_A"]:
             words = self.tr("The bench file states coil constants only; run cage-calibration to measure the matrix.")
             return self._say("cage", self.tr("▲ not measured"), words, "warning")
+        if cage["calibration"]:
+            words = self.tr("The matrix is that of the approved cage calibration {0}.").format(cage["calibration"])
+            return self._say("cage", self.tr("✓ approved"), words, "good")
         words = self.tr("The bench file states a measured matrix, without a date; cage-calibration checks it.")
         return self._say("cage", self.tr("✓ measured"), words, "good")
 
