@@ -23,6 +23,7 @@ SHORT = {"rate_deg_per_s": "20", "zero_s": "4", "dwell_s": "2"}
 def test_it_records_every_axis_magnitude_sign_and_mode_as_a_whole_turn(bench_file: BenchFile) -> None:
     outcome = session.run("preflight", bench_file(), SHORT, operator="J. Doe", seed=3)
     assert outcome.status == "finished", outcome.fault
+    assert not outcome.failed
     run = session.load_run(outcome.run_id)
     recorded = {(s.mounting, s.mode, s.id.split("uT")[0][1:]) for s in run.segments}
     assert recorded == {(a, m, b) for a in "xyz" for m in ("nominal", "full") for b in ("+20", "+50", "-50")}
