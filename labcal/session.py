@@ -259,12 +259,13 @@ def _cage_sha256(run: str) -> str | None:
 
 
 def _proposing(closed: ClosedLoop) -> ClosedLoop:
-    """With the name of the procedure whose run tells the accepted causes from their rivals, where there is one."""
-    rivals = [{cause.effect, rival.effect} for cause in closed.accepted for rival in cause.rivals]
-    if closed.next_experiment is None or not rivals:
+    """With a procedure that is installed: the loop's own choice, else one that says it separates the rivals."""
+    proposed, there = closed.next_experiment, procedures()
+    if proposed is None or proposed.procedure in there:
         return closed
-    fitting = (p.name for p in procedures().values() if any(set(pair) in rivals for pair in p.separates))
-    return replace(closed, next_experiment=replace(closed.next_experiment, procedure=next(fitting, None)))
+    rivals = [{cause.effect, rival.effect} for cause in closed.accepted for rival in cause.rivals]
+    fitting = (p.name for p in there.values() if any(set(pair) in rivals for pair in p.separates))
+    return replace(closed, next_experiment=replace(proposed, procedure=next(fitting, None)))
 
 
 def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:

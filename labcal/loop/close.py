@@ -16,12 +16,15 @@ from labcal.loop.findings import findings
 from labcal.loop.floor import Floor, floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan, rms
 from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
+from labcal.loop.proposal import next_experiment, twins
 from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
 from labcal.loop.search import Candidate, Search, Weighed, expand
 from labcal.loop.setaside import at_rail, farness, outliers
-from labcal.loop.words import in_doubt, next_experiment, summary, why, why_not
+from labcal.loop.shape import describe
+from labcal.loop.whiteness import tests as residual_tests
+from labcal.loop.words import in_doubt, summary, tested, why, why_not
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
 from labcal.record import Run
@@ -250,6 +253,8 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
     verdict = _verdict(found, aside, len(problem))
     accepted = [*_of_the_data(aside, problem, verdict, found.far), *_records(found, after)]
     affine, noticed = problem.affine, findings(run, problem, found.level)
+    tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
+    left = describe(problem, rows) if verdict in ("unexplained", "partly-explained") else None
     return ClosedLoop(
         run_id=run.run_id,
         residual_kind=problem.kind,
@@ -262,14 +267,17 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         accepted=tuple(accepted),
         rejected=tuple(_rejected(found)),
         verdict=verdict,
-        summary=summary(found, verdict, aside),
-        next_experiment=next_experiment(found, verdict),
+        summary=summary(found, verdict, aside, left),
+        next_experiment=next_experiment(found, verdict, after, left),
         affine=affine,
         covariance=_covariance(after),
         frame_known=not bool((problem.seen.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
         findings=noticed,
-        remarks=tuple(finding.says for finding in noticed),
+        tests=tests,
+        shape=left,
+        twins=twins(found),
+        remarks=(tested(tests["after"]), *(finding.says for finding in noticed)),
         pictures=pictured(before.problem, after.problem),
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -33,6 +33,51 @@ class NextExperiment:
     why: str
     do: str
     procedure: str | None = None
+    ranking: tuple[Ranked, ...] = ()  # what the lab can do, what separates most first
+
+
+@dataclass(frozen=True, slots=True)
+class Ranked:
+    """An experiment, and how far apart it would bring the explanations [standard deviations]."""
+
+    do: str
+    procedure: str | None
+    sigma: float
+
+
+@dataclass(frozen=True, slots=True)
+class ResidualTest:
+    """One test of a residual: what it is about, the number, how often chance gives as much, and a few words."""
+
+    test: Literal["whiteness", "independence", "lack-of-fit"]
+    of: str
+    statistic: float
+    p_value: float
+    share: float  # of the residual's square
+    passes: bool  # chance, or not material
+    says: str
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """What structure looks like that nothing carries."""
+
+    kind: str  # line | step | telegraph | random-walk | wander | noise
+    axis: str
+    period_s: float | None
+    steps_s: tuple[float, ...]
+    field_nT: tuple[float, float] | None  # where most of it is, if anywhere
+    angle_deg: tuple[float, float] | None
+    says: str
+
+
+@dataclass(frozen=True, slots=True)
+class Twins:
+    """Two explanations of one run that no quality of fit tells apart, and what does."""
+
+    one: str
+    other: str
+    separated_by: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +122,9 @@ class ClosedLoop:
     noise_nT: float  # standard deviation of one axis of one reading
     pictures: Pictures
     findings: tuple[Finding, ...] = ()
+    tests: Mapping[str, tuple[ResidualTest, ...]] = field(default_factory=dict)  # before, after
+    shape: Shape | None = None  # of what is left, where structure is left
+    twins: tuple[Twins, ...] = ()  # of the accepted effects
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
 
     @property
@@ -118,6 +166,9 @@ class ClosedLoop:
             "summary": self.summary,
             "next_experiment": None if self.next_experiment is None else asdict(self.next_experiment),
             "findings": [asdict(finding) for finding in self.findings],
+            "tests": {when: [asdict(test) for test in tests] for when, tests in self.tests.items()},
+            "shape": None if self.shape is None else asdict(self.shape),
+            "twins": [asdict(pair) for pair in self.twins],
         }
 
 

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from labcal.loop.experiments import between
 from labcal.loop.holdout import HeldOut
-from labcal.loop.result import Finding, NextExperiment, Verdict
+from labcal.loop.result import Finding, NextExperiment, ResidualTest, Shape, Verdict
 from labcal.loop.search import NAMED, Candidate, Weighed
-from labcal.model.effects import family
 
 if TYPE_CHECKING:
     from labcal.loop.close import Evidence
 
 
-def summary(found: Evidence, verdict: Verdict, aside: dict[str, int]) -> str:
-    """One sentence for the technician, and the rows that were set aside."""
+def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Shape | None = None) -> str:
+    """One sentence for the technician, what is left over looks like, and the rows that were set aside."""
     names = [name(c) for c in found.accepted]
     named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows that lie"
     verb = "explains" if len(names) == 1 else "explain"
@@ -28,7 +27,8 @@ def summary(found: Evidence, verdict: Verdict, aside: dict[str, int]) -> str:
         "ambiguous": f"{named} {verb} the residual: {change}; but other effects do as well on this run.",
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
-    return sentences[verdict] + (f" {rows}." if rows else "")
+    left = f" What is left: {shape.says}" if shape is not None else ""
+    return sentences[verdict] + left + (f" {rows}." if rows else "")
 
 
 def in_doubt(finding: Finding) -> dict[str, Any]:
@@ -57,22 +57,19 @@ def why_not(w: Weighed) -> str:
     return f"takes {100 * w.drop:.1f} % of the noise's square off the residual: not worth its parameters"
 
 
+def tested(tests: Sequence[ResidualTest]) -> str:
+    """One sentence on the tests of a residual."""
+    failed = [test.says for test in tests if not test.passes]
+    if not failed:
+        return (
+            "What is left shows no material structure: white in each segment, independent of every channel, of field, "
+            "angle and time."
+        )
+    more = [f"{len(failed) - 3} more tests fail"] if len(failed) > 3 else []
+    return f"What is left {'; '.join([*failed[:3], *more])}."
+
+
 def name(candidate: Candidate) -> str:
     """What is named: the effect and its channels."""
     channels = ", ".join(candidate.form.channels)
     return candidate.family.id + (f" ({channels})" if channels else "")
-
-
-def next_experiment(found: Evidence, verdict: Verdict) -> NextExperiment | None:
-    """What would tell rivals apart, or show what the structure is; None where nothing is open."""
-    if verdict == "ambiguous":
-        chosen, rivals = next((c, r) for c, r in zip(found.accepted, found.rivals, strict=True) if len(r) > 1)
-        other = rivals[1].weighed.candidate
-        do = between(chosen.family.id, other.family.id) or family(other.family.id).experiment
-        return NextExperiment(f"{name(chosen)} and {name(other)} do as well as each other on this run", do)
-    if verdict in ("unexplained", "partly-explained"):
-        return NextExperiment(
-            "structure remains that no known effect carries",
-            "repeat the run unchanged, then at another rate: what repeats belongs to field or angle, the rest to time",
-        )
-    return None

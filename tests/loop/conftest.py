@@ -28,8 +28,9 @@ def recorded(axes: str = "xyz", seconds: float = 45.0, seed: int = 5) -> tuple[R
         name = f"{axis_name}-{size / 1000:g}"
         segments.append({"id": name, "kind": "rotation", "axis_body": axis.tolist(), "axis_cage": axis.tolist(),
                          "body_from_cage": np.eye(3).tolist()})  # fmt: skip
-        t = 100.0 * number + np.arange(0, seconds, 0.5)
-        angle = np.radians(RATE_DEG_PER_S * (t - 100 * number))[:, None]
+        start = (seconds + 40.0) * number
+        t = start + np.arange(0, seconds, 0.5)
+        angle = np.radians(RATE_DEG_PER_S * (t - start))[:, None]
         ref = size * np.array([0.5, 0.6, 0.62]) + np.zeros((len(t), 3))
         along = (ref @ axis)[:, None] * axis
         seen = along + np.cos(angle) * (ref - along) - np.sin(angle) * np.cross(axis, ref)

@@ -12,7 +12,7 @@ from labcal.certificate.report.figures import segment_bounds, thin
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
 from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence
 from labcal.certificate.report.unstated import not_stated
-from labcal.loop.result import ClosedLoop, Verdict
+from labcal.loop.result import ClosedLoop, ResidualTest, Verdict
 from labcal.model import EffectRecord
 from labcal.record import Run
 
@@ -50,8 +50,10 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
             section("What to measure next", _next(result)),
             section("Residual before and after", _pictures(result, run)),
             section("Accepted", effect_tables(result.accepted)),
+            section("Tests of what is left", [_tests(result)]),
             section("Tried and not accepted", [_rejected(result.rejected)]),
             section("Remarks", [Prose(result.remarks)] if result.remarks else []),
+            section("What this run alone can never tell apart", _twins(result)),
             section("What is not covered", [Prose(not_stated(run))]),
         ),
         footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes.",
@@ -76,7 +78,40 @@ def _next(result: ClosedLoop) -> list[Block]:
     if (proposed := result.next_experiment) is None:
         return []
     procedure = f" (procedure {proposed.procedure})" if proposed.procedure else ""
-    return [Prose((f"{proposed.do}{procedure}", proposed.why))]
+    said = Prose((sentence(f"{proposed.do}{procedure}"), sentence(proposed.why)))
+    if not proposed.ranking:
+        return [said]
+    rows = tuple((r.do, r.procedure or "a person's step", f"{r.sigma:.0f}") for r in proposed.ranking)
+    return [
+        said,
+        Table(("Experiment", "Procedure", "Separation (standard deviations, foretold)"), rows, frozenset({2})),
+    ]
+
+
+def _tests(result: ClosedLoop) -> Table | None:
+    """Each test before and after, one row each."""
+    before = {(test.test, test.of): test for test in result.tests.get("before", ())}
+    rows = []
+    for test in result.tests.get("after", ()):
+        earlier = before.get((test.test, test.of)) or next((b for k, b in before.items() if k[0] == test.test), test)
+        rows.append((sentence(TESTS[test.test]), test.of, _verdict_of(earlier), _verdict_of(test)))
+    return Table(("Test", "Of", "Before", "After"), tuple(rows)) if rows else None
+
+
+TESTS = {
+    "whiteness": "white from row to row (Ljung-Box)",
+    "independence": "independence (cross-correlation)",
+    "lack-of-fit": "lack of fit against repeats (F)",
+}
+
+
+def _verdict_of(test: ResidualTest) -> str:
+    return "passes" if test.passes else f"fails: {100 * test.share:.0f} % of the square"
+
+
+def _twins(result: ClosedLoop) -> list[Block]:
+    rows = tuple((sentence(pair.one), pair.other, pair.separated_by) for pair in result.twins)
+    return [Table(("This", "and this", "are told apart by"), rows)] if rows else []
 
 
 def _rejected(effects: tuple[EffectRecord, ...]) -> Table | None:

@@ -1,0 +1,90 @@
+"""What to measure next follows from what each experiment would record, not from a table of names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.loop.close import prepared
+from labcal.loop.discrimination import CLEAR, ranked
+from labcal.loop.experiments import TWINS, experiments
+from labcal.loop.problem import Problem
+from labcal.loop.search import Candidate
+from labcal.model.effects import families, family
+from labcal.runner import procedures
+
+
+@pytest.fixture
+def problem(making: ModuleType, tmp_path: Path) -> Problem:
+    return prepared(session.load_run(str(making.written(tmp_path, *making.recorded()))))[0]
+
+
+def _candidate(problem: Problem, name: str, number: int = 0) -> Candidate:
+    found = family(name)
+    return Candidate(found, found.candidates(problem.run)[number])
+
+
+def _sigmas(problem: Problem, one: Candidate, other: Candidate, size: list[float]) -> dict[str, float]:
+    return {s.experiment.do: s.sigma for s in ranked(problem, one, other, np.array(size))}
+
+
+def test_a_temperature_and_a_drift_are_told_apart_by_warming_and_not_by_turning_back(problem: Problem) -> None:
+    """The run's own temperature is a slow sine; on a parabola through it warming adds most."""
+    sigma = _sigmas(problem, _candidate(problem, "offset-temperature"), _candidate(problem, "offset-drift"), [5, -4, 2])
+    assert max(sigma, key=sigma.__getitem__) == "warm the device and let it cool in two fields"
+
+
+def test_a_current_and_its_square_are_told_apart_by_switching_loads_in_three_levels(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    rows, segments = making.recorded()
+    rows["i_load"] = (np.mod(rows["t_s"], 47.0) < 19.0) * 0.8
+    problem = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
+    one, other = (_candidate(problem, f"offset-current{end}") for end in ("", "-squared"))
+    sigma = _sigmas(problem, one, other, [40.0, 0.0, 0.0])
+    assert max(sigma, key=sigma.__getitem__) == "switch every load on and off at one attitude"
+    assert sigma["repeat the run unchanged"] < CLEAR  # two levels again: a line and a parabola through both
+
+
+def test_an_effect_is_never_far_from_itself(problem: Problem) -> None:
+    tilt = _candidate(problem, "axis-tilt")
+    sigma = _sigmas(problem, tilt, tilt, [0.1] * len(tilt.form.parameters))
+    assert max(sigma.values()) < 0.1
+
+
+def test_a_larger_effect_is_told_apart_in_proportion(problem: Problem) -> None:
+    one, other = _candidate(problem, "lag"), _candidate(problem, "axis-tilt")
+    small, large = (_sigmas(problem, one, other, [size]) for size in (0.01, 0.03))
+    assert large["turn once forwards and once backwards in one mounting"] == pytest.approx(
+        3 * small["turn once forwards and once backwards in one mounting"], rel=1e-6
+    )
+
+
+def test_every_procedure_proposed_is_one_of_the_lab_s() -> None:
+    named = {e.procedure for e in experiments()} - {None}
+    assert named <= set(procedures())
+
+
+def test_every_twin_names_effects_that_there_are() -> None:
+    assert {name for effects, _ in TWINS for name in effects} <= {f.id for f in families()}
+
+
+def test_an_ambiguous_run_says_which_experiment_and_how_far_apart(
+    making: ModuleType, tmp_path: Path, closed_loop: Callable[[Path], tuple[int, dict[str, Any], str]]
+) -> None:
+    rows, segments = making.recorded()
+    rows["temp"] = 20 + rows["t_s"] / 100
+    rows["dut"] += (rows["temp"] - 22)[:, None] * [40.0, -30.0, 20.0]
+    code, result, _ = closed_loop(making.written(tmp_path, rows, segments))
+    assert (code, result["verdict"]) == (1, "ambiguous")
+    proposed = result["next_experiment"]
+    assert proposed["procedure"] in procedures()
+    assert proposed["ranking"][0]["sigma"] >= proposed["ranking"][1]["sigma"] > 0
+    assert "standard deviations apart" in proposed["why"]
+    assert {pair["other"] for pair in result["twins"]} >= {"a drift"}
