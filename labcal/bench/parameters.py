@@ -94,9 +94,13 @@ class ParameterSpec:
                 raise InputError(f"{self.name} = {one} is refused: expected {self.expected}")
         if self.many and not value and not self.optional:
             raise InputError(f"{self.name} is empty: expected {self.expected}")
-        if self.many and len(set(value)) < len(value):
+        if self.many and not self._a_vector() and len(set(value)) < len(value):
             raise InputError(f"{self.name} states one twice: expected {self.expected}, no two alike")
         return value
+
+    def _a_vector(self) -> bool:
+        """Whether two numbers of its list may be alike: its default's are."""
+        return self.default is not None and len(set(self.default)) < len(self.default)
 
     @property
     def expected(self) -> str:
