@@ -36,6 +36,7 @@ def coils_off(path: Path, clock: Clock | None = None) -> list[AtZero]:
                     why = f"labcal bench off, process {os.getpid()}"
                     return [zero_of(end) for end in ask_once(guardian, "zero", why=why)]
             if ports.hold(real):
+                ports.announce({"pid": os.getpid()})
                 try:
                     return _with_own_hands(Loader(path, config, clock or RealClock(), 0))
                 finally:

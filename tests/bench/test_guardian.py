@@ -1,16 +1,19 @@
-"""The guardian with real processes, real lines and the real clock: whatever happens, the coils are at zero in 2 s.
+"""The guardian with real processes, real lines and the real clock: whatever happens, the coils are at zero.
 
 The supplies are the emulated ones on TCP ports that take one connection each; their coils' currents are read from the
-simulated lab in this process, not from what labcal says about them.
+simulated lab in this process, not from what labcal says about them. What is waited for here has no deadline that a
+busy machine could miss; `test_guardian_in_time.py` holds the stopwatch.
 """
 
 from __future__ import annotations
 
+import fcntl
 import os
 import re
 import signal
 import subprocess
 import sys
+import termios
 import threading
 import time
 import tomllib
@@ -29,7 +32,8 @@ from labcal.home import home
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="SIGKILL, SIGSTOP and ptys")
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
-ZERO_A, IN_TIME_S = 0.005, 2.0
+ZERO_A = 0.005
+LONG_S = 90.0  # a busy machine gets there, a broken one does not
 SESSION = """
 import sys, time
 from pathlib import Path
@@ -133,35 +137,38 @@ def session(lab: Served) -> Iterator[Callable[[str], subprocess.Popen[str]]]:
     """Starts a session that energises the coils; at the end it and its guardians are gone."""
     started: list[subprocess.Popen[str]] = []
 
-    def start(then: str) -> subprocess.Popen[str]:
-        child = subprocess.Popen(
-            [sys.executable, "-c", SESSION, str(lab.file), then],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        )  # fmt: skip
-        started.append(child)
-        assert child.stdout is not None
-        assert child.stdout.readline() == "energised\n", child.communicate()[1]
-        assert lab.currents()["x"] == pytest.approx(1.0, abs=0.01)
-        return child
+    def start(then: str, **popen: Any) -> subprocess.Popen[str]:
+        for _ in range(5):  # on a busy machine it may be silent for too long, and begins again
+            child = subprocess.Popen(
+                [sys.executable, "-c", SESSION, str(lab.file), then],
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **popen,
+            )  # fmt: skip
+            started.append(child)
+            assert child.stdout is not None
+            said = child.stdout.readline()
+            if said == "energised\n" and lab.currents()["x"] == pytest.approx(1.0, abs=0.01):
+                return child
+            child.kill()
+            until(lambda: not guardians())
+        raise AssertionError(f"{said}{child.communicate()[1]}{log()}")
 
     yield start
     for child in started:
         child.kill()
         child.communicate()
-    until(lambda: not guardians(), 15)
+    until(lambda: not guardians())
 
 
-def until(true: Callable[[], bool], within_s: float) -> float:
-    """Wait until it is true; returns how long that took."""
+def until(true: Callable[[], bool]) -> None:
+    """Wait until it is true."""
     begun = time.monotonic()
     while not true():
-        assert time.monotonic() - begun < within_s, f"not within {within_s} s:\n{log()}"
+        assert time.monotonic() - begun < LONG_S, f"not within {LONG_S:g} s:\n{log()}"
         time.sleep(0.01)
-    return time.monotonic() - begun
 
 
-def seconds_to_zero(lab: Served) -> float:
-    return until(lambda: all(current < ZERO_A for current in lab.currents().values()), IN_TIME_S)
+def at_zero(lab: Served, axes: str = "xyz") -> bool:
+    return all(lab.currents()[axis] < ZERO_A for axis in axes)
 
 
 def guardians() -> set[int]:
@@ -195,9 +202,24 @@ def read_back_after(reason: str) -> bool:
 
 def test_a_session_that_is_killed_leaves_the_coils_at_zero(lab: Served, session: Any) -> None:
     session("idle").kill()
-    assert seconds_to_zero(lab) < 1.5
-    until(lambda: read_back_after("is gone"), 5)
-    until(lambda: not guardians(), 10)
+    until(lambda: at_zero(lab))
+    until(lambda: read_back_after("is gone"))
+    until(lambda: not guardians())
+
+
+def test_a_session_that_loses_its_terminal_leaves_the_coils_at_zero(lab: Served, session: Any) -> None:
+    terminal, its_end = os.openpty()
+
+    def on_this_terminal() -> None:
+        os.setsid()
+        fcntl.ioctl(its_end, termios.TIOCSCTTY, 0)
+
+    child = session("idle", stdin=its_end, preexec_fn=on_this_terminal)
+    os.close(its_end)
+    os.close(terminal)
+    until(lambda: at_zero(lab))
+    until(lambda: read_back_after("is gone"))
+    assert child.wait(LONG_S) == -signal.SIGHUP
 
 
 @pytest.mark.parametrize("how", ["SIGSTOP", pytest.param("hang", marks=pytest.mark.slow)])
@@ -205,19 +227,22 @@ def test_a_session_that_stops_or_hangs_with_the_lock_held_loses_its_coils(lab: S
     child = session("hang" if how == "hang" else "idle")
     if how == "SIGSTOP":
         os.kill(child.pid, signal.SIGSTOP)
-    seconds_to_zero(lab)
-    until(lambda: read_back_after("has been silent for"), 5)
+    until(lambda: at_zero(lab))
+    until(lambda: read_back_after("has been silent for"))
     assert child.poll() is None
 
 
-def test_off_is_obeyed_while_a_session_hangs_and_the_session_is_told(lab: Served, session: Any) -> None:
+def test_off_is_obeyed_while_a_session_hangs_and_no_other_session_may_begin(lab: Served, session: Any) -> None:
     child = session("measure")
+    second = beginning(lab)
+    assert f"session {child.pid} drives this bench" in second.stderr
+    assert "energised" not in second.stdout
     os.kill(child.pid, signal.SIGSTOP)
     off = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, check=False)
     assert (off.returncode, off.stdout.count("zero, open")) == (0, 3), off.stderr
-    assert max(lab.currents().values()) < ZERO_A
+    assert at_zero(lab)
     os.kill(child.pid, signal.SIGCONT)
-    _, said = child.communicate(timeout=20)
+    _, said = child.communicate(timeout=LONG_S)
     assert "was taken to zero" in said
 
 
@@ -225,21 +250,21 @@ def test_a_killed_guardian_is_replaced_by_one_that_begins_with_zero(lab: Served,
     child = session("measure")
     (first,) = guardians()
     os.kill(first, signal.SIGKILL)
-    seconds_to_zero(lab)
-    until(lambda: read_back_after("its successor begins"), 5)
+    until(lambda: at_zero(lab))
+    until(lambda: read_back_after("its successor begins"))
     assert guardians() - {first}
-    _, said = child.communicate(timeout=20)
+    _, said = child.communicate(timeout=LONG_S)
     assert "the guardian was killed" in said
 
 
 def test_a_guardian_killed_with_its_session_is_replaced_all_the_same(lab: Served, session: Any) -> None:
     child = session("idle")
     (first,) = guardians()
-    until(lambda: bool(children_of(first)), 10)
+    until(lambda: bool(children_of(first)))
     os.kill(first, signal.SIGKILL)
     child.kill()
-    seconds_to_zero(lab)
-    until(lambda: read_back_after("its successor begins"), 5)
+    until(lambda: at_zero(lab))
+    until(lambda: read_back_after("its successor begins"))
 
 
 def test_one_silent_supply_keeps_no_other_from_zero_and_the_next_start_is_refused(lab: Served, session: Any) -> None:
@@ -247,23 +272,28 @@ def test_one_silent_supply_keeps_no_other_from_zero_and_the_next_start_is_refuse
     emulator = lab.emulator("supply_x")
     emulator.emit = lambda until_s: []
     child.kill()
-    until(lambda: max(lab.currents()[axis] for axis in "yz") < ZERO_A, IN_TIME_S)
-    until(lambda: re.search("coil x unknown, .*no reply", log()) is not None, 10)
+    until(lambda: at_zero(lab, "yz"))
+    until(lambda: re.search("coil x unknown, .*no reply", log()) is not None)
     assert guardians()
-    start = [sys.executable, "-c", SESSION, str(lab.file), "idle"]
-    refused = subprocess.run(start, capture_output=True, text=True, check=False, timeout=30)
+    refused = beginning(lab)
     assert "no reply" in refused.stderr
     assert "energised" not in refused.stdout
     del emulator.emit
-    until(lambda: "at last: coil x +0.0000 A, zero, open" in log(), 10)
+    until(lambda: "at last: coil x +0.0000 A, zero, open" in log())
 
 
 @pytest.mark.slow
 def test_where_both_guardians_are_killed_the_session_starts_another(lab: Served, session: Any) -> None:
     session("idle")
     (first,) = guardians()
-    until(lambda: bool(children_of(first)), 10)
+    until(lambda: bool(children_of(first)))
     for pid in (*children_of(first), first):
         os.kill(pid, signal.SIGKILL)
-    until(lambda: all(current < ZERO_A for current in lab.currents().values()), 10)
-    until(lambda: read_back_after("its successor begins"), 10)
+    until(lambda: at_zero(lab))
+    until(lambda: read_back_after("its successor begins"))
+
+
+def beginning(lab: Served) -> subprocess.CompletedProcess[str]:
+    """Another session that would energise, to its end."""
+    start = [sys.executable, "-c", SESSION, str(lab.file), "idle"]
+    return subprocess.run(start, capture_output=True, text=True, check=False, timeout=LONG_S)

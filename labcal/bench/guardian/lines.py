@@ -55,10 +55,14 @@ class Line:
         return who
 
     def modbus(self, name: str, call: str, args: list[Any]) -> Any:
-        """One exchange for an instrument that shares this line but belongs to the session."""
+        """One exchange for an instrument that shares this line but belongs to the session; with no other on it."""
+        driver, _, settings = self.loader.driver(name)
+        if not args or args[0] != settings.address or settings.address == 0:
+            raise InstrumentError(
+                f"{name}: device {args[:1]} on its line is not for the session to address.", fault="forbidden"
+            )
         with self.lock:
             if name not in self._shared:
-                driver, _, settings = self.loader.driver(name)
                 self._shared[name] = self.loader.modbus(name, self.loader.config.instruments[name], settings)
                 self.loader.links[self.url].never.add(driver.never, settings.address)
             return getattr(self._shared[name], call)(*args)

@@ -17,7 +17,12 @@ from labcal.bench.guardian.keeper import Guardian
 from labcal.bench.guardian.wire import Message, fault_message, packed, zero_message
 from labcal.errors import InstrumentError
 
+LINE_BYTES = 65536  # no order is longer
+TOKEN_S = 5.0  # to say who one is
+CALLERS, ORDERS = 32, 64  # at once; and of one caller not worked off yet: then it is not listened to
 STALE_S = 3.0  # a session that has been silent so long, with the coils at zero, makes room for another
+FOR_THE_SESSION = ("set_current", "output", "modbus", "reopen")
+KINDS: dict[str, tuple[type, ...]] = {"current_A": (float, int), "on": (bool,), "axis": (str,), "name": (str,)}
 
 
 @dataclass
@@ -28,6 +33,7 @@ class Caller:
     who: str = "a caller"
     heard_s: float = field(default_factory=time.monotonic)
     gone: bool = False
+    room: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(ORDERS))
 
     def send(self, message: Message) -> None:
         """Answer; a caller that has left, or reads nothing, is not waited for."""
@@ -65,25 +71,39 @@ class Server:
             self.session = None
 
     def _accept(self) -> None:
+        places = threading.Semaphore(CALLERS)
         while True:
             try:
                 connection, _ = self._listener.accept()
             except OSError:
                 return
-            threading.Thread(target=self._hear, args=(Caller(connection),), daemon=True).start()
+            if places.acquire(blocking=False):
+                threading.Thread(target=self._serve, args=(Caller(connection), places), daemon=True).start()
+            else:
+                connection.close()
 
-    def _hear(self, caller: Caller) -> None:
+    def _serve(self, caller: Caller, places: threading.Semaphore) -> None:
+        """Hear one caller out; whoever says what is no order has hung up."""
+        try:
+            with caller.socket, ThreadPoolExecutor(1) as worker, suppress(Exception):
+                self._hear(caller, worker)
+        finally:
+            caller.gone = True
+            places.release()
+
+    def _hear(self, caller: Caller, worker: ThreadPoolExecutor) -> None:
         """Read lines; orders go to a thread of their own and are worked off in turn."""
-        with caller.socket, ThreadPoolExecutor(1) as worker, suppress(OSError, ValueError):
-            lines = caller.socket.makefile("rb")
-            if not hmac.compare_digest(str(json.loads(lines.readline()).get("token")), self._token):
-                return
-            for line in lines:
-                message = json.loads(line)
-                caller.heard_s = time.monotonic()
-                if "order" in message:
-                    worker.submit(self._answer, caller, message)
-        caller.gone = True
+        lines = caller.socket.makefile("rb")
+        caller.socket.settimeout(TOKEN_S)
+        if not hmac.compare_digest(str(json.loads(lines.readline(LINE_BYTES))["token"]).encode(), self._token.encode()):
+            return
+        caller.socket.settimeout(None)
+        while (line := lines.readline(LINE_BYTES)).endswith(b"\n"):
+            message = json.loads(line)
+            caller.heard_s = time.monotonic()
+            if "order" in message:
+                caller.room.acquire()
+                worker.submit(self._answer, caller, message)
 
     def _answer(self, caller: Caller, message: Message) -> None:
         try:
@@ -93,6 +113,7 @@ class Server:
         except Exception as error:  # whatever it is, the caller hears of it and the guardian lives
             what = f"the guardian failed at {message['order']}: {type(error).__name__}: {error}."
             reply = {"error": fault_message(InstrumentError(what, fault="guardian failed"))}
+        caller.room.release()
         caller.send({"id": message.get("id")} | reply)
 
     def _obey(self, caller: Caller, order: str, what: Message) -> Any:
@@ -104,8 +125,10 @@ class Server:
         if order == "zero":
             ended = self._guardian.zero(what["why"], by_session=caller is self.session)
             return [zero_message(end) for end in ended]
-        if order in ("set_current", "output", "modbus") and caller is not self.session:
+        if order in FOR_THE_SESSION and caller is not self.session:
             raise InstrumentError("only the session that drives this bench sets currents.", fault="forbidden")
+        if not all(isinstance(what[name], kinds) for name, kinds in KINDS.items() if name in what):
+            raise InstrumentError(f"{order} with {what} is no order.", fault="forbidden")
         return self._orders[order](**what)
 
     def _welcome(self, caller: Caller, who: str, bench: str) -> Message:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import stat
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any
 
@@ -22,10 +24,15 @@ def runtime_folder() -> Path:
     """The folder of sockets and locks: this user's alone. Raises InstrumentError where somebody else made it."""
     user = str(os.getuid()) if sys.platform != "win32" else os.environ.get("USERNAME", "user")
     folder = Path(tempfile.gettempdir()) / f"labcal-{user}"
-    folder.mkdir(mode=0o700, exist_ok=True)
-    if sys.platform != "win32" and (folder.stat().st_uid != os.getuid() or folder.stat().st_mode & 0o077):
+    with suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    stands = folder.lstat()  # a link that somebody else laid is not followed
+    ours = stat.S_ISDIR(stands.st_mode) and (sys.platform == "win32" or stands.st_uid == os.getuid())
+    if not ours or (sys.platform != "win32" and stands.st_mode & 0o077):
         raise InstrumentError(
-            f"{folder} is open to other users.", fault="forbidden", remedy="Remove it; labcal makes its own."
+            f"{folder} is not a folder of this user alone.",
+            fault="forbidden",
+            remedy="Remove it; labcal makes its own.",
         )
     return folder
 
@@ -41,11 +48,13 @@ def hold(urls: Iterable[str]) -> bool:
     taken: dict[str, IO[str]] = {}
     for url in sorted(set(map(port_of, urls)) - set(_held)):
         file = _lock_file(url).open("a+", encoding="utf-8")
-        if not _try_lock(file):
+        if not _locked_in_time(file):
             for other in (file, *taken.values()):
                 other.close()
             return False
         taken[url] = file
+    for lock in taken.values():
+        lock.truncate(0)  # what a holder before this one announced
     _held.update(taken)
     return True
 
@@ -73,9 +82,10 @@ def holder(url: str) -> dict[str, Any] | None:
             return None
         file.seek(0)
         try:
-            return dict(json.loads(file.read()))
-        except ValueError:
+            card = json.loads(file.read())
+        except (ValueError, RecursionError):
             return {}
+        return card if isinstance(card, dict) else {}
 
 
 def claim(url: str) -> Callable[[], None]:
@@ -86,12 +96,10 @@ def claim(url: str) -> Callable[[], None]:
     port = port_of(url)
     if port in _held:
         return lambda: None
-    file, deadline = _lock_file(port).open("a+", encoding="utf-8"), time.monotonic() + PATIENCE_S
-    while not _try_lock(file):
-        if time.monotonic() > deadline:
-            file.close()
-            raise _in_use(url, holder(url) or {})
-        time.sleep(0.01)
+    file = _lock_file(port).open("a+", encoding="utf-8")
+    if not _locked_in_time(file):
+        file.close()
+        raise _in_use(url, holder(url) or {})
     _write(file, {"pid": os.getpid(), "program": " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])})
     return file.close
 
@@ -113,6 +121,15 @@ def _write(file: IO[str], card: dict[str, Any]) -> None:
 
 def _lock_file(port: str) -> Path:
     return runtime_folder() / f"port-{hashlib.sha256(port.encode()).hexdigest()[:16]}.lock"
+
+
+def _locked_in_time(file: IO[str]) -> bool:
+    deadline = time.monotonic() + PATIENCE_S
+    while not _try_lock(file):
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.01)
+    return True
 
 
 def _try_lock(file: IO[str]) -> bool:
