@@ -1,0 +1,216 @@
+"""The example's lab served on real lines from this process, and sessions on it that are processes of their own.
+
+The supplies are the emulated ones on TCP ports that take one connection each; their coils' currents are read from the
+simulated lab in this process, not from what labcal says about them.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import threading
+import time
+import tomllib
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import labcal.bench.serve as serving
+from labcal.bench.clock import RealClock
+from labcal.bench.loading import Loader
+from labcal.home import home
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
+LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
+ZERO_A = 0.005
+LONG_S = 90.0  # a busy machine gets there, a broken one does not
+SESSION = """
+import sys, time
+from pathlib import Path
+from labcal.bench import open_bench
+with open_bench(Path(sys.argv[1])) as bench:
+    bench.cage.set_currents([float(part) for part in sys.argv[3].split(",")])
+    print("energised", flush=True)
+    if sys.argv[2] == "hang":
+        time.sleep(60)
+    while True:
+        bench.clock.wait_until(bench.clock.now() + 0.1)
+        if sys.argv[2] == "measure":
+            bench.cage.currents_A()
+"""
+
+
+def example() -> str:
+    """The example's bench file: supply_x takes the interface lock, nothing settles."""
+    text = EXAMPLE.read_text(encoding="utf-8").replace("settle_s = 0.3", "settle_s = 0.0")
+    return text.replace('role = "coil-x"', 'role = "coil-x"\nsettings = { interface_lock = true }')
+
+
+class OneSocket(serving.TcpOutlet):
+    """A supply that takes one connection, and serves no other until that one is gone."""
+
+    def read(self) -> bytes:
+        if self._host is None:
+            return super().read()
+        try:
+            data = self._host.recv(65536)
+        except BlockingIOError:
+            return b""
+        except OSError:
+            data = b""
+        if not data:
+            self._host.close()
+            self._host = None
+        return data
+
+
+class Served:
+    """A bench on real lines, served from a thread; `currents` is the truth."""
+
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch, bench: str) -> None:
+        self.file, self._stop, self._loaders = folder / "served.toml", threading.Event(), list[Loader]()
+        self.clock = RealClock()
+        self.lines: list[tuple[Any, Any]] = []
+        pump = serving._pump
+        ready = threading.Event()
+
+        def loader(*args: Any) -> Loader:
+            self._loaders.append(Loader(*args))
+            return self._loaders[0]
+
+        def pumped(lines: list[tuple[Any, Any]], clock: Any) -> None:
+            self.lines = lines
+            pump(lines, clock)
+
+        monkeypatch.setattr(serving, "_pump", pumped)
+        monkeypatch.setattr(serving, "Loader", loader)
+        monkeypatch.setattr(serving, "TcpOutlet", OneSocket)
+        monkeypatch.setattr(self.clock, "wait_until", self._wait)
+        source = folder / "bench.toml"
+        source.write_text(bench)
+        self._thread = threading.Thread(target=self._serve, args=(source, ready), daemon=True)
+        self._thread.start()
+        assert ready.wait(30)
+
+    def _serve(self, source: Path, ready: threading.Event) -> None:
+        with suppress(InterruptedError):
+            serving.serve(source, self.file, ready.set, clock=self.clock)
+
+    def _wait(self, t_s: float) -> None:
+        if self._stop.is_set():
+            raise InterruptedError
+        time.sleep(max(0.0, t_s - self.clock.now()))
+
+    @property
+    def coils(self) -> dict[str, Any]:
+        """The coils of the simulated lab."""
+        return dict(self._loaders[0].twin.coils)
+
+    def currents(self) -> dict[str, float]:
+        """What flows now [A]."""
+        return {axis: abs(float(coil.current.now(self.clock.now()))) for axis, coil in self.coils.items()}
+
+    def emulator(self, name: str) -> Any:
+        """The emulator on the line of the instrument `name`."""
+        link = tomllib.loads(self.file.read_text())["instruments"][name]["link"]
+        return next(emulator for outlet, emulator in self.lines if outlet.url == link)
+
+    def close(self) -> None:
+        self._stop.set()
+        self._thread.join(5)
+
+
+class Sessions:
+    """Starts sessions that energise the coils of `lab`; `end` ends them, and waits until their guardians are gone."""
+
+    def __init__(self, lab: Served) -> None:
+        self._lab, self._started = lab, list[subprocess.Popen[str]]()
+
+    def __call__(self, then: str, currents_A: str = "1.0,0.6,0.3", **popen: Any) -> subprocess.Popen[str]:
+        for _ in range(5):  # on a busy machine it may be silent for too long, and begins again
+            child = subprocess.Popen(
+                [sys.executable, "-c", SESSION, str(self._lab.file), then, currents_A],
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **popen,
+            )  # fmt: skip
+            self._started.append(child)
+            assert child.stdout is not None
+            said, wanted = child.stdout.readline(), float(currents_A.split(",")[0])
+            if said == "energised\n" and self._lab.currents()["x"] == pytest.approx(wanted, abs=0.01):
+                return child
+            child.kill()
+            until(lambda: not guardians())
+        raise AssertionError(f"{said}{child.communicate()[1]}{log()}")
+
+    def end(self) -> None:
+        for child in self._started:
+            child.kill()
+            child.communicate()
+        until(lambda: not guardians())
+
+
+def until(true: Callable[[], bool]) -> None:
+    """Wait until it is true."""
+    begun = time.monotonic()
+    while not true():
+        assert time.monotonic() - begun < LONG_S, f"not within {LONG_S:g} s:\n{log()}"
+        time.sleep(0.01)
+
+
+def at_zero(lab: Served, axes: str = "xyz") -> bool:
+    return all(lab.currents()[axis] < ZERO_A for axis in axes)
+
+
+def guardians() -> set[int]:
+    """The living processes that have written into this test's log."""
+    return {pid for pid in map(int, re.findall(r"\[(\d+)\]", log())) if alive(pid)}
+
+
+def alive(pid: int) -> bool:
+    status = Path(f"/proc/{pid}/stat")
+    try:
+        return status.read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def children_of(parent: int) -> list[int]:
+    listed = [path.read_text() for path in Path(f"/proc/{parent}/task").glob("*/children")]
+    return [int(pid) for pid in " ".join(listed).split()]
+
+
+def log() -> str:
+    path = home() / "guardian.log"
+    return path.read_text() if path.exists() else ""
+
+
+def read_back_after(reason: str) -> bool:
+    """Whether the log says why, and then that every coil was read back at zero and open."""
+    _, _, after = log().partition(reason)
+    return after.split("read back: ")[-1].count("zero, open") == 3
+
+
+def beginning(lab: Served) -> subprocess.CompletedProcess[str]:
+    """Another session that would energise, to its end."""
+    start = [sys.executable, "-c", SESSION, str(lab.file), "idle", "1.0,0.6,0.3"]
+    return subprocess.run(start, capture_output=True, text=True, check=False, timeout=LONG_S)
+
+
+def on_a_terminal(session: Sessions, currents_A: str = "1.0,0.6,0.3") -> tuple[subprocess.Popen[str], int]:
+    """A session that a person began on a terminal of its own, and the other end of that: to close it is to hang up."""
+    import fcntl
+    import termios
+
+    terminal, its_end = os.openpty()
+
+    def take_it() -> None:
+        os.setsid()
+        fcntl.ioctl(its_end, termios.TIOCSCTTY, 0)
+
+    child = session("idle", currents_A, stdin=its_end, preexec_fn=take_it)
+    os.close(its_end)
+    return child, terminal

@@ -1,0 +1,80 @@
+"""The stopwatch on the guardian, on a machine with nothing else to do: every coil at zero within two seconds.
+
+Measured from the deed to the moment when the simulated lab's currents are below a milliampere's few, at the largest
+currents that the example allows; the guardian's own log then says when it was all read back.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import sys
+import time
+from collections.abc import Callable
+from datetime import datetime
+
+import pytest
+from served_lab import Served, Sessions, at_zero, children_of, example, guardians, log, on_a_terminal, until
+
+pytestmark = [
+    pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="SIGKILL, SIGSTOP and ptys")
+]  # fmt: skip
+IN_TIME_S = 2.0
+MOST_A = "1.8,0.7,0.3"  # 98 of the 100 µT that the DUT bears
+
+
+def three_on_one_pair() -> str:
+    """Three Riden supplies on one RS-485 pair, that bear fewer than ten requests a second each."""
+    text = example().replace("\nsettings = { interface_lock = true }", "")
+    for number, axis in enumerate("xyz", 1):
+        of_tti = f'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-{axis}"'
+        assert of_tti in text
+        of_riden = of_tti.replace("tti-pl", "riden-rd60xx").replace("emulated://", "emulated://pair")
+        text = text.replace(of_tti, f"{of_riden}\nsettings = {{ address = {number} }}")
+    return text
+
+
+def killed(lab: Served, session: Sessions) -> Callable[[], object]:
+    return session("idle", MOST_A).kill
+
+
+def stopped(lab: Served, session: Sessions) -> Callable[[], object]:
+    child = session("idle", MOST_A)
+    return lambda: os.kill(child.pid, signal.SIGSTOP)
+
+
+def terminal_lost(lab: Served, session: Sessions) -> Callable[[], object]:
+    _, terminal = on_a_terminal(session, MOST_A)
+    return lambda: os.close(terminal)
+
+
+def guardian_killed(lab: Served, session: Sessions) -> Callable[[], object]:
+    session("idle", MOST_A)
+    (first,) = guardians()
+    until(lambda: bool(children_of(first)))
+    time.sleep(3)  # the standby is up
+    return lambda: os.kill(first, signal.SIGKILL)
+
+
+def read_back_s() -> float:
+    """From the order to zero to its last read-back, by the guardian's own stamps."""
+    stamps = re.findall(r"^(\S+)Z \[\d+\] (to zero|read back): (?!.*session begins)", log(), re.MULTILINE)
+    (_, order), (_, read) = stamps[-2:]
+    assert (order, read) == ("to zero", "read back")
+    times = [datetime.fromisoformat(stamp) for stamp, _ in stamps[-2:]]
+    return (times[1] - times[0]).total_seconds()
+
+
+@pytest.mark.parametrize("bench_text", [example(), three_on_one_pair()], ids=["tti", "riden-on-one-pair"])
+@pytest.mark.parametrize("deed", [killed, stopped, terminal_lost, guardian_killed])
+def test_every_coil_is_at_zero_within_two_seconds(
+    lab: Served, session: Sessions, deed: Callable[[Served, Sessions], Callable[[], object]]
+) -> None:
+    act, begun = deed(lab, session), time.monotonic()
+    act()
+    until(lambda: at_zero(lab))
+    took_s = time.monotonic() - begun
+    until(lambda: log().splitlines()[-1].count("zero, open") == 3)
+    print(f"{deed.__name__}: zero after {took_s:.2f} s, order to read-back {read_back_s():.2f} s")
+    assert took_s < IN_TIME_S
