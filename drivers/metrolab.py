@@ -16,7 +16,7 @@ from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
-VALUE = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-zµ]+)\s*")
+VALUE = re.compile(r" *([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?) *([A-Za-zµ]+) *")
 NT = {"T": 1e9, "mT": 1e6, "MT": 1e6, "uT": 1e3, "UT": 1e3, "µT": 1e3, "nT": 1.0, "NT": 1.0, "G": 1e5, "mG": 100.0,
       "kG": 1e8}  # fmt: skip
 OVERFLOW = 9.9e37

@@ -103,7 +103,7 @@ class Esp301Stage:
         self._refuse_errors(words)
 
     def _refuse_errors(self, words: str) -> None:
-        code, _, text = (part.strip() for part in (*self._ask("TB?").split(",", 2), "", "")[:3])
+        code, _, text = (part.strip(" ") for part in (*self._ask("TB?").split(",", 2), "", "")[:3])
         if code != NO_ERROR:
             number = int(code) if code.isdigit() else 0
             said = AXIS_ERRORS.get(number % 100, text) if number >= 100 else text
@@ -126,4 +126,4 @@ class Esp301Stage:
     def _ask(self, text: str) -> str:
         self._link.flush()
         reply = self._link.ask(text.encode() + b"\r", end=b"\r\n", timeout_s=self.settings.timeout_s)
-        return reply.decode("ascii", "replace").strip()
+        return reply.strip(b" \r\n").decode("ascii", "replace")

@@ -120,11 +120,15 @@ class Smc100Stage:
 
     def _ask(self, words: str) -> str:
         self._send(words)
-        reply = self._link.ask(b"", end=b"\r\n", timeout_s=self.settings.timeout_s).decode("ascii", "replace").strip()
+        reply = (
+            self._link.ask(b"", end=b"\r\n", timeout_s=self.settings.timeout_s)
+            .strip(b" \r\n")
+            .decode("ascii", "replace")
+        )
         prefix = f"{self.settings.address}{words.removesuffix('?')}"
         if not reply.startswith(prefix):
             raise self._axis.wrong(words, reply)
-        return reply.removeprefix(prefix).strip()
+        return reply.removeprefix(prefix).strip(" ")
 
     def _send(self, words: str) -> None:
         self._clock.wait_until(self._free_s)

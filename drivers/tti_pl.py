@@ -116,7 +116,6 @@ class TtiSupply(CurrentSource):
 
 def _word(letter: str, reply: str) -> float:
     """The number of `I1 0.5000`, whose letter says what it is."""
-    what, number = reply.split()
-    if not re.fullmatch(rf"{letter}\d", what):
+    if not re.match(rf"{letter}[1-4] ", reply):
         raise ValueError(reply)
-    return decimal(number)
+    return decimal(reply[3:].strip(" "))

@@ -1,4 +1,4 @@
-"""SCPI over one line: questions, commands whose errors are asked for, and no late reply taken for the next one."""
+"""SCPI over one line: questions, and commands whose errors are asked for."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from labcal.bench.links import Link
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
-QUIET_S = 0.3  # after a reply that did not come in time: so long must nothing come
 LONGEST_QUEUE = 64
 FLOW = b"\x11\x13"  # XON, XOFF that an adapter let through
 NAK = b"\x15"  # of a Kepco whose input queue overran
@@ -27,14 +26,12 @@ class Scpi:
     gap_s: float = 0.0
     errors: str = "SYST:ERR?"
     _free_s: float = field(default=float("-inf"), init=False)
-    _late: bool = field(default=False, init=False)  # a reply may still be on its way
 
     def query(self, text: str) -> str:
         """Ask and return the reply. Raises InstrumentError: silent, or refused where the question was lost."""
         self.send(text)
-        self._late = True
         reply = self.link.ask(b"", end=b"\n", timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
-        self._late, self._free_s = False, self.clock.now() + self.gap_s
+        self._free_s = self.clock.now() + self.gap_s
         if NAK in reply:
             raise InstrumentError(f"{self.name}: it lost {text!r}: its input queue overran.", fault="refused")
         return reply.decode("utf-8", "replace")
@@ -49,9 +46,6 @@ class Scpi:
         """Tell, once it is ready to hear; what was left on the line is dropped."""
         self.clock.wait_until(self._free_s)
         self.link.flush()
-        while self._late and self.link.receive(self.clock.now() + QUIET_S):
-            pass
-        self._late = False
         self.link.send(text.encode() + b"\n")
         self._free_s = self.clock.now() + self.gap_s
 

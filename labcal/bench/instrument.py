@@ -108,6 +108,6 @@ def after(prefix: str, ends: str = "") -> Callable[[str], float]:
             raise ValueError(reply)
         if not reply.endswith(ends):
             raise ValueError(reply)
-        return decimal(reply.removeprefix(prefix).removesuffix(ends).strip())
+        return decimal(reply.removeprefix(prefix).removesuffix(ends).strip(" "))
 
     return read

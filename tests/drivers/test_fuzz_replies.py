@@ -74,7 +74,7 @@ def numbers(form: str) -> Callable[[bytes], set[float]]:
 
     def read(reply: bytes) -> set[float]:
         lines = reply.replace(b"\x11", b"").replace(b"\x13", b"").decode("latin-1").split("\n")
-        found = [re.fullmatch(rf"\s*{form.replace('NUMBER', f'({NUMBER})')}\s*", line) for line in lines]
+        found = [re.fullmatch(rf"[ \r]*{form.replace('NUMBER', f'({NUMBER})')}[ \r]*", line) for line in lines]
         return {float(match[1]) for match in found if match}
 
     return read
@@ -103,7 +103,7 @@ def five(reply: bytes) -> set[float]:
 def tesla(reply: bytes) -> set[float]:
     """The first of three numbers, each with its unit [nT]."""
     nT = {"T": 1e9, "mT": 1e6, "MT": 1e6, "uT": 1e3, "UT": 1e3, "nT": 1.0, "NT": 1.0, "G": 1e5, "mG": 100.0, "kG": 1e8}
-    part = r"\s*" + f"({NUMBER})" + r"\s*([a-zA-Zµ]+)\s*"
+    part = f"[ \r]*({NUMBER}) *([a-zA-Zµ]+)[ \r]*"
     found = (re.fullmatch(";".join([part] * 3), line) for line in reply.decode("utf-8", "replace").split("\n"))
     return {float(match[1]) * nT[match[2]] for match in found if match and match[2] in nT}
 
@@ -121,7 +121,7 @@ def supply(driver: Any) -> float:
 
 TARGETS = {
     "rigol-dp800": Target(RigolSupply, lambda k: b"%.4f\n" % amps(k), supply, amps, numbers("NUMBER")),
-    "tti-pl": Target(TtiSupply, lambda k: b"%.3fA\r\n" % amps(k), supply, amps, numbers(r"NUMBER\s*A")),
+    "tti-pl": Target(TtiSupply, lambda k: b"%.3fA\r\n" % amps(k), supply, amps, numbers("NUMBER *A")),
     "kepco-bop": Target(KepcoBop, lambda k: b"%.4f\r\n" % -amps(k), supply, lambda k: -amps(k), numbers("NUMBER")),
     "keysight-e36300": Target(KeysightSupply, lambda k: b"%+.8E\n" % amps(k), supply, amps, numbers("NUMBER")),
     "korad-ka3005p": Target(KoradSupply, lambda k: b"%.3f" % amps(k), supply, amps, five),

@@ -9,6 +9,7 @@ from labcal.bench.links.deny import DenyList
 from labcal.errors import InstrumentError
 
 ASK_STEP_S = 0.001
+QUIET_S, BABBLE_S = 0.3, 5.0
 
 
 class Link(Protocol):
@@ -43,10 +44,12 @@ class Link(Protocol):
         ...
 
 
-class _Readable(Protocol):
-    url: str
-
+class _Receives(Protocol):
     def receive(self, until_s: float) -> list[tuple[float, bytes]]: ...
+
+
+class _Readable(_Receives, Protocol):
+    url: str
 
     def give_back(self, t_s: float, data: bytes) -> None: ...
 
@@ -57,6 +60,7 @@ def read_reply(link: _Readable, clock: Clock, *, end: bytes | int, timeout_s: fl
     while (length := _complete(reply, end)) is None:
         if clock.now() >= deadline:
             got = f"only {reply!r}" if reply else "nothing"
+            wait_for_quiet(link, clock, QUIET_S)  # so that a late reply does not answer the next question
             raise InstrumentError(
                 f"{link.url}: no reply in {timeout_s:g} s, {got} came.",
                 fault="silent",
@@ -67,6 +71,13 @@ def read_reply(link: _Readable, clock: Clock, *, end: bytes | int, timeout_s: fl
     if reply[length:]:
         link.give_back(stamp, reply[length:])
     return reply[:length]
+
+
+def wait_for_quiet(link: _Receives, clock: Clock, quiet_s: float) -> None:
+    """Drop what comes until nothing has come for `quiet_s`; a line that never falls quiet is left after 5 s."""
+    deadline = clock.now() + BABBLE_S
+    while link.receive(clock.now() + quiet_s) and clock.now() < deadline:
+        pass
 
 
 def _complete(reply: bytes, end: bytes | int) -> int | None:

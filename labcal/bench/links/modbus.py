@@ -11,7 +11,7 @@ from pymodbus.framer import FramerType
 from pymodbus.transport import CommParams, CommType
 
 from labcal.bench.clock import Clock
-from labcal.bench.links.line import Link
+from labcal.bench.links.line import Link, wait_for_quiet
 from labcal.errors import InstrumentError
 
 T = TypeVar("T")
@@ -102,8 +102,7 @@ class ModbusLink:
         return list(reply.registers)
 
     def _wait_for_quiet(self) -> None:
-        while self._line.receive(self._clock.now() + self._quiet_s):
-            pass
+        wait_for_quiet(self._line, self._clock, self._quiet_s)
 
 
 class _LineClient(ModbusBaseSyncClient):

@@ -1,0 +1,261 @@
+"""What goes wrong on a wire, for every driver that asks: each case gives the value that was sent, or a named fault.
+
+Bytes are those of the manuals and fact sheets; what is special to one instrument stands in its own file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from importlib.metadata import entry_points
+from typing import Any
+
+import numpy as np
+import pytest
+from frames import read, rtu
+
+from labcal.bench.config import DutLimits, PlatformConfig
+from labcal.bench.platform import BenchPlatform
+from labcal.bench.testing import SILENT, UNPLUGGED, Exchange, scripted
+from labcal.errors import InstrumentError, LimitError
+
+DRIVERS = {entry.name: entry.load() for entry in entry_points(group="labcal.drivers")}
+ALPHALAB = bytes.fromhex("10 00 0000 04D2  10 02 0000 3039  10 09 0000 07D0  10 01 0000 000F  10 01 0000 092E  08")
+EA_TEXT = [
+    read(f"0003 {at:04X} 0014", [int.from_bytes(text.ljust(40, b"\0")[k : k + 2]) for k in range(0, 40, 2)])
+    for at, text in ((1, b"PSI 9080-60 T"), (21, b"EA Elektro-Automatik"), (151, b"2850530001"))
+]
+
+
+@dataclass(frozen=True)
+class Wire:
+    """`ask(k)`: the k-th question (from 0) and its answer, which is read as `value`; `other` would be another value.
+
+    `before` is what is said first, while `prepare` runs. `nonsense`: replies that are none, beside the common ones.
+    """
+
+    ask: Callable[[int], tuple[bytes, bytes]]
+    call: Callable[[Any], float]
+    value: float
+    other: bytes
+    settings: dict[str, Any] = field(default_factory=dict)
+    before: list[Exchange] = field(default_factory=list)
+    prepare: Callable[[Any], object] = lambda driver: None
+    nonsense: tuple[bytes, ...] = ()
+    timeout_s: float = 0.6
+
+
+def always(request: bytes, reply: bytes) -> Callable[[int], tuple[bytes, bytes]]:
+    return lambda _: (request, reply)
+
+
+def current(driver: Any) -> float:
+    return float(driver.measure_current())
+
+
+def angle(driver: Any) -> float:
+    return float(driver.angle_deg())
+
+
+def polled(driver: Any) -> float:
+    """x of the next reading [nT]; a reply that was noted as no good is a fault here."""
+    blocks = driver.read_until(driver._polls._next_s if hasattr(driver, "_polls") else driver._next_poll_s)
+    if not blocks:
+        raise InstrumentError("noted, and no value", fault="wrong reply")
+    return float(np.vstack([b.values for b in blocks])[-1, 0])
+
+
+def words(value: int) -> list[int]:
+    return list(divmod(value & 0xFFFFFFFF, 0x10000))
+
+
+def riden(milliamps: int) -> tuple[bytes, bytes]:
+    return read("0103 0008 000B", [500, 500, 480, milliamps, 0, 230, 2400, 0, 0, 1, 1])
+
+
+def started(*more: bytes) -> list[Exchange]:
+    """An HMR2300 that takes every setting."""
+    told = [b"A", b"ASCII_ON", b"ZF", b"ZERO_OFF", b"VF", b"AVG_OFF", b"TN", b"S/R_ON", b"R=20", b"OK"]
+    pairs = zip(told[::2], told[1::2], strict=True)
+    return [(b"\x1b", None)] + [e for w, r in pairs for e in ((b"*00WE\r", b"OK\r"), (b"*00" + w + b"\r", r + b"\r"))]  # type: ignore[return-value]
+
+
+def metrolab_started() -> list[Exchange]:
+    told = (b":ABOR", b":INIT:CONT OFF", b":FORM:DATA ASCII", b":AVER:COUN 100", b":TRIG:SOUR IMM", b":TRIG:COUN 1")
+    check = (b":SYST:ERR?;*STB?\n", b'0,"No error";0\n')
+    return [e for words_ in told for e in ((words_ + b"\n", None), check)]
+
+
+def zaber(k: int, position: int = 384_000) -> tuple[bytes, bytes]:
+    return b"/1 1 %02d get pos\r\n" % (k + 2), b"@01 1 %02d OK IDLE -- %d\r\n" % (k + 2, position)
+
+
+FETCH = b":INIT;:FETC:ARR:X? 1,9;:FETC:ARR:Y? 1,9;:FETC:ARR:Z? 1,9\n"
+WIRES: dict[str, Wire] = {
+    "rigol-dp800": Wire(
+        always(b":MEAS:CURR? CH1\n", b"0.4990\n"), current, 0.499, b"0.9990\n",
+        nonsense=(b"nan\n", b"0.\xff#2\n", b"9.91E37\n", b"1_0\n"), timeout_s=1.5,
+    ),
+    "tti-pl": Wire(
+        always(b"I1O?\n", b"0.499A\r\n"), current, 0.499, b"0.999A\r\n",
+        nonsense=(b"0.499V\r\n", b"0.499\r\n", b"infA\r\n"), timeout_s=1.5,
+    ),
+    "kepco-bop": Wire(
+        always(b"MEAS:CURR?\n", b"-0.4990\r\n"), current, -0.499, b"0.9990\r\n", nonsense=(b"\x15\n",), timeout_s=1.5
+    ),
+    "keysight-e36300": Wire(
+        always(b"MEAS:CURR? (@1)\n", b"+4.99000000E-01\n"), current, 0.499, b"+9.0E-01\n",
+        nonsense=(b"+9.91000000E+37\n",), timeout_s=1.5,
+    ),
+    "korad-ka3005p": Wire(
+        always(b"IOUT1?", b"0.499"), current, 0.499, b"9.999", nonsense=(b"00.49", b"-.499", b"0,499"), timeout_s=0.5
+    ),
+    "riden-rd60xx": Wire(
+        always(*riden(499)), current, 0.499, riden(999)[1], before=[read("0103 0000 0004", [60062, 1, 0x86A0, 135])],
+        prepare=lambda d: d.identify(),
+    ),
+    "ea-9000": Wire(
+        always(*read("0003 01F9 0004", [0, 0x0883, 0, 437])), current, 437 / 52428 * 60,
+        read("0003 01F9 0004", [0, 0x0883, 0, 999])[1],
+        before=[*EA_TEXT, read("0003 0079 0004", [0x42A0, 0, 0x4270, 0])], prepare=lambda d: d.identify(),
+    ),
+    "waveshare-relay": Wire(
+        always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d.polarity("x")), -1.0, rtu("0101 01 00"),
+        settings={"x": 0},
+    ),
+    "zaber": Wire(
+        zaber, angle, 90.0, zaber(0, 5)[1],
+        before=[(b"/1 1 01 get limit.cycle.dist\r\n", b"@01 1 01 OK IDLE -- 1536000\r\n")],
+        prepare=lambda d: d._steps_per_deg, timeout_s=0.5,
+        nonsense=(b"@01 1 02 OK IDLE -- 384000:00\r\n", b"@01 1 02 OK IDLE -- x\r\n"),
+    ),
+    "newport-esp301": Wire(
+        always(b"1TP\r", b"30.5\r\n"), angle, 30.5, b"99.0\r\n", nonsense=(b"nan\r\n", b"1TP\r\n"), timeout_s=0.5
+    ),
+    "newport-smc100": Wire(
+        always(b"1TP\r\n", b"1TP30.5\r\n"), angle, 30.5, b"1TP99.0\r\n", nonsense=(b"2TP30.5\r\n", b"1TS000033\r\n"),
+        timeout_s=0.5,
+    ),
+    "oriental-az": Wire(
+        always(*read("0103 00CC 0002", words(1525))), angle, 30.5, read("0103 00CC 0002", words(111))[1]
+    ),
+    "leadshine": Wire(
+        always(*read("0103 602A 0004", [*words(76_250), *words(76_250)])), angle, 30.5,
+        read("0103 602A 0004", [*words(111), *words(111)])[1],
+    ),
+    "hmr2300": Wire(
+        always(b"*00P\r", b"  1,500  - 1,234   15,000  \r"), polled, 10_000.0, b"  9,999  - 1,234   15,000  \r",
+        settings={"mode": "polled"}, before=started(), prepare=lambda d: d.start(),
+        nonsense=(b"  1,50  - 1,234   15,000  \r", b"Re-enter\r", b" 11,5000  - 1,234   15,000  \r"), timeout_s=0.5,
+    ),
+    "alphalab": Wire(
+        always(b"\x03" + bytes(5), ALPHALAB), polled, 12345.0, ALPHALAB[:11] + b"\x0a" + ALPHALAB[12:],
+        before=[(b"\x02" + bytes(5), b"RELATIVE=0:ZERO=OFF\x07")], prepare=lambda d: d.start(),
+        nonsense=(ALPHALAB[:30] + b"\x07",), timeout_s=0.5,
+    ),
+    "metrolab": Wire(
+        always(FETCH, b"0.000020000T;-0.000000010T;4.8E-05T\n"), polled, 20_000.0, b"0.000070000T;0T;0T\n",
+        before=metrolab_started(), prepare=lambda d: d.start(), nonsense=(b"1T;2T\n", b"1;2;3\n", b"nanT;0T;0T\n"),
+        timeout_s=2.0,
+    ),
+}  # fmt: skip
+ASKING = sorted(WIRES)
+MODBUS = [name for name in ASKING if WIRES[name].ask(0)[0] == rtu(WIRES[name].ask(0)[0][:-2].hex())]
+
+
+def answered(name: str, *replies: Any, **options: Any) -> list[float]:
+    """What the driver reads where its questions are answered so; the first fault ends it."""
+    wire = WIRES[name]
+    script = [*wire.before, *((wire.ask(k)[0], reply) for k, reply in enumerate(replies))]
+    with scripted(DRIVERS[name], script, **wire.settings, **options) as driver:
+        wire.prepare(driver)
+        return [wire.call(driver) for _ in replies]
+
+
+def fault_of(name: str, reply: Any) -> str:
+    with pytest.raises(InstrumentError) as caught:
+        answered(name, reply)
+    return caught.value.fault
+
+
+def test_every_driver_is_here_or_only_listens() -> None:
+    listens = {"ccsds", "csv-line", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
+    assert set(WIRES) | listens | {"manual"} == set(DRIVERS)
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_its_own_bytes_are_the_value_whole_or_byte_by_byte(name: str) -> None:
+    wire = WIRES[name]
+    replies = wire.ask(0)[1], [bytes([byte]) for byte in wire.ask(1)[1]]
+    assert answered(name, *replies) == pytest.approx([wire.value] * 2)
+
+
+@pytest.mark.parametrize("name", ASKING)
+@pytest.mark.parametrize(("reply", "fault"), [(SILENT, "silent"), (UNPLUGGED, "link lost")])
+def test_silence_and_a_pulled_plug_are_named(name: str, reply: Any, fault: str) -> None:
+    assert fault_of(name, reply) == fault
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_a_reply_cut_short_is_silence(name: str) -> None:
+    assert fault_of(name, WIRES[name].ask(0)[1][:-2]) == "silent"
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_noise_is_no_value(name: str) -> None:
+    good = WIRES[name].ask(0)[1]
+    for noise in (b"\xff" * len(good) + good[-2:], b"\0" * 40, b"\r\n", *WIRES[name].nonsense):
+        assert fault_of(name, noise) in ("silent", "wrong reply", "refused"), noise
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_an_echo_is_no_value_but_where_the_link_says_that_its_adapter_echoes(name: str) -> None:
+    wire = WIRES[name]
+    request, reply = wire.ask(0)
+    assert fault_of(name, request) in ("silent", "wrong reply")
+    with suppress(InstrumentError):
+        assert answered(name, request + reply) == pytest.approx([wire.value])
+    assert answered(name, reply, wire.ask(1)[1], echo=True, link="emulated://pair?echo=1") == pytest.approx(
+        [wire.value] * 2
+    )
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_a_late_reply_does_not_answer_the_next_question(name: str) -> None:
+    wire = WIRES[name]
+    late = [b""] * (round(wire.timeout_s / 0.005) + 10) + [wire.other]  # 50 ms after it was given up
+    request, reply = wire.ask(1)
+    script = [*wire.before, (wire.ask(0)[0], late), (request, [*[b""] * 20, reply])]  # its own after 100 ms
+    with scripted(DRIVERS[name], script, **wire.settings) as driver:
+        wire.prepare(driver)
+        with pytest.raises(InstrumentError) as caught:
+            wire.call(driver)
+        assert caught.value.fault == "silent"
+        assert wire.call(driver) == pytest.approx(wire.value)
+
+
+@pytest.mark.parametrize("name", MODBUS)
+def test_a_bad_checksum_is_silence_and_an_exception_is_said(name: str) -> None:
+    request, reply = WIRES[name].ask(0)
+    assert fault_of(name, reply[:-1] + bytes([reply[-1] ^ 1])) == "silent"
+    assert fault_of(name, bytes([reply[0] ^ 4]) + reply[1:]) == "silent"
+    assert fault_of(name, rtu(f"{request[0]:02x}{request[1] | 0x80:02x}02")) == "refused"
+
+
+SUPPLIES = sorted(name for name in ASKING if "coil" in DRIVERS[name].roles)
+STAGES = sorted(name for name in ASKING if "platform" in DRIVERS[name].roles)
+
+
+@pytest.mark.parametrize("name", SUPPLIES)
+@pytest.mark.parametrize("amps", [99.0, -99.0, float("nan"), float("inf")])
+def test_a_current_out_of_range_sends_nothing(name: str, amps: float) -> None:
+    with scripted(DRIVERS[name], []) as supply, pytest.raises(LimitError, match="nothing was sent"):
+        supply.set_current(amps)
+
+
+@pytest.mark.parametrize("name", STAGES)
+@pytest.mark.parametrize(("angle_deg", "rate"), [(401.0, 5.0), (float("nan"), 5.0), (10.0, 99.0), (10.0, 0.0)])
+def test_a_move_out_of_range_sends_nothing(name: str, angle_deg: float, rate: float) -> None:
+    with scripted(DRIVERS[name], []) as stage, pytest.raises(LimitError, match="nothing was sent"):
+        BenchPlatform(stage, PlatformConfig(), DutLimits()).move_to(angle_deg, rate)
