@@ -43,8 +43,8 @@ class Script:
     def emit(self, until_s: float) -> list[tuple[float, bytes]]:
         """Replies that are due."""
         due = [piece for piece in self._waiting if piece[0] <= until_s]
-        self._waiting = self._waiting[len(due) :]
-        return due
+        self._waiting = [piece for piece in self._waiting if piece[0] > until_s]
+        return sorted(due, key=lambda piece: piece[0])
 
 
 @contextmanager

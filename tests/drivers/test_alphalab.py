@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from drivers.alphalab import AlphaLab
 from drivers.framing import alphalab
-from labcal.bench.testing import UNPLUGGED, Exchange, scripted
+from labcal.bench.testing import Exchange, scripted
 from labcal.errors import InstrumentError
 
 
@@ -79,13 +79,6 @@ def test_full_scale_is_a_fault() -> None:
     with pytest.raises(InstrumentError) as caught:
         polled(full)
     assert caught.value.fault == "overloaded"
-
-
-@pytest.mark.parametrize(("reply", "fault"), [(None, "silent"), (READING[:12], "silent"), (UNPLUGGED, "link lost")])
-def test_silence_a_partial_reading_and_unplugging_are_faults(reply: object, fault: str) -> None:
-    with pytest.raises(InstrumentError) as caught:
-        polled(reply)
-    assert caught.value.fault == fault
 
 
 def test_a_list_without_end_ends() -> None:

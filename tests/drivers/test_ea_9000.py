@@ -16,7 +16,7 @@ from drivers.emulators.ea_9000 import EaEmulator
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.links import EmulatedLink, open_link
 from labcal.bench.links.modbus import ModbusLink, modbus_link
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.testing import scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
 
@@ -93,28 +93,6 @@ def test_a_read_back_that_differs_is_a_fault() -> None:
     with scripted(EaSupply, wire) as supply, pytest.raises(InstrumentError) as caught:
         supply.set_current(0.5)
     assert caught.value.fault == "read-back"
-
-
-ACTUAL = rtu("0003 01F9 0004")
-REPLY = read("0003 01F9 0004", [0, 0x0883, 0, HALF])[1]
-
-
-@pytest.mark.parametrize(
-    ("reply", "fault"),
-    [
-        (SILENT, "silent"),
-        (REPLY[:-1] + b"\0", "silent"),
-        (REPLY[:6], "silent"),
-        (b"\xfe" * 13, "silent"),
-        (ACTUAL, "silent"),
-        (rtu("0083 02"), "refused"),
-        (UNPLUGGED, "link lost"),
-    ],
-)
-def test_whatever_is_no_sound_reply_is_named(reply: bytes | str | None, fault: str) -> None:
-    with scripted(EaSupply, [(ACTUAL, reply)]) as supply, pytest.raises(InstrumentError) as caught:
-        supply.measure_current()
-    assert caught.value.fault == fault
 
 
 def test_the_late_echo_of_a_write_is_no_reply_to_a_read() -> None:

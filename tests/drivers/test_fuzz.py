@@ -34,7 +34,6 @@ DAMAGES = st.lists(
               st.integers(1, 255)),
     max_size=12, unique_by=lambda damage: damage[0],
 )  # fmt: skip
-LINE = re.compile(rb"\r?\n")
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.keysight_e36300 import KeysightSupply
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 OK = (b"SYST:ERR?\n", b'+0,"No error"\n')
@@ -86,30 +86,6 @@ def test_a_model_with_another_dialect_is_refused(model: bytes) -> None:
     ):
         supply.identify()
     assert caught.value.fault == "another instrument"
-
-
-@pytest.mark.parametrize(
-    ("reply", "fault"),
-    [(SILENT, "silent"), (b"+4.99", "silent"), (b"\xff\xfe1\n", "wrong reply"), (b"\n", "wrong reply"),
-     (b"MEAS:CURR? (@1)\n", "wrong reply"), (UNPLUGGED, "link lost")],
-)  # fmt: skip
-def test_silence_half_a_reply_noise_echo_and_unplug_are_named(reply: bytes | str | None, fault: str) -> None:
-    with scripted(KeysightSupply, [(b"MEAS:CURR? (@1)\n", reply)]) as supply, pytest.raises(InstrumentError) as caught:
-        supply.measure_current()
-    assert caught.value.fault == fault
-
-
-def test_a_reply_in_pieces_is_one_and_a_late_one_is_dropped() -> None:
-    ask = b"MEAS:CURR? (@1)\n"
-    late = [b""] * 310 + [b"+9.00000000E+00\n"]
-    with scripted(
-        KeysightSupply, [(ask, [b"+4.99", b"000000E-01", b"\n"]), (ask, late), (ask, b"+1.0E-01\n")]
-    ) as supply:
-        assert supply.measure_current() == 0.499
-        with pytest.raises(InstrumentError):
-            supply.measure_current()
-        supply._link._clock.wait_until(10.0)
-        assert supply.measure_current() == 0.1
 
 
 def test_make_safe_opens_the_output_even_when_zeroing_fails() -> None:

@@ -6,7 +6,7 @@ import pytest
 from frames import read, rtu, wrote
 
 from drivers.leadshine import LeadshineStage
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 STATUS, START = bytes.fromhex("010310030001 70CA"), bytes.fromhex("01066002001037C6")
@@ -119,22 +119,3 @@ def test_other_motion_zeros_limits_and_memory_cannot_be_written(hexadecimal: str
     with scripted(LeadshineStage, []) as stage, pytest.raises(InstrumentError) as caught:
         stage.registers._link._line.send(rtu(hexadecimal))
     assert caught.value.fault == "forbidden"
-
-
-@pytest.mark.parametrize(
-    ("reply", "fault"),
-    [(SILENT, "silent"), (RESTING[1][:-1] + b"\0", "silent"), (RESTING[1][:4], "silent"), (b"\x55" * 7, "silent"),
-     (STATUS, "silent"), (rtu("0183 02"), "refused"), (UNPLUGGED, "link lost")],
-)  # fmt: skip
-def test_whatever_is_no_sound_reply_is_named(reply: bytes | str | None, fault: str) -> None:
-    with scripted(LeadshineStage, [(STATUS, reply)]) as stage, pytest.raises(InstrumentError) as caught:
-        stage.moving()
-    assert caught.value.fault == fault
-
-
-def test_a_late_reply_is_not_taken_for_the_next() -> None:
-    asked, old = positions(1, 1)
-    with scripted(LeadshineStage, [(asked, [b""] * 130 + [old]), positions(450_000, 450_000)]) as stage:
-        with pytest.raises(InstrumentError):
-            stage.angle_deg()
-        assert stage.angle_deg() == 180.0

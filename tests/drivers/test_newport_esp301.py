@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.newport_esp301 import Esp301Stage
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 
 FINE = (b"TB?\r", b"0, 451322, NO ERROR DETECTED\r\n")
@@ -88,22 +88,3 @@ def test_it_homes_once_a_connection_with_its_motor_on() -> None:
         stage.home()
         stage.identify()  # after a lost link the controller may have been without power
         stage.home()
-
-
-@pytest.mark.parametrize(
-    ("reply", "fault"),
-    [(SILENT, "silent"), (b"30.", "silent"), (b"\xff\x00\r\n", "wrong reply"), (b"1TP\r\n", "wrong reply"),
-     (b"nan\r\n", "wrong reply"), (UNPLUGGED, "link lost")],
-)  # fmt: skip
-def test_silence_half_a_reply_noise_echo_and_unplug_are_named(reply: bytes | str | None, fault: str) -> None:
-    with scripted(Esp301Stage, [(b"1TP\r", reply)]) as stage, pytest.raises(InstrumentError) as caught:
-        stage.angle_deg()
-    assert caught.value.fault == fault
-
-
-def test_a_late_reply_is_dropped_before_the_next_question() -> None:
-    with scripted(Esp301Stage, [(b"1TP\r", [b""] * 101 + [b"99.0\r\n"]), (b"1TP\r", [b"30", b".5\r\n"])]) as stage:
-        with pytest.raises(InstrumentError):
-            stage.angle_deg()
-        stage._link._clock.wait_until(2.0)
-        assert stage.angle_deg() == 30.5

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.newport_smc100 import Smc100Stage
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 
 FINE = (b"1TE\r\n", b"1TE@\r\n")
@@ -79,23 +79,3 @@ def test_disabled_not_referenced_configuration_and_error_bits_end_the_step(code:
     with scripted(Smc100Stage, [status(code)]) as stage, pytest.raises(InstrumentError) as caught:
         stage.moving()
     assert caught.value.fault == "stage fault"
-
-
-@pytest.mark.parametrize(
-    ("reply", "fault"),
-    [(SILENT, "silent"), (b"1TP30.", "silent"), (b"1TP\xff\r\n", "wrong reply"), (b"2TP30.5\r\n", "wrong reply"),
-     (b"1TS000033\r\n", "wrong reply"), (b"1TP\r\n", "wrong reply"), (UNPLUGGED, "link lost")],
-)  # fmt: skip
-def test_silence_half_a_reply_noise_echo_and_unplug_are_named(reply: bytes | str | None, fault: str) -> None:
-    with scripted(Smc100Stage, [(b"1TP\r\n", reply)]) as stage, pytest.raises(InstrumentError) as caught:
-        stage.angle_deg()
-    assert caught.value.fault == fault
-
-
-def test_a_late_reply_is_dropped_before_the_next_question() -> None:
-    wire = [(b"1TP\r\n", [b""] * 101 + [b"1TP99.0\r\n"]), (b"1TP\r\n", [b"1TP30", b".5\r\n"])]
-    with scripted(Smc100Stage, wire) as stage:
-        with pytest.raises(InstrumentError):
-            stage.angle_deg()
-        stage._clock.wait_until(2.0)
-        assert stage.angle_deg() == 30.5

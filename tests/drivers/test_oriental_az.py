@@ -6,7 +6,7 @@ import pytest
 from frames import read, rtu
 
 from drivers.oriental_az import OrientalStage
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 ASK = bytes.fromhex("0103007F0001B5D2")
@@ -111,22 +111,3 @@ def test_relative_moves_free_motor_and_new_zeros_cannot_be_sent(hexadecimal: str
     with scripted(OrientalStage, []) as stage, pytest.raises(InstrumentError) as caught:
         stage.registers._link._line.send(rtu(hexadecimal))
     assert caught.value.fault == "forbidden"
-
-
-@pytest.mark.parametrize(
-    ("reply", "fault"),
-    [(SILENT, "silent"), (READY[1][:-1] + b"\0", "silent"), (READY[1][:4], "silent"), (b"\x55" * 7, "silent"),
-     (ASK, "silent"), (rtu("0183 02"), "refused"), (UNPLUGGED, "link lost")],
-)  # fmt: skip
-def test_whatever_is_no_sound_reply_is_named(reply: bytes | str | None, fault: str) -> None:
-    with scripted(OrientalStage, [(ASK, reply)]) as stage, pytest.raises(InstrumentError) as caught:
-        stage.moving()
-    assert caught.value.fault == fault
-
-
-def test_a_late_reply_is_not_taken_for_the_next() -> None:
-    asked, old = feedback(111)
-    with scripted(OrientalStage, [(asked, [b""] * 130 + [old]), feedback(9000)]) as stage:
-        with pytest.raises(InstrumentError):
-            stage.angle_deg()
-        assert stage.angle_deg() == 180.0

@@ -12,7 +12,7 @@ from drivers.riden_rd60xx import RidenSupply, Settings
 from labcal.bench.clock import VirtualClock
 from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
+from labcal.bench.testing import scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
 
@@ -115,38 +115,6 @@ def test_a_trip_is_named_but_does_not_bar_the_way_to_zero() -> None:
             supply.measure_current()
         assert supply.measure_current() == 0.0
     assert caught.value.fault == "tripped"
-
-
-@pytest.mark.parametrize(
-    ("reply", "fault"),
-    [
-        (SILENT, "silent"),
-        (state(500, 499)[:-1] + b"\0", "silent"),  # a bad CRC
-        (state(500, 499)[:9], "silent"),  # half a frame
-        (b"\xff" * 27, "silent"),  # noise
-        (STATE, "silent"),  # an echo
-        (rtu("018302"), "refused"),
-        (UNPLUGGED, "link lost"),
-    ],
-)
-def test_whatever_is_no_sound_reply_is_named(reply: bytes | str | None, fault: str) -> None:
-    with scripted(RidenSupply, [(STATE, reply)]) as supply, pytest.raises(InstrumentError) as caught:
-        supply.measure_current()
-    assert caught.value.fault == fault
-
-
-def test_a_reply_in_pieces_is_one_reply() -> None:
-    whole = state(500, 499)
-    with scripted(RidenSupply, [(STATE, [whole[:4], whole[4:11], whole[11:]]), RD6006]) as supply:
-        assert supply.measure_current() == 0.499
-
-
-def test_a_late_reply_is_not_taken_for_the_next() -> None:
-    late = [b""] * 130 + [state(500, 111)]  # 655 ms after the question, when 600 ms are waited for
-    with scripted(RidenSupply, [(STATE, late), (STATE, state(500, 222)), RD6006]) as supply:
-        with pytest.raises(InstrumentError):
-            supply.measure_current()
-        assert supply.measure_current() == 0.222
 
 
 @pytest.mark.parametrize("address", [*range(54, 63), 19, 48, 68, 80, 114, 115, 256])

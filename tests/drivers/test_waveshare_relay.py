@@ -30,21 +30,6 @@ def test_a_write_without_a_reply_is_not_repeated() -> None:
     assert caught.value.fault == "silent"
 
 
-@pytest.mark.parametrize("reply", [IS_ON[:-1] + b"\x00", b"\xff" * 6, IS_ON[:3]])
-def test_a_bad_checksum_noise_and_half_a_frame_are_silence(reply: bytes) -> None:
-    with scripted(WaveshareRelay, [(READ, reply)], x=0) as relay, pytest.raises(InstrumentError) as caught:
-        relay.polarity("x")
-    assert caught.value.fault == "silent"
-
-
-def test_an_exception_of_the_device_is_said_with_its_number() -> None:
-    with (
-        scripted(WaveshareRelay, [(READ, bytes.fromhex("018102C191"))], x=0) as relay,
-        pytest.raises(InstrumentError, match="exception 2"),
-    ):
-        relay.polarity("x")
-
-
 def test_an_old_firmware_is_another_instrument() -> None:
     with (
         scripted(WaveshareRelay, [(VERSION, bytes.fromhex("0103020064B9AF"))]) as relay,

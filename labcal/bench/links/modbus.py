@@ -127,8 +127,9 @@ class _LineClient(ModbusBaseSyncClient):
 
     def recv(self, size: int | None) -> bytes:
         while self._clock.now() < self._deadline_s:
-            if pieces := self._line.receive(min(self._deadline_s, self._clock.now() + 0.001)):
-                return b"".join(data for _, data in pieces)
+            pieces = self._line.receive(min(self._deadline_s, self._clock.now() + 0.001))
+            if data := b"".join(data for _, data in pieces):
+                return data
         return b""
 
 
