@@ -107,7 +107,7 @@ def failing_clean_up(lab: Lab) -> None:
     supply.set_current = failing  # type: ignore[method-assign]
 
 
-UNPLUGGED = "failed: ({0}: the link is gone|no samples came from {0})"  # whichever is noticed first
+UNPLUGGED = "failed: ({0}: the link is gone|{0}: no sample for|no samples came from {0})"  # whichever is noticed first
 ALWAYS = ("axes-check", "z+20uT-nominal", "closing")  # the other steps in the slow set
 EVERYWHERE = [
     (stop, "stopped"),
