@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -52,6 +52,21 @@ class Hmr2300:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self._streaming, self._next_poll_s, self._mishaps = False, 0.0, Mishaps(name)
         self._frames = Frames(name, binary=settings.format == "binary")
+
+    @property
+    def rate_hz(self) -> float:
+        """Samples per second."""
+        return self.settings.rate
+
+    def rates_hz(self) -> tuple[float, ...]:
+        """What its line bears, the slowest first."""
+        return tuple(rate for rate in RATES if rate <= FASTEST[self.settings.format, self.settings.baud])
+
+    def set_rate(self, rate_hz: float) -> None:
+        """Sample so fast from now on. Raises ValueError where the line does not bear it."""
+        self.settings = replace(self.settings, rate=int(rate_hz))
+        if self._streaming:
+            self.start()
 
     def identify(self) -> Identity:
         """Ask for its serial number and firmware; it must not be streaming."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from typing import Annotated
 
 import numpy as np
@@ -9,11 +10,14 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
+from labcal.bench.roles import Paced
 from labcal.bench.samples import Samples, samples
-from labcal.bench.steps import Procedure, Work, coils_off, measured, record
+from labcal.bench.steps import Procedure, Work, coils_off, measured, note, record
 from labcal.record.stream import Event, Stream
 
 Array = NDArray[np.float64]
+MAINS_OFF_HZ = 0.1  # how far the mains may be from its nominal frequency
+ROTATION_HARMONICS = (1, 2, 3, 4)  # nonlinearity and hysteresis show up to here
 BLIND_HZ = 0.05  # an alias nearer to zero than this looks like a field
 
 
@@ -23,14 +27,17 @@ def ambient(
     duration_s: Annotated[float, Limits(10, 86_400, unit="s"), "how long to listen"] = 60.0,
     mains_hz: Annotated[float, Limits(16, 61, unit="Hz"), "the mains"] = 50.0,
     harmonics: Annotated[int, Limits(1, 10), "of the mains, looked for"] = 3,
+    mains_s: Annotated[float, Limits(5, 600, unit="s"), "how long to listen for it, at the fastest rate"] = 20.0,
+    mains_nT: Annotated[float, Limits(0.01, 1e5, unit="nT"), "largest amplitude of it that passes"] = 50.0,
     rate_deg_per_s: Annotated[float, Limits(0.1, 60, unit="deg/s"), "of the rotation that is planned"] = 2.4,
     drift_nT_per_min: Annotated[float, Limits(0.01, 1e5, unit="nT/min"), "fastest drift that passes"] = 20.0,
     noise_nT: Annotated[float, Limits(0.01, 1e5, unit="nT"), "largest noise of one sample that passes"] = 20.0,
 ) -> Procedure:
     """Measure mean, drift, noise and mains of the room, and say whether it is fit for the job."""
     yield from coils_off(bench)
+    faults = yield from _mains(bench, mains_hz, harmonics, mains_s, mains_nT)
     blocks = yield from record(bench, duration_s)
-    reference, faults = samples(blocks, "reference"), list[str]()
+    reference = samples(blocks, "reference")
     for axis, name in enumerate(reference.columns):
         faults += yield from _one_component(bench, reference, axis, name, drift_nT_per_min, noise_nT)
     streams: tuple[Stream, ...] = ("reference", "dut")
@@ -40,6 +47,41 @@ def ambient(
             faults += yield from _alias(bench, stream, rate, n * mains_hz, rate_deg_per_s / 360)
     verdict = "the room is not fit for the job: " + "; ".join(faults) if faults else "the room is fit for the job"
     yield Event(bench.clock.now(), "ambient", verdict, {"faults": faults})
+
+
+def _mains(bench: Bench, mains_hz: float, harmonics: int, seconds: float, limit_nT: float) -> Work[list[str]]:
+    """The amplitude of the mains and its harmonics, with the reference as fast as its line bears."""
+    with ExitStack() as afterwards:
+        if isinstance(reference := bench.reference, Paced):
+            afterwards.callback(reference.set_rate, reference.rate_hz)
+            reference.set_rate(max(reference.rates_hz()))
+        fast, faults = samples((yield from record(bench, seconds)), "reference"), list[str]()
+        for n in range(1, harmonics + 1):
+            seen = tone(fast, n * mains_hz, n * MAINS_OFF_HZ)
+            if seen is None:
+                yield note(bench, f"{n * mains_hz:g} Hz is not told from a steady field at {1 / fast.period_s:.4g}/s")
+                continue
+            found = yield from measured(bench, f"amplitude of {n * mains_hz:g} Hz", *seen, "nT", limit_nT)
+            faults += [f"{found.name} {found.value:.3g} nT"] if found.verdict == "FAIL" else []
+    return faults
+
+
+def tone(seen: Samples, frequency_hz: float, off_hz: float) -> tuple[float, float] | None:
+    """Amplitude [nT] of a tone within `off_hz` of `frequency_hz`, folded where it is sampled, and its uncertainty.
+
+    The largest length over the components of A = 2/n Σ b exp(−2πi f t) among frequencies a quarter of 1 / duration
+    apart; u = σ sqrt(2/n), one component's, with σ from what a straight line leaves. None where the tone folds
+    nearer to zero than the record tells, and is a part of the mean.
+    """
+    rate, span_s = 1 / seen.period_s, float(np.ptp(seen.t_s))
+    folded = alias(frequency_hz, rate)
+    if folded - off_hz < 1.5 / span_s:
+        return None
+    columns = np.column_stack([np.ones(len(seen)), seen.t_s - seen.t_s.mean()])
+    left = seen.values - columns @ np.linalg.lstsq(columns, seen.values, rcond=None)[0]
+    tried = np.arange(folded - off_hz, folded + off_hz + 0.25 / span_s, 0.25 / span_s)
+    spectrum = 2 / len(seen) * np.exp(-2j * np.pi * np.outer(tried, seen.t_s)) @ left
+    return float(np.linalg.norm(spectrum, axis=1).max()), float(left.std() * np.sqrt(2 / len(seen)))
 
 
 def _one_component(
@@ -61,7 +103,7 @@ def _alias(bench: Bench, stream: str, rate_hz: float, mains_hz: float, turn_hz: 
     yield from measured(bench, f"{mains_hz:g} Hz in {stream} samples", folded, 0.0, "Hz")
     if folded < BLIND_HZ:
         return [f"{mains_hz:g} Hz is seen as a steady field at {rate_hz:.4g} {stream} samples/s"]
-    if min(abs(folded - n * turn_hz) for n in (1, 2)) < turn_hz / 10:
+    if min(abs(folded - n * turn_hz) for n in ROTATION_HARMONICS) < turn_hz / 10:
         return [f"{mains_hz:g} Hz falls on the rotation at {rate_hz:.4g} {stream} samples/s"]
     return []
 

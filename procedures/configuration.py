@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
+from pathlib import Path
 from typing import Annotated
 
 from labcal.bench.bench import Bench
-from labcal.bench.steps import Procedure, coils_off
+from labcal.bench.steps import Procedure, Work, coils_off
 from labcal.errors import LimitNotMet
 from labcal.record.stream import Event, Prompt
 
@@ -30,7 +32,16 @@ def configuration(
         answer = yield Prompt(bench.clock.now(), key, question, ("yes", "no"))
         missing += [key] if answer == "no" else []
         if photographs:
-            picture = yield Prompt(bench.clock.now(), f"photo-{key}", f"File of the photograph ({key}), or empty:", ())
-            yield Event(bench.clock.now(), "photograph", picture or "none", {"item": key})
+            yield from _photograph(bench, key)
     if missing:
         raise LimitNotMet(f"configuration: {', '.join(missing)} not as stated")
+
+
+def _photograph(bench: Bench, key: str) -> Work[None]:
+    """Ask for the file until there is one, or none is wanted; its name and SHA-256 go into the record."""
+    text = f"File of the photograph ({key}), or empty:"
+    picture = yield Prompt(bench.clock.now(), f"photo-{key}", text, ())
+    while picture and not Path(picture).expanduser().is_file():
+        picture = yield Prompt(bench.clock.now(), f"photo-{key}", f"There is no file {picture}. {text}", ())
+    digest = {"sha256": hashlib.sha256(Path(picture).expanduser().read_bytes()).hexdigest()} if picture else {}
+    yield Event(bench.clock.now(), "photograph", picture or "none", {"item": key} | digest)

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, inclined_field, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.rotation import Rotation, fastest_rate, rotate_once
+from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
 from labcal.bench.steps import Procedure, coils_off, energise, measured, switch_mode
 
 
@@ -21,13 +21,15 @@ def rotate_axis(
     rate_deg_per_s: Annotated[float, Limits(0, 60, unit="deg/s"), "0: the fastest allowed"] = 0.0,
     timing_nT: Annotated[float, Limits(0.1, 1_000, unit="nT"), "error that timing may make"] = 10.0,
     u_time_s: Annotated[float, Limits(1e-6, 1, unit="s"), "timing uncertainty"] = 0.005,
+    step_deg: Annotated[float, Limits(0, 90, unit="deg"), "0: continuous, else stepped"] = 0.0,
+    dwell_s: Annotated[float, Limits(0.5, 60, unit="s"), "recorded at each stop"] = 2.0,
     turns: Annotated[int, Limits(1, 20), "full turns, there and back by turns"] = 1,
     mode: Annotated[str, "the DUT's power mode"] = "nominal",
     zero_s: Annotated[float, Limits(2, 600, unit="s"), "coils-off zero before"] = 10.0,
 ) -> Procedure:
     """Turn the DUT about one body axis in one steady field."""
-    allowed = fastest_rate(bench, magnitude_nT, inclination_deg, u_time_s, timing_nT)
-    rate = rate_deg_per_s or allowed
+    refuse_too_fast(bench, rate_deg_per_s)
+    rate = rate_deg_per_s or fastest_rate(bench, magnitude_nT, inclination_deg, u_time_s, timing_nT)
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield from measured(bench, "rotation rate", rate, 0.0, "deg/s")
@@ -36,6 +38,6 @@ def rotate_axis(
         yield from energise(bench, inclined_field(bench, magnitude_nT, inclination_deg))
         for turn in range(turns):
             name = f"{axis}-{magnitude_nT / 1000:g}uT" + (f"-{turn + 1}" if turns > 1 else "")
-            work = Rotation(name, AXES[axis], mode, rate, to_deg=360.0 * ((turn + 1) % 2), mounting=axis)
+            work = Rotation(name, AXES[axis], mode, rate, 360.0 * ((turn + 1) % 2), axis, step_deg, dwell_s)
             yield from rotate_once(bench, work)
         yield from coils_off(bench)

@@ -50,6 +50,7 @@ def check_sync(
 ) -> Work[float]:
     """The steps themselves, with the DUT mounted; returns the timing uncertainty [s] of DUT against the angle."""
     wave, blocks = yield from _square_wave(bench, step_nT, chips, chip_s)
+    yield from coils_off(bench)  # nothing flows while this computes
     for who, stream in (("DUT", dut_nT(bench, blocks)), ("reference", samples(blocks, "reference"))):
         late, u = delay(stream, wave[:, 0], wave[:, 1])
         yield from measured(bench, f"{who} behind the set-point", late, u, "s", limit_s)
@@ -91,7 +92,9 @@ def delay(stream: Samples, t_s: Array, level: Array) -> tuple[float, float]:
     uncertainty from the curvature of the sum.
     """
     seen = stream.between(t_s[0], t_s[-1])
-    delays = np.linspace(-1.0, 1.0, 401)
+    coarse = np.linspace(-1.0, 1.0, 41)
+    near = coarse[np.argmin([_left_over(seen, t_s + d, level) for d in coarse])]
+    delays = near + np.linspace(-0.1, 0.1, 41)
     sums = np.array([_left_over(seen, t_s + d, level) for d in delays])
     best = int(np.clip(np.argmin(sums), 2, len(delays) - 3))
     a, b, c = np.polyfit(delays[best - 2 : best + 3] - delays[best], sums[best - 2 : best + 3], 2)

@@ -146,6 +146,21 @@ class Magnetometer(Instrument, Protocol):
 
 
 @runtime_checkable
+class Paced(Magnetometer, Protocol):
+    """A magnetometer that can be told how fast to sample."""
+
+    rate_hz: float
+
+    def rates_hz(self) -> tuple[float, ...]:
+        """What its line bears, the slowest first."""
+        ...
+
+    def set_rate(self, rate_hz: float) -> None:
+        """Sample at one of these from now on; a stream that goes on begins again."""
+        ...
+
+
+@runtime_checkable
 class Hands(Protocol):
     """The person at a simulated bench, who does to the twin what a prompt asks. A real bench has none (None).
 

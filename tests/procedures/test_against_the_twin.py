@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.record.stream import Prompt
+from labcal.record.stream import Block, Prompt
 from labcal.twin.coils import square_coils
 from labcal.twin.config import TwinTruth
 
@@ -29,6 +29,22 @@ def test_ambient_finds_mean_and_noise_and_names_the_mains_that_a_rate_folds_to_z
     quantised = np.hypot(10.0, 1e5 / 15000 / np.sqrt(12))
     assert xyz(found, "noise ref_{}") == pytest.approx([quantised] * 3, rel=0.15)
     assert "50 Hz is seen as a steady field at 10 dut samples/s" in found.event("ambient").text
+
+
+def test_the_mains_is_measured_at_the_fastest_rate_and_the_rate_set_back(ran: Run) -> None:
+    swift = "reference = { noise_nT = 2.5, nT_per_unit = 6.6666667, bandwidth_hz = 1e5 }"
+    twin = f"ambient = {{ drift_nT = 0.0, mains_nT = 30.0 }}\n{swift}"
+    fast = [("settings = { rate = 20 }", 'settings = { rate = 20, format = "binary", baud = 19200 }')]
+    found = ran("ambient", twin, edits=fast, duration_s=10, mains_s=10)
+    amplitude = found.measured["amplitude of 50 Hz"]
+    assert amplitude.value == pytest.approx(30.0, abs=5 * amplitude.u)
+    assert found.value("amplitude of 100 Hz") < 5 * found.measured["amplitude of 100 Hz"].u
+    stamps = np.concatenate([i.t_s for i in found.items if isinstance(i, Block) and i.stream == "reference"])
+    rates = 1 / np.diff(stamps)
+    assert np.median(rates[stamps[1:] < 9]) == pytest.approx(154, rel=0.01)
+    assert np.median(rates[stamps[1:] > 12]) == pytest.approx(20, rel=0.01)
+    loud = ran("ambient", twin, edits=fast, duration_s=10, mains_s=10, mains_nT=20)
+    assert "not fit for the job: amplitude of 50 Hz" in loud.event("ambient").text
 
 
 def test_sync_check_finds_a_late_dut(ran: Run) -> None:

@@ -122,6 +122,21 @@ ONCE = [
 ]
 
 
+def test_a_supply_that_cannot_be_asked_is_said_to_be_unconfirmed_and_the_other_coils_are_at_zero(
+    bench_file: BenchFile,
+) -> None:
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
+        lab = Lab(bench, "closing", unplug("supply_x"))
+        outcome, items = lab.run()
+        assert outcome.status.startswith("failed: coils NOT confirmed at zero: supply_x: the link is gone")
+        assert max(map(abs, lab.true_currents_A()[1:])) < 1e-3
+    last = items[-1]
+    assert isinstance(last, Event)
+    assert (last.kind, last.text) == ("read-back", "coils NOT confirmed at zero")
+    assert last.data["current_A"][0] is None
+    assert max(map(abs, last.data["current_A"][1:])) < 0.002
+
+
 @pytest.mark.parametrize(
     ("at", "happens", "status"),
     [pytest.param(at, *case, marks=() if at in ALWAYS else pytest.mark.slow) for at in STEPS for case in EVERYWHERE]
