@@ -7,7 +7,7 @@ from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from labcal import certificate, fit, loop
 from labcal.bench import off
@@ -30,7 +30,10 @@ from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.runner.cage import approved_cage
-from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, save_bundle
+from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, photos, save_bundle
+
+if TYPE_CHECKING:
+    from labcal.fit.history import History
 
 THIS_LAB = "this lab's trust list"
 
@@ -71,6 +74,7 @@ def resume(
     procedure: str | None = None,
     *,
     answer: Answer | None = None,
+    dut: str | None = None,
     clock: Clock | None = None,
     seed: int | None = None,
     control: Control | None = None,
@@ -82,7 +86,7 @@ def resume(
     """
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
-        return resume_run(lab, found, run, store=kept, answer=ask, control=control, tell=tell)
+        return resume_run(lab, found, run, store=kept, answer=ask, dut_serial=dut, control=control, tell=tell)
 
 
 def approve_cage(run: str, name: str, out: Path) -> CageCalibration:
@@ -137,6 +141,19 @@ def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -
         draft = load_calibration(path)
         corrected = replace(draft, dut=replace(draft.dut, serial=serial.strip()), run_sha256=bundle.sha256)
         write_bytes(path, certificate.calibration_bytes(corrected))
+
+
+def keep_photo(path: Path) -> dict[str, str]:
+    """Copy a photograph beside the store; what a note in a record says of it."""
+    return photos.keep_photo(path)
+
+
+def hand_out(calibration: Path, folder: Path) -> None:
+    """Copy a calibration, its signatures and the keys they are checked against to `folder`."""
+    for file in (calibration, *certificate.signature_files(calibration)):
+        write_bytes(folder / file.name, file.read_bytes())
+    lines = [entry.signer.line() for entry in trusted_keys() if not entry.revoked]
+    write_bytes(folder / "allowed_signers", "".join(f"{line}\n" for line in lines).encode())
 
 
 def import_bundle(path: Path) -> str:
@@ -212,6 +229,13 @@ def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = Non
         except KeyError as error:
             raise InputError(str(error.args[0])) from None
     return measured, fit.fit_all(measured) if method == "all" else [fit.fit(measured, method)]
+
+
+def filter_history(run: str, method: str) -> History:
+    """How the estimate of a live filter grew with the readings of `run`."""
+    from labcal.fit import history
+
+    return history.filter_history(load_run(run), method)
 
 
 def draft(run: str, found: Fit, out: Path) -> Calibration:

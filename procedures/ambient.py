@@ -15,6 +15,8 @@ from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Procedure, Work, coils_off, measured, note, record
 from labcal.record.stream import Event, Stream
 
+NEEDS, LASTS_MIN = "the cage as it will be used, coils off", 1
+
 Array = NDArray[np.float64]
 MAINS_OFF_HZ = 0.1  # how far the mains may be from its nominal frequency
 ROTATION_HARMONICS = (1, 2, 3, 4)  # nonlinearity and hysteresis show up to here

@@ -27,6 +27,8 @@ from labcal.errors import LimitNotMet
 from labcal.geometry import unit
 from labcal.record.stream import Event
 
+NEEDS, LASTS_MIN = "the DUT on the platform, a vector reference", 1
+
 Array = NDArray[np.float64]
 NAMES = ("x", "y", "z")
 

@@ -18,6 +18,8 @@ from labcal.errors import InputError
 from labcal.fit.cage import CageFit, fit_cage
 from labcal.record.stream import Event, Prompt
 
+NEEDS, LASTS_MIN = "a vector reference, first at the DUT's place, then at its own", 5
+
 Array = NDArray[np.float64]
 AT_DUT = (0.0, 0.0, 0.0)
 READS = 4  # of the currents at each step

@@ -16,6 +16,8 @@ from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured
 from labcal.errors import InputError
 from labcal.record.stream import Event, Prompt
 
+NEEDS, LASTS_MIN = "a vector reference that can be moved, the coils' geometry in bench.toml", 3
+
 Array = NDArray[np.float64]
 SEPARATES = (("field-gradient", "cage-field"), ("field-gradient", "axis-tilt"))
 SPACING = 0.5445  # of a square Helmholtz pair, in sides

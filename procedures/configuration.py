@@ -11,6 +11,8 @@ from labcal.bench.steps import Procedure, Work, coils_off
 from labcal.errors import LimitNotMet
 from labcal.record.stream import Event, Prompt
 
+NEEDS, LASTS_MIN = "the DUT as it will fly, and a camera", 1
+
 ITEMS = (
     ("covers", "Are all covers of the DUT as they will fly, and the others off?"),
     ("batteries", "Are the batteries those that will fly, and connected?"),

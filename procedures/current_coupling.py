@@ -16,6 +16,8 @@ from labcal.bench.steps import Blocks, Plan, Procedure, Work, dut_nT, measured, 
 from labcal.errors import InputError
 from labcal.record.stream import Event, Prompt
 
+NEEDS, LASTS_MIN = "the DUT on the platform, loads of the spacecraft that can be switched", 3
+
 Array = NDArray[np.float64]
 SEPARATES = (
     ("offset-current", "offset-drift"),

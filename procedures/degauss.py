@@ -12,6 +12,8 @@ from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measure_ambient, measured, note, ready, record
 
+NEEDS, LASTS_MIN = "nothing magnetic in the cage that must not be touched", 3
+
 Array = NDArray[np.float64]
 
 

@@ -17,6 +17,8 @@ from labcal.errors import InputError
 from labcal.geometry import rotate, unit
 from labcal.record.stream import Event, Prompt
 
+NEEDS, LASTS_MIN = "the DUT on the platform, a vector reference that can be moved beside it", 2
+
 Array = NDArray[np.float64]
 SEPARATES = (("dut-dipole-at-reference", "field-gradient"), ("dut-dipole-at-reference", "cage-field"))
 MU0_OVER_4PI = 1e-7  # T m/A

@@ -15,6 +15,8 @@ from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measu
 from labcal.errors import InputError
 from labcal.record.stream import Event
 
+NEEDS, LASTS_MIN = "a vector reference", 3
+
 Array = NDArray[np.float64]
 
 

@@ -15,6 +15,8 @@ from labcal.bench.steps import Plan, Procedure, dut_nT, measured, mount, record
 from labcal.geometry import rotation
 from labcal.record.stream import Event
 
+NEEDS, LASTS_MIN = "the DUT free to be turned over by hand", 1
+
 Array = NDArray[np.float64]
 TURNS = {"as it stands": np.eye(3)} | {
     f"turned by 180° about its {name}": rotation(axis, np.pi) for name, axis in zip("xyz", np.eye(3), strict=True)

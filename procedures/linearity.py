@@ -16,6 +16,8 @@ from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, mea
 from labcal.geometry import unit
 from labcal.record.stream import Event
 
+NEEDS, LASTS_MIN = "the DUT at rest in the cage", 3
+
 Array = NDArray[np.float64]
 SEPARATES = (
     ("nonlinearity", "cross-field"),

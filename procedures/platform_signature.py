@@ -14,6 +14,8 @@ from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Plan, Procedure, coils_off, measured, record, to_angle, turn
 from labcal.record.stream import Prompt
 
+NEEDS, LASTS_MIN = "the bare fixture with the motor, a vector reference at the DUT's place", 2
+
 Array = NDArray[np.float64]
 SEPARATES = (("cage-field", "reference-drift"), ("cage-field", "field-gradient"))
 

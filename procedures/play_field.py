@@ -30,6 +30,8 @@ from labcal.bench.steps import (
 from labcal.errors import InputError
 from labcal.record.run import Segment
 
+NEEDS, LASTS_MIN = "the DUT at rest in the cage; a table of the field, or an orbit", 10
+
 Array = NDArray[np.float64]
 EARTH_KM, MU_KM3_S2, DAY_S = 6371.2, 398_600.4418, 86_164.1
 

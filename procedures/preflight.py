@@ -40,6 +40,8 @@ from labcal.record.stream import CLOSURE, Event, Prompt
 from procedures.axes_check import check_axes
 from procedures.sync_check import check_sync
 
+NEEDS, LASTS_MIN = "the DUT on the platform, remounted three times; a vector reference", 48
+
 Array = NDArray[np.float64]
 REFERENCE = ("ref_x", "ref_y", "ref_z")
 POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")

@@ -11,6 +11,8 @@ from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, rotate_once
 from labcal.bench.steps import Plan, Procedure, coils_off, energise, switch_mode
 
+NEEDS, LASTS_MIN = "the DUT on a platform with a motor", 7
+
 SEPARATES = (("lag", "hysteresis"), ("lag", "axis-tilt"), ("hysteresis", "axis-tilt"))
 
 

@@ -18,6 +18,8 @@ from labcal.errors import InputError, LimitNotMet
 from labcal.geometry import rotation
 from labcal.record.stream import Prompt
 
+NEEDS, LASTS_MIN = "the reference on the platform", 2
+
 Array = NDArray[np.float64]
 HALF_TURNS = {name: rotation(axis, np.pi) for name, axis in zip("xyz", np.eye(3), strict=True)}
 

@@ -11,6 +11,8 @@ from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, rotate_once
 from labcal.bench.steps import Plan, Procedure, coils_off, energise, record, switch_mode
 
+NEEDS, LASTS_MIN = "the DUT on the platform", 9
+
 SEPARATES = (("offset-step", "offset-drift"), ("offset-current", "offset-drift"), ("periodic", "offset-drift"))
 
 

@@ -9,6 +9,8 @@ from labcal.bench.parameters import Limits
 from labcal.bench.steps import Procedure
 from procedures.rate_sweep import rate_sweep
 
+NEEDS, LASTS_MIN = "the DUT on the platform", 2
+
 SEPARATES = (("lag", "axis-tilt"), ("lag", "hysteresis"), ("hysteresis", "axis-tilt"))
 
 

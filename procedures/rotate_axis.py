@@ -11,6 +11,8 @@ from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, fastest_rate, refuse_too_fast, rotate_once
 from labcal.bench.steps import Procedure, coils_off, energise, measured, switch_mode
 
+NEEDS, LASTS_MIN = "the DUT on the platform", 2
+
 
 def rotate_axis(
     bench: Bench,

@@ -24,6 +24,8 @@ from labcal.bench.steps import (
     turn,
 )
 
+NEEDS, LASTS_MIN = "the DUT on the platform, a vector reference", 1
+
 Array = NDArray[np.float64]
 SPREAD = 9  # points over one sample period
 

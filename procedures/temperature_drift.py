@@ -16,6 +16,8 @@ from labcal.bench.steps import Blocks, Plan, Procedure, coils_off, dut_nT, energ
 from labcal.errors import InputError
 from labcal.record.stream import Prompt
 
+NEEDS, LASTS_MIN = "the DUT with its thermometer, a means to warm it", 21
+
 Array = NDArray[np.float64]
 SEPARATES = (("offset-temperature", "offset-drift"), ("offset-temperature", "gain-temperature"))
 

@@ -32,6 +32,8 @@ from labcal.model import Calibration
 from labcal.model.apply import Readings, apply
 from labcal.record.stream import Block
 
+NEEDS, LASTS_MIN = "the DUT on the platform, its calibration file", 8
+
 Array = NDArray[np.float64]
 GOLDEN = (np.sqrt(5) - 1) / 2
 ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitted

@@ -89,6 +89,11 @@ class CenteredSequential:
         self._unit = 1.0
         self._steps, self._surprise = 0, 0.0
 
+    @property
+    def started(self) -> bool:
+        """Whether the first readings were enough."""
+        return self._state is not None
+
     def update(self, reading: Array, magnitude: float) -> None:
         """Take one reading (3,) and the magnitude of the field."""
         if self._state is None:

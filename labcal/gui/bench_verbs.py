@@ -67,11 +67,13 @@ def run(
     return _on_bench(talk, bench, pace, seed, work)
 
 
-def resume(talk: Talk, run: str, bench: str, pace: str = "at once", seed: int | None = None) -> dict[str, Any]:
-    """Go on with an interrupted run."""
+def resume(
+    talk: Talk, run: str, bench: str, dut: str, pace: str = "at once", seed: int | None = None
+) -> dict[str, Any]:
+    """Go on with an interrupted run of the DUT `dut`."""
     from labcal import session
 
-    return _on_bench(talk, bench, pace, seed, lambda **common: session.resume(run, Path(bench), **common))
+    return _on_bench(talk, bench, pace, seed, lambda **common: session.resume(run, Path(bench), dut=dut, **common))
 
 
 def _on_bench(talk: Talk, bench: str, pace: str, seed: int | None, work: Callable[..., Outcome]) -> dict[str, Any]:
@@ -96,7 +98,8 @@ def procedures(talk: Talk) -> list[dict[str, Any]]:
 
     def words(found: Found) -> dict[str, Any]:
         parameters = [asdict(p) for p in found.parameters]
-        return {"name": found.name, "title": found.title, "resumable": found.resumable, "parameters": parameters}
+        said = ("name", "title", "resumable", "needs", "lasts_min")
+        return {name: getattr(found, name) for name in said} | {"parameters": parameters}
 
     return [words(found) for found in installed().values()]
 

@@ -43,6 +43,8 @@ class Desk(QObject):
         self.bench = ""
         self._pulse = QTimer(self, interval=200)
         self._pulse.timeout.connect(self._look)
+        self._force = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
+        self._force.timeout.connect(self._off_by_force)
         self.run.changed.connect(self._look)
         self.run.ended.connect(self._ended)
         self.lab.update(operator=str(self.settings.value("operator", "")))
@@ -100,8 +102,9 @@ class Desk(QObject):
         self._pulse.start()
         self.run.start(self._order(procedure, given))
 
-    def resume(self, run_id: str, procedure: str) -> None:
-        """Go on with an interrupted run."""
+    def resume(self, run_id: str, procedure: str, dut: str) -> None:
+        """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
+        self.who(dut=dut)
         self._pulse.start()
         self.run.resume(run_id, self._order(procedure, {}))
         self.went.emit("Run")
@@ -117,7 +120,7 @@ class Desk(QObject):
         """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
         if self.run.alive:
             self.run.abort()
-            QTimer.singleShot(OFF_WAITS_MS, self, self._off_by_force)
+            self._force.start()
         elif self.bench:
             self._switch_off()
 
@@ -128,6 +131,7 @@ class Desk(QObject):
 
     def _ended(self) -> None:
         """Where the worker died, its coils are whatever they were: to zero with them."""
+        self._force.stop()  # the next run is not to pay for this one
         if self.run.fault is not None and self.run.fault.kind == "crash":
             self._switch_off()
 

@@ -14,6 +14,7 @@ import numpy as np
 from labcal.gui.talk import Talk
 from labcal.home import home
 
+WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 LOOKED_BACK = 8  # runs, for the last closing check
 
 
@@ -46,6 +47,24 @@ def closing(talk: Talk) -> dict[str, Any] | None:
             if worst := max(items, key=lambda m: abs(m.value), default=None):
                 return {"run": asdict(one), "measurement": asdict(worst), "verdict": worst.verdict}
     return None
+
+
+def cage_check(talk: Talk) -> dict[str, Any] | None:
+    """The last finished cage-calibration there is, and its worst measurement that has a limit."""
+    from labcal import session
+    from labcal.record.stream import Measurement
+    from labcal.store import Store
+
+    last = next(
+        (r for r in reversed(session.runs()) if (r.procedure, r.status) == ("cage-calibration", "finished")), None
+    )
+    if last is None:
+        return None
+    with Store.open() as store:
+        judged = [i for i in store.items(last.run_id) if isinstance(i, Measurement) and i.limit]
+    worst = max(judged, key=lambda m: abs(m.value) / (m.limit or 1.0), default=None)
+    verdict = max((m.verdict for m in judged), key=WORST.index, default="")
+    return {"run": asdict(last), "measurement": asdict(worst) if worst else None, "verdict": verdict}
 
 
 def calibrations(talk: Talk) -> list[dict[str, Any]]:
@@ -142,6 +161,37 @@ def import_bundle(talk: Talk, path: str) -> str:
     return session.import_bundle(Path(path))
 
 
+def photo(talk: Talk, path: str) -> dict[str, str]:
+    """Keep a photograph; what a note says of it."""
+    from labcal import session
+
+    return session.keep_photo(Path(path))
+
+
+def correct_serial(talk: Talk, run: str, serial: str, who: str) -> str:
+    """State another serial of a run's DUT, until a calibration of it is signed."""
+    from labcal import session
+
+    session.correct_serial(run, serial, who, sorted(_folder().glob(f"{run}*.json")))
+    return serial
+
+
+def apply(talk: Talk, path: str, source: str, out: str, dut: str) -> str:
+    """Correct readings by a calibration; says how many rows, and how many of them carry a flag."""
+    from labcal import session
+
+    applied = session.apply_calibration(Path(path), Path(source), Path(out), dut or None)
+    return f"{len(applied.flags)} rows, {sum(1 for flag in applied.flags if flag)} with a flag: {out}"
+
+
+def hand_out(talk: Talk, path: str, folder: str) -> str:
+    """Copy a calibration, its signatures and the keys they are checked against to `folder`."""
+    from labcal import session
+
+    session.hand_out(Path(path), Path(folder))
+    return folder
+
+
 def simulated_bench(talk: Talk) -> str:
     """The bench file of the simulated lab."""
     from labcal.demo import simulated_bench as found
@@ -154,7 +204,9 @@ def _folder() -> Path:
 
 
 VERBS: dict[str, Callable[..., Any]] = {
-    "runs": runs, "describe": describe, "closing": closing, "calibrations": calibrations, "calibration": calibration,
-    "verify": verify, "keys": keys, "new_key": new_key, "approve": approve, "sign": sign, "report": report,
-    "export": export, "import": import_bundle, "simulated_bench": simulated_bench,
-}  # fmt: skip
+    one.__name__: one
+    for one in (
+        runs, describe, closing, cage_check, calibrations, calibration, verify, keys, new_key, approve, sign, report,
+        export, photo, correct_serial, apply, hand_out, simulated_bench,
+    )
+} | {"import": import_bundle}  # fmt: skip

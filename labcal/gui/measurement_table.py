@@ -29,10 +29,10 @@ def decimals_for(u: float, value: float) -> int:
 class Table(QTableWidget):
     """A read-only table with named columns; Ctrl+C copies what is selected, with tabs."""
 
-    def __init__(self, headings: tuple[str, ...], stretch: int = 0) -> None:
+    def __init__(self, headings: tuple[str, ...], stretch: int | None = 0) -> None:
         super().__init__(0, len(headings))
-        self._headings = headings
-        self.setHorizontalHeaderLabels(headings)
+        self._headings: tuple[str, ...] = ()
+        self.set_headings(headings)
         self.verticalHeader().hide()
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -44,9 +44,17 @@ class Table(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
+        if stretch is not None:
+            header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
+
+    def set_headings(self, headings: tuple[str, ...]) -> None:
+        """Name the columns, as many as there are names."""
+        if headings != self._headings:
+            self._headings = headings
+            self.setColumnCount(len(headings))
+            self.setHorizontalHeaderLabels(headings)
 
     def set_cell(
         self, row: int, column: int, text: str, *, right: bool = False, colour: str = "", tip: str = ""
@@ -74,10 +82,11 @@ class Table(QTableWidget):
         """Selected rows to the clipboard, or all where none is."""
         rows = sorted({i.row() for i in self.selectedIndexes()}) or range(self.rowCount())
         lines = ["\t".join(self._headings)]
-        lines += ["\t".join(self._text(row, c) for c in range(self.columnCount())) for row in rows]
+        lines += ["\t".join(self.text(row, c) for c in range(self.columnCount())) for row in rows]
         QApplication.clipboard().setText("\n".join(lines))
 
-    def _text(self, row: int, column: int) -> str:
+    def text(self, row: int, column: int) -> str:
+        """What stands in a cell."""
         cell = self.item(row, column)
         return cell.text() if cell is not None else ""
 

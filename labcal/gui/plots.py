@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
@@ -91,6 +93,16 @@ class Loci(QWidget):
             x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
             front.setData(x, np.where(toward, y, np.nan), connect="finite")
             behind.setData(x, np.where(toward, np.nan, y), connect="finite")
+
+
+def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:
+    """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour."""
+    legend = widget.getPlotItem().legend or widget.addLegend(offset=(-8, 8))
+    legend.clear()
+    for name, colour, values in curves:
+        inked = f'<span style="color: {colour}; font-weight: 600">{name}</span>'
+        widget.plot(t_s, values, pen=pg.mkPen(colour), name=inked, connect="finite")
+    widget.autoRange()
 
 
 def _directions(field_nT: Array, most: int) -> Array:

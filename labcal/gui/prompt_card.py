@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout
+from PySide6.QtCore import QRect, Qt, QTimer, Signal
+from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
 
 from labcal.gui.drawing import Mounting
 from labcal.gui.hold import HoldButton
@@ -11,6 +12,8 @@ from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label
 from labcal.record.stream import Prompt
 
+CALLS_EVERY_MS = 20_000  # while nobody answers
+LARGEST_PT, SMALLEST_PT = 34, 13  # the words are as large as their place allows, to be read from the cage
 HOLD_KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)
 WORDS = {
     "done": "Done",
@@ -44,12 +47,11 @@ class PromptCard(Card):
         words = QVBoxLayout()
         words.setSpacing(2 * GRID)
         words.addWidget(label(self.tr("YOUR TURN"), "caption"))
-        words.addWidget(self.text)
+        words.addWidget(self.text, 1)
         self.entry = QLineEdit()
         self.entry.setPlaceholderText(self.tr("Write it here"))
         self.entry.returnPressed.connect(self._send_text)
         words.addWidget(self.entry)
-        words.addStretch()
         words.addWidget(self.hint)
         self._buttons = QHBoxLayout()
         words.addLayout(self._buttons)
@@ -59,6 +61,8 @@ class PromptCard(Card):
         row.addWidget(self.drawing, 1)
         self.body.addLayout(row, 1)
         self.choices: dict[str, QPushButton] = {}
+        self._call = QTimer(self, interval=CALLS_EVERY_MS)
+        self._call.timeout.connect(QApplication.beep)
 
     def show_prompt(self, prompt: Prompt | None) -> None:
         """Ask `prompt`; the same one again changes nothing."""
@@ -66,16 +70,26 @@ class PromptCard(Card):
             return
         self._prompt = prompt
         if prompt is None:
+            self._call.stop()
             return
+        QApplication.beep()
+        self._call.start()
         self.text.setText(prompt.text)
         self.drawing.show_drawing(prompt.drawing)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
         self._make_buttons(prompt)
+        enlarge(self.text)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Words as large as they now may be."""
+        super().resizeEvent(event)
+        QTimer.singleShot(0, self, lambda: enlarge(self.text))
 
     def _make_buttons(self, prompt: Prompt) -> None:
         while (old := self._buttons.takeAt(0)) is not None:
             if (widget := old.widget()) is not None:
+                widget.setParent(None)  # from now on it hears no key
                 widget.deleteLater()
         self.choices = {}
         keys = iter(HOLD_KEYS)
@@ -93,7 +107,8 @@ class PromptCard(Card):
         self.hint.setText(self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else "")
 
     def _button(self, choice: str, key: Qt.Key | None) -> QPushButton:
-        words = self.tr(WORDS.get(choice, choice))
+        redo, _, axis = choice.partition(" ")
+        words = self.tr("Redo axis {0}").format(axis.upper()) if redo == "redo" else self.tr(WORDS.get(choice, choice))
         if key is None:
             return button(words, self.tr("Answer: {0}").format(words))
         made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
@@ -103,3 +118,16 @@ class PromptCard(Card):
     def _send_text(self) -> None:
         if self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
             self.answered.emit(self.entry.text().strip())
+
+
+def enlarge(words: QLabel) -> None:
+    """Write `words` as large as its own rectangle allows."""
+    place, font = words.contentsRect(), QFont(words.font())
+    for size in range(LARGEST_PT, SMALLEST_PT - 1, -1):
+        font.setPointSize(size)
+        font.setWeight(QFont.Weight.DemiBold)
+        room = QRect(0, 0, place.width(), 10_000)
+        needed = QFontMetrics(font).boundingRect(room, int(Qt.TextFlag.TextWordWrap), words.text())
+        if needed.height() <= place.height() and needed.width() <= place.width():
+            break
+    words.setStyleSheet(f"font-size: {size}pt")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -13,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from labcal.gui.client import Works
 from labcal.gui.ring import Ring
 from labcal.gui.wire import Fault, item_from_json
-from labcal.record.stream import Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 Mark = Literal["done", "now", "next", "skipped", "broken"]
@@ -22,6 +23,13 @@ ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
 SECTORS = 24  # of 15 degrees: what coverage counts
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
+AXIS_LOOKS = {  # what the light of an axis looks at, and how its measurements are named
+    "coverage": "{axis}[+-].*: missing sectors",
+    "noise": "{axis}[+-].*: noise",
+    "sign": "{axis}[+-].*: wrong signs",
+    "delay": "delay {axis}",
+    "closure": "closure {axis}",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +78,7 @@ class RunViewModel(QObject):
         self.coil_A: Triple | None = None
         self.coils_at_zero: bool | None = None
         self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
-        self.faulty: dict[str, str] = {}
+        self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
         self.dut.clear()
         self.reference.clear()
 
@@ -86,7 +94,7 @@ class RunViewModel(QObject):
 
     def resume(self, run_id: str, order: Order) -> None:
         """Go on with an interrupted run."""
-        self._begin(order, "resume", run=run_id)
+        self._begin(order, "resume", run=run_id, dut=order.dut)
 
     def _begin(self, order: Order, do: str, **what: Any) -> None:
         if self.alive:
@@ -129,20 +137,26 @@ class RunViewModel(QObject):
             self.prompt, self.message = None, message
             self._be("stopping")
 
-    def note(self, text: str) -> None:
-        """A remark into the record."""
+    def note(self, text: str, **data: str) -> None:
+        """A remark into the record; `data` goes with it."""
         if self.alive and text.strip():
-            self._worker.say("note", text=text.strip())
+            self._worker.say("note", text=text.strip(), data=data)
 
     def silent_s(self, source: str) -> float:
         """For how long `source` has sent nothing, by the bench's clock."""
         return self._seen_s - self.heard_s.get(source, 0.0)
 
     def left_s(self) -> float | None:
-        """Lab time that is left."""
-        if self.step is None or not self.alive:
-            return None
-        return max(0.0, self.step.left_s - max(0.0, self._seen_s - self.step.t_s))
+        """Lab time that is left of the run."""
+        return None if self.step is None else self._of_it_left(self.step.left_s)
+
+    def step_left_s(self) -> float | None:
+        """Lab time that is left of this step."""
+        return None if self.step is None or self.step.step_s is None else self._of_it_left(self.step.step_s)
+
+    def _of_it_left(self, seconds: float) -> float | None:
+        assert self.step is not None
+        return max(0.0, seconds - max(0.0, self._seen_s - self.step.t_s)) if self.alive else None
 
     def steps(self) -> list[tuple[str, Mark]]:
         """All steps known, with their marks."""
@@ -156,9 +170,15 @@ class RunViewModel(QObject):
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""
-        about = [
-            m.verdict for n, m in self.measurements.items() if n.startswith((f"{axis}+", f"{axis}-", f"closure {axis}"))
-        ]
+        return max(self.axis_looks(axis).values(), key=WORST.index)
+
+    def axis_looks(self, axis: str) -> dict[str, str]:
+        """The worst verdict of each of `AXIS_LOOKS` for one body axis; "" where nothing was measured yet."""
+        found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_LOOKS.items()}
+        return {look: self._worst(pattern) for look, pattern in found.items()}
+
+    def _worst(self, pattern: re.Pattern[str]) -> str:
+        about = [m.verdict for name, m in self.measurements.items() if pattern.fullmatch(name)]
         return max(about, key=WORST.index, default="")
 
     def coverage(self) -> float:
@@ -209,10 +229,22 @@ class RunViewModel(QObject):
             self.state, self.message = ("paused" if paused else "running"), event.text
         elif event.kind == "skip":
             self.skipped.add(str(event.data.get("step", "")))
+        elif event.kind == NOT_USED:
+            self._not_used(list(event.data["segments"]))
         elif event.kind in ("set-point", "read-back"):
             self._coils(event)
         else:
             self.message = event.text
+
+    def _not_used(self, segments: list[str]) -> None:
+        """What was measured of these says nothing any more: their axis is redone."""
+        axes = {segment[:1] for segment in segments}
+        gone = (
+            *(f"{segment}:" for segment in segments),
+            *(f"{look} {a}" for look in ("delay", "closure") for a in axes),
+        )
+        self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
+        self.locus = {name: ring for name, ring in self.locus.items() if name not in segments}
 
     def _coils(self, event: Event) -> None:
         currents = event.data.get("read_back_A", event.data.get("current_A"))
@@ -229,6 +261,7 @@ class RunViewModel(QObject):
             return
         self._seen_s = max(self._seen_s, float(block.t_s[-1]))
         self.heard_s[block.source] = float(block.t_s[-1])
+        self.reading[block.source] = block.columns, block.values[-1]
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)

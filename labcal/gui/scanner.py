@@ -38,9 +38,10 @@ class Scanner(QObject):
             return False
         if watched is not (QApplication.focusWidget() or watched.window()):
             return False
-        if self._kept and self._now() - self._last_s > FASTEST_TYPIST_S:
+        at_s = event.timestamp() / 1000 or self._now()  # when it was struck, however late a busy window hears of it
+        if self._kept and at_s - self._last_s > FASTEST_TYPIST_S:
             self.flush()
-        self._last_s = self._now()
+        self._last_s = at_s
         self._kept.append((watched, event.clone()))
         self._wait.start()
         return True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import asdict
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from labcal.record import Run
 
 if TYPE_CHECKING:
     from labcal.fit import Fit
+    from labcal.loop import Pictures
 
 MOST = 3000  # points of a picture
 
@@ -99,16 +101,31 @@ def loop(talk: Talk, run: str) -> dict[str, Any]:
     closed = session.close_loop(run, path, lambda text: talk.say("progress", text=text))
     document = closed.to_json()
     write_text(path.with_suffix(".loop"), json.dumps(document))
-    pictures = closed.pictures
+    said = {"loop": document, "remarks": list(closed.remarks), "draft": str(path)}
+    return said | _before_and_after(measured, closed.pictures)
+
+
+def cause(talk: Talk, run: str, effect: str, channels: list[str]) -> dict[str, Any]:
+    """The residual before and after one cause alone, named by the loop or not."""
+    from labcal import session
+
+    found, measured = session.one_cause(run, effect, tuple(channels)), _run(run)
+    return {"parameters": [asdict(p) for p in found.parameters]} | _before_and_after(measured, found.pictures)
+
+
+def growth(talk: Talk, run: str, method: str) -> dict[str, Any]:
+    """How a filter's estimate grew with the readings."""
+    from labcal import session
+
+    found = session.filter_history(run, method)
+    return {"t_s": pack(found.t_s), "bias_nT": pack(found.bias_nT), "u_nT": pack(found.u_nT)}
+
+
+def _before_and_after(run: Run, pictures: Pictures) -> dict[str, Any]:
     rows = thinned(len(pictures.t_s))
-    at = np.clip(np.searchsorted(measured.t_s, pictures.t_s[rows]), 0, len(measured) - 1)
-    return {
-        "loop": document,
-        "remarks": list(closed.remarks),
-        "draft": str(path),
-        "before": pack(pictures.before_nT[rows]),
-        "after": pack(pictures.after_nT[rows]),
-    } | _regressors(measured, at)
+    at = np.clip(np.searchsorted(run.t_s, pictures.t_s[rows]), 0, len(run) - 1)
+    both = {"before": pack(pictures.before_nT[rows]), "after": pack(pictures.after_nT[rows])}
+    return both | _regressors(run, at)
 
 
 def thinned(n: int) -> NDArray[np.intp]:
@@ -127,4 +144,12 @@ def _regressors(run: Run, rows: NDArray[np.intp]) -> dict[str, Any]:
     return {"against": {name: pack(values) for name, values in against.items()}}
 
 
-VERBS: dict[str, Callable[..., Any]] = {"methods": methods, "look": look, "fit": fit, "draft": draft, "loop": loop}
+VERBS: dict[str, Callable[..., Any]] = {
+    "methods": methods,
+    "look": look,
+    "fit": fit,
+    "draft": draft,
+    "loop": loop,
+    "cause": cause,
+    "growth": growth,
+}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -28,8 +29,11 @@ class StudyViewModel(QObject):
         self.look: dict[str, Any] | None = None
         self.fits: dict[str, dict[str, Any]] = {}
         self.loop: dict[str, Any] | None = None
+        self.causes: dict[str, dict[str, Any]] = {}  # by name and channels: what one cause alone changes
+        self.growth: dict[str, dict[str, Any]] = {}  # by filter: its estimate as readings came
         self.fault: Fault | None = None
         self.waiting: list[str] = []
+        self._followed: set[str] = set()
         self.message = ""
 
     @property
@@ -61,6 +65,19 @@ class StudyViewModel(QObject):
         if "loop" not in self.waiting:
             self.loop = None
             self._ask("loop", "loop", self._looped, run=self.run)
+
+    def look_at(self, effect: str, channels: list[str]) -> None:
+        """See what one cause alone would change, whether the loop named it or not."""
+        if (name := cause_name(effect, channels)) not in self.causes and name not in self.waiting:
+            then = partial(self.causes.__setitem__, name)
+            self._ask(name, "cause", then, run=self.run, effect=effect, channels=channels)
+
+    def follow(self, method: str) -> None:
+        """See how the estimate of a filter grew."""
+        name = self.tr("history of {0}").format(method)
+        if method not in self.growth and name not in self.waiting and name not in self._followed:
+            self._followed.add(name)  # asked once: what was refused is refused again
+            self._ask(name, "growth", partial(self.growth.__setitem__, method), run=self.run, method=method)
 
     def draft(self, method: str) -> None:
         """Write the draft calibration of a method."""
@@ -111,3 +128,8 @@ class StudyViewModel(QObject):
     def _progress(self, text: str) -> None:
         self.message = text
         self.changed.emit()
+
+
+def cause_name(effect: str, channels: list[str]) -> str:
+    """An effect and its channels: "offset-current (i_radio)"."""
+    return f"{effect} ({', '.join(channels)})" if channels else effect

@@ -103,7 +103,7 @@ class Talk:
             case "abort":
                 self.control.abort()
             case "note":
-                self.control.note(said["text"])
+                self.control.note(said["text"], **said.get("data", {}))
             case _:
                 self._asks.put(said)
 

@@ -49,6 +49,16 @@ class Found:
         return keyword in inspect.signature(self.function).parameters
 
     @property
+    def needs(self) -> str:
+        """What has to be there, in words: `NEEDS` of its module."""
+        return str(getattr(inspect.getmodule(self.function), "NEEDS", ""))
+
+    @property
+    def lasts_min(self) -> float | None:
+        """Lab time in minutes with its own settings, without what a person takes: `LASTS_MIN` of its module."""
+        return getattr(inspect.getmodule(self.function), "LASTS_MIN", None)
+
+    @property
     def separates(self) -> tuple[tuple[str, str], ...]:
         """Pairs of effect ids that its run tells apart: `SEPARATES` of its module."""
         return tuple(getattr(inspect.getmodule(self.function), "SEPARATES", ()))

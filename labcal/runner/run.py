@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
@@ -102,16 +103,17 @@ def resume_run(
     *,
     store: Store,
     answer: Answer,
+    dut_serial: str | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
 ) -> Outcome:
     """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
 
     Raises InputError where the run was not interrupted, the procedure cannot be resumed, is another or has changed
-    since, or another bench's instruments answer.
+    since, or another DUT (`dut_serial` where it is stated) or another bench's instruments stand there.
     """
     header = store.header(run_id)
-    _refuse_another(bench, procedure, header)
+    _refuse_another(bench, procedure, header, dut_serial)
     items = list(store.items(run_id))
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
     writer = store.resume(run_id)
@@ -202,20 +204,27 @@ def _last_time(items: Sequence[Item]) -> float:
     return max(ends, default=0.0)
 
 
-def _refuse_another(bench: Bench, procedure: Found, header: RunHeader) -> None:
+def _refuse_another(bench: Bench, procedure: Found, header: RunHeader, dut_serial: str | None) -> None:
     if procedure.name != header.procedure:
         raise InputError(f"run {header.run_id} is a {header.procedure}, not a {procedure.name}")
     if not procedure.resumable:
         raise InputError(f"{procedure.name} cannot go on after an interruption: start it anew")
     if procedure.sha256 != header.source_sha256:
         raise InputError(f"{procedure.name} was changed since run {header.run_id} began: start it anew")
-    if bench.config.dut.serial != header.dut.serial:
-        raise InputError(f"run {header.run_id} is of DUT {header.dut.serial}, the bench has {bench.config.dut.serial}")
+    stands = dut_serial or _standing(bench, header)
+    if stands != header.dut.serial:
+        raise InputError(f"run {header.run_id} is of DUT {header.dut.serial}, the bench has {stands}")
     for then, now in zip(header.instruments, _named(bench.identities()), strict=False):
         if dict(then) != dict(now):
             raise InputError(
                 f"{then['name']} was {_words(then)} when run {header.run_id} began, now it is {_words(now)}"
             )
+
+
+def _standing(bench: Bench, header: RunHeader) -> str:
+    """The DUT on the bench: what its file says, unless it said the same when the run was begun with another serial."""
+    now, then = bench.config.dut.serial, tomllib.loads(header.bench).get("dut", {}).get("serial")
+    return header.dut.serial if now == then else now
 
 
 def _words(identity: Mapping[str, str]) -> str:

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError, InstrumentError
@@ -14,29 +13,9 @@ from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 
 
-class Deaf(QObject):
-    """A worker that answers only when it is told to."""
-
-    items = Signal(list)
-    progress = Signal(str)
-
-    def __init__(self):
-        super().__init__()
-        self.asked, self.said, self.killed = [], [], 0
-
-    def ask(self, do, then, failed, **what):
-        self.asked.append((do, then, failed, what))
-
-    def say(self, do, **what):
-        self.said.append((do, what))
-
-    def kill(self):
-        self.killed += 1
-
-
 @pytest.fixture
-def worker(qapp):
-    return Deaf()
+def worker(deaf):
+    return deaf()
 
 
 @pytest.fixture
@@ -166,3 +145,19 @@ def test_faults_keep_their_remedy():
 def test_a_parameter_is_named_without_its_unit():
     spec = ParameterSpec("rate_deg_per_s", "number", 0.0, limits=Limits(0, 60, "deg/s"))
     assert title_of(spec) == "Rate"
+
+
+def test_any_cause_is_looked_at_once_and_a_filter_that_refuses_is_not_asked_again(worker):
+    study = StudyViewModel(worker)
+    study.open("one")
+    study.look_at("offset-current", ["i_eps"])
+    study.look_at("offset-current", ["i_eps"])
+    asked = [one for one in worker.asked if one[0] == "cause"]
+    assert [one[3]["channels"] for one in asked] == [["i_eps"]]
+    asked[0][1]({"before": 1})
+    study.look_at("offset-current", ["i_eps"])
+    assert study.causes == {"offset-current (i_eps)": {"before": 1}}
+    study.follow("ekf")
+    worker.asked[-1][2](Fault("input", "too short"))
+    study.follow("ekf")
+    assert [one[0] for one in worker.asked].count("growth") == 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.gui.cage_view import CageView
@@ -12,12 +13,14 @@ from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.lab_vm import LabState, Triple
 from labcal.gui.measurement_table import Table
+from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label
 from labcal.gui.wire import Fault
 
+READINGS_MS = 500
 ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut")
-HEADINGS = ("role", "instrument", "driver", "link", "who answered", "state and what to do")
+HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state and what to do")
 
 
 class BenchPage(QWidget):
@@ -36,7 +39,18 @@ class BenchPage(QWidget):
         column.addWidget(self._cage_card(), 2)
         desk.bench_changed.connect(self._bench_known)
         desk.lab.changed.connect(self._show_cage)
+        self._readings = QTimer(self, interval=READINGS_MS)
+        self._readings.timeout.connect(self._show_readings)
         self._bench_known()
+
+    def showEvent(self, event: object) -> None:
+        """Readings as they come, while somebody looks."""
+        self._readings.start()
+        self._show_readings()
+
+    def hideEvent(self, event: object) -> None:
+        """Nobody looks."""
+        self._readings.stop()
 
     def _instruments_card(self) -> Card:
         card = Card(self.tr("Instruments"), "")
@@ -47,6 +61,11 @@ class BenchPage(QWidget):
             primary=True,
         )
         self.check.clicked.connect(self.check_all)
+        self.reconnect = button(
+            self.tr("Reconnect"),
+            self.tr("Let go of every link, read the bench file again and ask every instrument who it is"),
+        )
+        self.reconnect.clicked.connect(self._reconnect)
         choose = button(self.tr("Open a bench file …"), self.tr("A bench.toml: what stands in the lab, on which lines"))
         choose.clicked.connect(self._choose)
         simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
@@ -54,7 +73,7 @@ class BenchPage(QWidget):
         self.file = label("", "caption")
         row = QHBoxLayout()
         row.addWidget(self.file, 1)
-        for widget in (simulated, choose, self.check):
+        for widget in (simulated, choose, self.reconnect, self.check):
             row.addWidget(widget)
         self.table = Table(HEADINGS, stretch=5)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask")
@@ -64,10 +83,10 @@ class BenchPage(QWidget):
         return card
 
     def _cage_card(self) -> Card:
-        card = Card(self.tr("The cage"), self.tr("fields in nT, one scale"))
+        card = Card(self.tr("The cage"), self.tr("all arrows to one scale"))
         self.cage, self.cage_words = CageView(self._theme), label("", wrap=True)
         row = QHBoxLayout()
-        row.addWidget(self.cage, 2)
+        row.addWidget(self.cage, 4)
         row.addWidget(self.cage_words, 1)
         card.body.addLayout(row, 1)
         return card
@@ -86,6 +105,13 @@ class BenchPage(QWidget):
         self.check.setEnabled(False)
         self.check.setText(self.tr("Asking …"))
         return self._desk.switch.ask("greet", self._greeted, self._not_greeted, bench=self._desk.bench)
+
+    def _reconnect(self) -> None:
+        if not self._desk.run.alive:
+            for worker in (self._desk.bench_worker, self._desk.switch):
+                worker.hang_up(500)
+            self._desk.open_bench(self._desk.bench)
+        self.check_all()
 
     def _greeted(self, answers: list[dict[str, Any]]) -> None:
         self._desk.take_greetings(answers)
@@ -111,7 +137,8 @@ class BenchPage(QWidget):
         self.file.setText(self._desk.bench)
         self.empty.setVisible(not there)
         self.table.setVisible(bool(there))
-        self.check.setEnabled(bool(there))
+        for widget in (self.check, self.reconnect):
+            widget.setEnabled(bool(there))
         self.table.setRowCount(len(there))
         for row, (name, one) in enumerate(there):
             self._show_row(row, name, one)
@@ -119,15 +146,26 @@ class BenchPage(QWidget):
     def _show_row(self, row: int, name: str, one: dict[str, Any]) -> None:
         answered = self._desk.answered.get(name)
         fault = answered["fault"] if answered else None
-        for column, text in enumerate((one["role"], name, one["driver"], one["link"])):
-            self.table.set_cell(row, column, text)
-        self.table.set_cell(row, 4, (answered or {}).get("identity") or "–")
+        for column, text in enumerate((one["role"], name, one["link"])):
+            self.table.set_cell(row, column, text, tip=f"{text}   ({one['driver']})")
+        self.table.set_cell(row, 3, (answered or {}).get("identity") or "–")
         if answered is None:
             self.table.set_cell(row, 5, self.tr("○ not asked yet"), colour=self._theme.muted)
         elif fault:
             self.table.set_cell(row, 5, f"✕ {fault['text']} {fault['remedy']}", colour=self._theme.bad)
         else:
             self.table.set_cell(row, 5, self.tr("✓ answers"), colour=self._theme.good)
+
+    def _show_readings(self) -> None:
+        """What each instrument sent last, with the seconds since."""
+        run = self._desk.run
+        for row in range(self.table.rowCount()):
+            role, name = self.table.text(row, 0), self.table.text(row, 1)
+            source = "cage" if role.startswith("coil") else name
+            said = run.reading.get(source)
+            words = "–" if said is None else reading_words(role, *said)
+            age = f"{run.silent_s(source):.1f} s" if said is not None else self.tr("nothing in this session")
+            self.table.set_cell(row, 4, words, tip=self.tr("{0} before the newest of all: {1}").format(age, words))
 
     def _show_cage(self, state: LabState) -> None:
         cage = self._desk.facts.get("cage")
@@ -143,7 +181,9 @@ class BenchPage(QWidget):
         if cage:
             limits = cage["limits"]
             most = ", ".join(f"{one:g}" for one in limits["current_A"])
-            words = self.tr("Limits: {0} A (x, y, z), {1:g} nT at the centre.").format(most, limits["field_nT"])
+            words = self.tr("Limits\n{0} A (x, y, z)\n{1} nT at the centre").format(
+                most, number(limits["field_nT"], 0, signed=False)
+            )
             seen = self.tr("Nothing measured yet: vectors appear with a run.") if total is None else ""
             self.cage_words.setText(f"{words}\n\n{seen}")
 
@@ -151,3 +191,12 @@ class BenchPage(QWidget):
 def desk_simulated(desk: Desk) -> None:
     """Take the simulated lab."""
     desk.ask("simulated_bench", desk.open_bench)
+
+
+def reading_words(role: str, columns: tuple[str, ...], values: Any) -> str:
+    """The last sample of an instrument, short: a coil's own current, else every value."""
+    if role.startswith("coil"):
+        at = columns.index(f"i_coil_{role[-1]}") if f"i_coil_{role[-1]}" in columns else 0
+        return f"{number(float(values[at]), 3)} A"
+    unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
+    return "  ".join(number(float(value), 1) for value in values[:3]) + unit

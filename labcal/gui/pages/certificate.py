@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
@@ -15,6 +17,8 @@ from labcal.gui.measurement_table import Table
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, named, set_state
+
+REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 
 
 class Drop(QFrame):
@@ -112,6 +116,8 @@ class CertificatePage(QWidget):
         self.table.right_heading(1, 2)
         card.body.addWidget(self.standing)
         card.body.addWidget(self.table, 1)
+        self.next = label("", "", wrap=True)
+        card.body.addWidget(self.next)
         card.body.addLayout(self._approve_row())
         card.body.addLayout(self._sign_row())
         card.body.addLayout(self._paper_row())
@@ -161,12 +167,24 @@ class CertificatePage(QWidget):
         return row
 
     def _paper_row(self) -> QHBoxLayout:
-        self.report = button(self.tr("Report …"), self.tr("The report for people, as .html or .pdf"))
+        self.report = button(
+            self.tr("Report …"), self.tr("For people as .html or .pdf, for machines as a DCC (.xml, PTB's schema)")
+        )
         self.report.clicked.connect(self._report)
+        self.export = button(
+            self.tr("Hand out …"),
+            self.tr("Copy the file, its signatures and the public keys to a folder"),
+        )
+        self.export.clicked.connect(self._hand_out)
+        self.apply = button(
+            self.tr("Apply to readings …"), self.tr("Add the field, its uncertainty and flags to a .csv of readings")
+        )
+        self.apply.clicked.connect(self._apply)
         self.said = label("", "caption", wrap=True)
         row = QHBoxLayout()
         row.addWidget(self.said, 1)
-        row.addWidget(self.report)
+        for widget in (self.apply, self.export, self.report):
+            row.addWidget(widget)
         return row
 
     def chosen(self) -> dict[str, Any] | None:
@@ -245,7 +263,9 @@ class CertificatePage(QWidget):
         self.approve.setEnabled(one is not None and not one["signatures"] and bool(self.approver.text().strip()))
         self.sign.setEnabled(one is not None and known and words)
         self.new_key.setEnabled(bool(name) and not known and words)
-        self.report.setEnabled(one is not None)
+        for widget in (self.report, self.export, self.apply):
+            widget.setEnabled(one is not None)
+        self.next.setText(next_step(one, self._desk.lab.state.operator) if one else "")
 
     def _approve(self) -> None:
         if (one := self.chosen()) is not None:
@@ -269,7 +289,7 @@ class CertificatePage(QWidget):
         if one is None:
             return
         start = str(Path.home() / f"{Path(one['path']).stem}.html")
-        out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the report"), start, "HTML (*.html);;PDF (*.pdf)")
+        out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the report"), start, REPORTS)
         if out:
             self.write_report(one["path"], out)
 
@@ -281,6 +301,35 @@ class CertificatePage(QWidget):
             "report", lambda _: self.said.setText(written), self.fault.show_fault, source=source, out=out
         )
 
+    def _hand_out(self) -> None:
+        if folder := QFileDialog.getExistingDirectory(self, self.tr("Copy the calibration to")):
+            self.hand_out(folder)
+
+    def hand_out(self, folder: str) -> None:
+        """Copy the chosen calibration, its signatures and the public keys to `folder`."""
+        if (one := self.chosen()) is not None:
+            said = self.tr("Copied to {0}").format(folder)
+            self._tell("hand_out", lambda _: said, path=one["path"], folder=folder)
+
+    def _apply(self) -> None:
+        source, _ = QFileDialog.getOpenFileName(self, self.tr("Readings of this DUT"), "", "CSV (*.csv)")
+        if source:
+            start = str(Path(source).with_suffix("")) + "-nT.csv"
+            out, _ = QFileDialog.getSaveFileName(self, self.tr("Where the field goes"), start, "CSV (*.csv)")
+            if out:
+                self.apply_to(source, out)
+
+    def apply_to(self, source: str, out: str) -> None:
+        """Correct the readings in `source` by the chosen calibration."""
+        if (one := self.chosen()) is not None:
+            dut = one["dut"]["serial"]
+            self._tell("apply", str, path=one["path"], source=source, out=out, dut=dut)
+
+    def _tell(self, do: str, words: Callable[[Any], str], **what: str) -> None:
+        """Ask the clerk, and say what came of it beside the buttons."""
+        self.fault.show_fault(None)
+        self._desk.clerk.ask(do, lambda said: self.said.setText(words(said)), self.fault.show_fault, **what)
+
     def verify(self, path: str) -> None:
         """Check the file at `path` and say how it stands."""
         self._desk.clerk.ask("verify", self._verified, self.fault.show_fault, path=path)
@@ -290,3 +339,22 @@ class CertificatePage(QWidget):
         faults = [f"{name}: {objection}" for name, _, objection in said["signatures"] if objection]
         self.drop.words.setText(f"{shape} {Path(said['path']).name}: {' '.join([*said['sentences'], *faults])}")
         set_state(self.drop.words, "bad" if not said["valid"] else "warning" if said["provisional"] else "good")
+
+
+def next_step(one: dict[str, Any], operator: str) -> str:
+    """What is to be done with a calibration now, in one sentence."""
+    say = partial(QCoreApplication.translate, "CertificatePage")
+    if one["signatures"] and not one["valid"]:
+        return say("Do not use it: make a new draft on the Fit page.")
+    if not one["signatures"] and not one["approvers"]:
+        return say(
+            "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
+        ).format(one["operator"] or operator or say("the operator"))
+    waiting = [name for name in one["approvers"] if name not in one["signers"]]
+    if not one["signatures"]:
+        return say("Approved by {0}. Now sign, each under the own name.").format(", ".join(one["approvers"]))
+    if waiting:
+        return say("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
+    if not one["approvers"]:
+        return say("Good to use as PROVISIONAL: nobody approved it before it was signed.")
+    return say("Done: hand it out.")

@@ -1,26 +1,26 @@
-"""Fit: methods side by side, loci before and after, the residual against whatever may drive it."""
+"""Fit: methods side by side with their uncertainties, and the pictures of the papers they are from."""
 
 from __future__ import annotations
 
 from math import sqrt
 from typing import Any
 
-import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from labcal.gui.chooser import RunChooser
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Table
+from labcal.gui.fit_views import FitViews
+from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
-from labcal.gui.plots import Loci
-from labcal.gui.study_plots import Residuals
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label
-from labcal.gui.wire import unpack
 
-HEADINGS = ("method", "k x", "± U", "k y", "± U", "k z", "± U", "held out", "axis max", "time s", "frame")
+QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
+OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
+GAINS = tuple(f"K {a}{b}" for a in "xyz" for b in "xyz")
+FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
 
 
 class FitPage(QWidget):
@@ -36,8 +36,15 @@ class FitPage(QWidget):
         self.fault = FaultCard()
         self.fault.report_asked.connect(desk.report_asked)
         column.addWidget(self.fault)
-        column.addWidget(self._table_card(), 2)
-        column.addWidget(self._pictures(), 3)
+        self.views = FitViews(theme)
+        self.views.filter_wanted.connect(self._show_growth)
+        halves = QSplitter(Qt.Orientation.Vertical)
+        halves.setHandleWidth(2 * GRID)
+        halves.setChildrenCollapsible(False)
+        halves.addWidget(self._table_card())
+        halves.addWidget(self.views)
+        halves.setSizes([320, 420])
+        column.addWidget(halves, 1)
         self._study.changed.connect(self._show)
         self._show()
 
@@ -63,37 +70,15 @@ class FitPage(QWidget):
         return row
 
     def _table_card(self) -> Card:
-        card = Card(
-            self.tr("Methods side by side"),
-            self.tr("offsets k and U (k=2) in nT, held-out error in nT, axis error in deg"),
-        )
+        card = Card(self.tr("Methods side by side"), self.tr("value ± U, k=2; choose a column to see its pictures"))
         self.empty = label(self.tr("Choose a run above, then Fit."), "ask")
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.table = Table(HEADINGS, stretch=0)
-        self.table.right_heading(*range(1, 10))
+        self.table = Table((self.tr("parameter"),), stretch=None)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
         card.body.addWidget(self.empty, 1)
         card.body.addWidget(self.table, 1)
         return card
-
-    def _pictures(self) -> QWidget:
-        holder = QSplitter()
-        holder.setHandleWidth(2 * GRID)
-        holder.setChildrenCollapsible(False)
-        loci = Card(self.tr("On the sphere"), self.tr("orange: as read   blue: calibrated"))
-        self.loci = Loci(self._theme, clouds=2)
-        loci.body.addWidget(self.loci)
-        residual = Card(self.tr("Residual |b| against"), self.tr("band: the noise this method states, k=2"))
-        self.against = QComboBox()
-        self.against.setToolTip(self.tr("What the residual is drawn against"))
-        self.against.activated.connect(self._show_pictures)
-        self.residual = Residuals(self._theme)
-        residual.body.addWidget(self.against)
-        residual.body.addWidget(self.residual, 1)
-        holder.addWidget(loci)
-        holder.addWidget(residual)
-        holder.setSizes([600, 400])
-        return holder
 
     def open_run(self, run: str) -> None:
         """Study `run`."""
@@ -111,10 +96,10 @@ class FitPage(QWidget):
             self._desk.went.emit("Certificate")
 
     def method(self) -> str | None:
-        """The method that is selected in the table, else the best that came to a result."""
-        chosen = self.table.selectedItems()
-        name = chosen[0].text() if chosen else ""
-        return name if name in self._study.fits and self._study.fits[name]["fit"]["ok"] else self._study.best()
+        """The method whose column is selected, else the best that came to a result."""
+        chosen, names = self.table.selectedIndexes(), list(self._study.fits)
+        name = names[chosen[0].column() - 1] if chosen and 0 < chosen[0].column() <= len(names) else ""
+        return name if name and self._study.fits[name]["fit"]["ok"] else self._study.best()
 
     def _show(self) -> None:
         study = self._study
@@ -129,44 +114,57 @@ class FitPage(QWidget):
         self.trace.setEnabled(bool(study.run) and not study.busy)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
-        self.table.setRowCount(len(study.fits))
-        for row, said in enumerate(study.fits.values()):
-            self._show_fit(row, said["fit"])
+        self._show_fits()
         self._show_pictures()
+        if study.run and not study.fits:
+            self.empty.setText(self.tr("Fit estimates K and k of this run; All methods compares eleven ways."))
 
-    def _show_fit(self, row: int, fit: dict[str, Any]) -> None:
-        self.table.set_cell(row, 0, fit["method"], tip=fit["why_not"] or "")
-        if not fit["ok"]:
-            for column in range(1, len(HEADINGS)):
-                self.table.set_cell(row, column, "–", right=column < 10, tip=fit["why_not"])
-            return
-        covariance = fit["covariance"]
-        for axis, value in enumerate(fit["k_nT"]):
-            u = None if covariance is None else 2 * sqrt(max(0.0, covariance[9 + axis][9 + axis]))
-            self.table.set_cell(row, 1 + 2 * axis, number(value), right=True, colour=self._theme.axes[axis])
-            self.table.set_cell(row, 2 + 2 * axis, "–" if u is None else number(u, signed=False), right=True)
-        worst = max(fit["axis_error_deg"], default=None) if fit["axis_error_deg"] else None
-        for column, value, decimals in ((7, fit["holdout_rms_scalar_nT"], 1), (8, worst, 2), (9, fit["seconds"], 2)):
-            self.table.set_cell(
-                row, column, "–" if value is None else number(value, decimals, signed=False), right=True
-            )
-        self.table.set_cell(row, 10, self.tr("known") if fit["frame_known"] else self.tr("free"))
+    def _show_fits(self) -> None:
+        fits = self._study.fits
+        self.table.set_headings((self.tr("parameter"), *fits))
+        self.table.right_heading(*range(1, len(fits) + 1))
+        names = (*QUALITY, *OFFSETS, *GAINS)
+        self.table.setRowCount(len(names))
+        for row, name in enumerate(names):
+            self.table.set_cell(row, 0, name, colour=self._colour(name))
+        for column, said in enumerate(fits.values(), start=1):
+            for row, text in enumerate(cells(said["fit"])):
+                self.table.set_cell(row, column, text, right=True, tip=said["fit"]["why_not"] or "")
+
+    def _colour(self, name: str) -> str:
+        axis = name[2] if name in OFFSETS else ""
+        return getattr(self._theme, f"axis_{axis}") if axis else ""
 
     def _show_pictures(self) -> None:
-        look, method = self._study.look, self.method()
-        if look is None:
-            return None
-        names = list(look["against"])
-        if [self.against.itemText(n) for n in range(self.against.count())] != names:
-            self.against.clear()
-            self.against.addItems(names)
-        self.loci.show_field(unpack(look["before"]), 1)
-        said = self._study.fits.get(method or "")
-        if said is None or "residual" not in said:
-            self.loci.show_field(np.empty((0, 3)), 0)
-            return self.residual.clear()
-        self.loci.show_field(unpack(said["after"]), 0)
-        against = self.against.currentText()
-        cloud = (method or "", self._theme.accent, unpack(said["residual"]))
-        x = unpack(look["against"][against])
-        return self.residual.show_residual(against, x, [cloud], said["noise_nT"])
+        method = self.method() or ""
+        self.views.show_fit(self._study.look, method, self._study.fits.get(method))
+        if self.views.faces.currentWidget() is self.views.growth:
+            self._show_growth()
+
+    def _show_growth(self) -> None:
+        method = self.method()
+        name = method if method in FILTERS else FILTERS[0]
+        if self._study.run:
+            self._study.follow(name)
+        self.views.show_growth(name, self._study.growth.get(name))
+
+
+def cells(fit: dict[str, Any]) -> list[str]:
+    """One method's column: how good it is, then k and K with U (k=2)."""
+    if not fit["ok"]:
+        return ["✕", *["–"] * (len(QUALITY) + len(OFFSETS) + len(GAINS) - 1)]
+    worst = max(fit["axis_error_deg"], default=None) if fit["axis_error_deg"] else None
+    quality = ((fit["holdout_rms_scalar_nT"], 1), (worst, 3), (fit["seconds"], 2))
+    said = ["–" if value is None else number(value, decimals, signed=False) for value, decimals in quality]
+    said.append("known" if fit["frame_known"] else "free")
+    values = [(n + 9, k) for n, k in enumerate(fit["k_nT"])]
+    values += list(enumerate(v for row in fit["K"] for v in row))
+    return said + [_with_U(value, fit["covariance"], at) for at, value in values]
+
+
+def _with_U(value: float, covariance: list[list[float]] | None, at: int) -> str:
+    if covariance is None:
+        return number(value, 1 if at >= 9 else 5)
+    U = 2 * sqrt(max(0.0, covariance[at][at]))
+    decimals = decimals_for(U, value)
+    return f"{number(value, decimals)} ± {number(U, decimals, signed=False)}"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QVBoxLayout, QWidget
 
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
@@ -70,11 +70,16 @@ class HistoryPage(QWidget):
         self.open.clicked.connect(self._open)
         self.export = button(self.tr("Export …"), self.tr("As bundle, CSV, HDF5 or MATLAB file"))
         self.export.clicked.connect(self._export)
+        self.correct = button(
+            self.tr("Correct serial …"),
+            self.tr("The DUT was another one: an event of the record, until a calibration of the run is signed"),
+        )
+        self.correct.clicked.connect(self._correct)
         take = button(self.tr("Import …"), self.tr("Take a run bundle (.zip) into the store, byte for byte"))
         take.clicked.connect(self._import)
         row = QHBoxLayout()
         row.addWidget(self.search, 1)
-        for widget in (self.open, self.export, take):
+        for widget in (self.open, self.export, self.correct, take):
             row.addWidget(widget)
         self.table = Table(HEADINGS, stretch=6)
         self.table.itemSelectionChanged.connect(self._chosen)
@@ -143,7 +148,27 @@ class HistoryPage(QWidget):
         one = self.chosen()
         for widget in (self.open, self.export):
             widget.setEnabled(one is not None and one["status"] not in ("running", "interrupted"))
+        self.correct.setEnabled(one is not None and one["status"] not in ("running", "imported"))
         self._draw()
+
+    def _correct(self) -> None:
+        if (one := self.chosen()) is not None:
+            title, words = self.tr("Correct the serial"), self.tr("Serial of the DUT that this run was made with:")
+            serial, good = QInputDialog.getText(self, title, words, text=one["dut_serial"])
+            if good and serial.strip() and serial.strip() != one["dut_serial"]:
+                self.correct_serial(one["run_id"], serial)
+
+    def correct_serial(self, run: str, serial: str) -> None:
+        """State another serial of the DUT of `run`, in the operator's name."""
+        said = self.tr("Run {0}: DUT {1}").format(run, serial.strip())
+        who = self._desk.lab.state.operator
+
+        def corrected(_: object) -> None:
+            self._desk.lab.update(message=said)
+            self._desk.store_changed.emit()
+            self.refresh()
+
+        self._desk.clerk.ask("correct_serial", corrected, self.fault.show_fault, run=run, serial=serial, who=who)
 
     def _open(self) -> None:
         if (one := self.chosen()) is not None and self.open.isEnabled():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
 
@@ -13,6 +14,7 @@ from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Table
 from labcal.gui.numbers import number
 from labcal.gui.study_plots import Bars, Residuals
+from labcal.gui.study_vm import cause_name
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, set_state
 from labcal.gui.wire import unpack
@@ -26,10 +28,28 @@ WORDS = {
 }
 
 
+DRIVERS = {  # what an effect without a channel is best seen against
+    "axis-tilt": "angle", "cage-field": "angle", "field-gradient": "field", "nonlinearity": "field",
+    "cross-field": "field", "hysteresis": "angle", "lag": "angle",
+}  # fmt: skip
+
+
+def driver(effect: dict[str, Any]) -> str:
+    """The regressor that an effect without a channel is drawn against first."""
+    return DRIVERS.get(effect["effect"], "time")
+
+
 def cause(effect: dict[str, Any]) -> str:
     """An effect and its channels: "offset-current (i_radio)"."""
-    channels = ", ".join(effect["channels"])
-    return f"{effect['effect']} ({channels})" if channels else str(effect["effect"])
+    return cause_name(effect["effect"], effect["channels"])
+
+
+def candidates(loop: dict[str, Any]) -> list[tuple[str, dict[str, Any], str]]:
+    """Every cause there was: its standing, itself, and why; the named ones first."""
+    found = [("accepted", effect, effect["why"]) for effect in loop["accepted"]]
+    for effect in loop["accepted"]:
+        found += [("rival", rival, f"does about as well as {cause(effect)}") for rival in effect["rivals"]]
+    return found + [("rejected", effect, effect["why"]) for effect in loop["rejected"]]
 
 
 class LoopPage(QWidget):
@@ -110,18 +130,18 @@ class LoopPage(QWidget):
         return card
 
     def _who_card(self) -> Card:
-        card = Card(self.tr("2  Who could have done it"), "")
+        card = Card(self.tr("2  Who could have done it"), self.tr("choose one to see what it changes"))
         self.bars = Bars(self._theme)
-        self.others = Table((self.tr("not named"), self.tr("why")), stretch=1)
-        header = self.others.horizontalHeader()
-        header.setSectionResizeMode(0, header.ResizeMode.Interactive)
-        self.others.setColumnWidth(0, 22 * GRID)
+        self.others = Table((self.tr("cause"), self.tr("standing"), self.tr("why")), stretch=2)
+        self.others.setAccessibleName(self.tr("Candidates; choose one to see what it alone would change"))
+        self.others.itemSelectionChanged.connect(self._picked)
         card.body.addWidget(self.bars, 1)
         card.body.addWidget(self.others, 1)
         return card
 
     def _change_card(self) -> Card:
-        card = Card(self.tr("3  What changes if it is added"), self.tr("orange: before   blue: after"))
+        card = Card(self.tr("3  What changes if it is added"), "")
+        self.change_heading, self.change_words = card.heading, card.unit
         self.against = QComboBox()
         self.against.setToolTip(self.tr("What the residual is drawn against; the named cause first"))
         self.against.activated.connect(self._show_change)
@@ -195,10 +215,27 @@ class LoopPage(QWidget):
                 for r in effect["rivals"]
             ]
         self.bars.show_bars(rows, loop["noise_floor_nT"])
-        self.others.setRowCount(len(loop["rejected"]))
-        for row, effect in enumerate(loop["rejected"]):
-            self.others.set_cell(row, 0, cause(effect))
-            self.others.set_cell(row, 1, effect["why"])
+        words = {"accepted": self.tr("✓ named"), "rival": self.tr("? rival"), "rejected": self.tr("– not named")}
+        listed = candidates(loop)
+        self.others.setRowCount(len(listed))
+        for row, (standing, effect, why) in enumerate(listed):
+            for column, text in enumerate((cause(effect), words[standing], why)):
+                self.others.set_cell(row, column, text)
+
+    def picked(self) -> tuple[str, dict[str, Any]] | None:
+        """Standing and cause that is chosen in the table; None for the loop's own verdict."""
+        loop, rows = self._study.loop, self.others.selectedIndexes()
+        if loop is None or not rows:
+            return None
+        standing, effect, _ = candidates(loop["loop"])[rows[0].row()]
+        return standing, effect
+
+    def _picked(self) -> None:
+        if (chosen := self.picked()) is not None:
+            self._study.look_at(chosen[1]["effect"], chosen[1]["channels"])
+        if self._study.loop is not None:
+            self._fill_against(self._study.loop["loop"])
+            self._show_change()
 
     def _show_unknown(self, loop: dict[str, Any], remarks: list[str]) -> None:
         lines = list(remarks)
@@ -219,8 +256,10 @@ class LoopPage(QWidget):
 
     def _fill_against(self, loop: dict[str, Any]) -> None:
         against = self._study.loop["against"] if self._study.loop else {}
-        causes = [c for effect in loop["accepted"] for c in effect["channels"]]
-        first = [name for name in against if name.split("  ")[0] in causes]
+        chosen = self.picked()
+        effects = loop["accepted"] if chosen is None else [chosen[1]]
+        channels = [c for effect in effects for c in effect["channels"]]
+        first = [name for name in against if name.split("  ")[0] in (*channels, *map(driver, effects))]
         names = first + [name for name in against if name not in first]
         if [self.against.itemText(n) for n in range(self.against.count())] != names:
             self.against.clear()
@@ -230,7 +269,7 @@ class LoopPage(QWidget):
         said = self._study.loop
         if said is None:
             return
-        before, after, theme = unpack(said["before"]), unpack(said["after"]), self._theme
+        before, theme = unpack(said["before"]), self._theme
         noise = said["loop"]["noise_floor_nT"] / before.shape[1] ** 0.5
         clouds = [
             (f"{axis}", colour, before[:, n])
@@ -238,6 +277,19 @@ class LoopPage(QWidget):
             if n < before.shape[1]
         ]
         self.left.show_residual("time  s", unpack(said["against"]["time  s"]), clouds, noise)
-        name = self.against.currentText()
+        self._draw_change(said, noise)
+
+    def _draw_change(self, said: dict[str, Any], noise_nT: float) -> None:
+        """Before and after: of all named causes, or of the one that is chosen, alone."""
+        chosen, theme, name = self.picked(), self._theme, self.against.currentText()
+        one = said if chosen is None else self._study.causes.get(cause(chosen[1]))
+        title = self.tr("3  What changes if it is added") if chosen is None else f"3  + {cause(chosen[1])}"
+        self.change_heading.setText(title)
+        if one is None:
+            self.change_words.setText(self.tr("computing …") if self._study.busy else "")
+            return self.change.clear()
+        before, after = unpack(one["before"]), unpack(one["after"])
+        rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in (before, after))
+        self.change_words.setText(self.tr("rms {0} → {1} nT, all rows").format(*rms))
         both = [(self.tr("before"), theme.axis_x, before), (self.tr("after"), theme.accent, after)]
-        self.change.show_residual(name, unpack(said["against"][name]), both, noise)
+        return self.change.show_residual(name, unpack(one["against"][name]), both, noise_nT)

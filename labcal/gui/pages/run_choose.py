@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QScrollArea, QWidget
 
 from labcal.gui.desk import Desk
@@ -46,7 +46,9 @@ class Choose(QWidget):
         self._area = QScrollArea()
         self._area.setWidgetResizable(True)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.needs = label("", "caption", wrap=True)
         card.body.addWidget(self.title)
+        card.body.addWidget(self.needs)
         card.body.addWidget(self._area, 1)
         self.objection = label("", "caption")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
@@ -85,6 +87,7 @@ class Choose(QWidget):
         one = self._procedures[name]
         self._heading.setText(name)
         self.title.setText(one["title"])
+        self.needs.setText(needs_words(one))
         self.form = Form([spec_of(p) for p in one["parameters"]])
         self.form.changed.connect(self._check)
         self._area.setWidget(named(self.form, "form"))
@@ -103,3 +106,12 @@ class Choose(QWidget):
     def _start(self) -> None:
         if self.form is not None:
             self._desk.start(self.list.currentItem().text(), self.form.given())
+
+
+def needs_words(one: dict[str, Any]) -> str:
+    """What a procedure needs and how long it takes, in one line."""
+    needs = QCoreApplication.translate("Choose", "Needs: {0}").format(one["needs"]) if one["needs"] else ""
+    lasts = QCoreApplication.translate("Choose", "About {0:g} min of measuring, and your own time beside it").format(
+        one["lasts_min"] or 0
+    )
+    return "\n".join(part for part in (needs, lasts if one["lasts_min"] else "") if part)

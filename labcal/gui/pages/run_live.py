@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QApplication,
+    QFileDialog,
     QHBoxLayout,
     QLineEdit,
     QListWidget,
@@ -17,20 +18,22 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from labcal.gui.axis_lights import AxisLights
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Measurements
 from labcal.gui.numbers import duration
 from labcal.gui.plots import Loci, Traces
 from labcal.gui.prompt_card import PromptCard
-from labcal.gui.theme import GRID, STATES, Theme
-from labcal.gui.widgets import Card, button, label, set_state
+from labcal.gui.theme import GRID, Theme
+from labcal.gui.widgets import Card, button, label
 from labcal.gui.wire import Fault
 
 FRAME_MS = 40
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 SHOWN_S = 120.0  # of the traces
+PICTURES = "*.jpg *.jpeg *.png *.webp"
 
 
 class Live(QWidget):
@@ -52,7 +55,8 @@ class Live(QWidget):
         right.setChildrenCollapsible(False)
         right.setHandleWidth(2 * GRID)
         right.addWidget(self._middle())
-        right.addWidget(self._below())
+        self.below = self._below()
+        right.addWidget(self.below)
         right.setStretchFactor(0, 3)
         right.setStretchFactor(1, 1)
         row.addWidget(right, 1)
@@ -76,8 +80,13 @@ class Live(QWidget):
         self.note.returnPressed.connect(self._note)
         for widget in (self.title, self.progress, self.left):
             card.body.addWidget(widget)
+        self.photo = button(self.tr("Photo …"), self.tr("Put a photograph into the record, with the note as its words"))
+        self.photo.clicked.connect(self._photo)
+        notes = QHBoxLayout()
+        notes.addWidget(self.note, 1)
+        notes.addWidget(self.photo)
         card.body.addWidget(self.steps, 1)
-        card.body.addWidget(self.note)
+        card.body.addLayout(notes)
         card.body.addLayout(self._buttons())
         return card
 
@@ -109,25 +118,25 @@ class Live(QWidget):
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
+        self.lights = AxisLights()
         column.addWidget(self.fault)
+        column.addWidget(self.lights)
         column.addWidget(self.middle, 1)
         return holder
 
     def _live_card(self) -> Card:
-        card = Card(self.tr("DUT, as it reads"), "nT nominal")
-        self.headline = card.heading
+        card = Card()
+        self.headline = label("", "large")
+        self.headline.setAccessibleName(self.tr("What happens now"))
         self.loci, self.traces = Loci(self._theme), Traces(self._theme, "DUT  nT")
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
         self.covered = label("", "caption")
         self.coverage.setToolTip(self.tr("How much of the turn this segment has seen, in sectors of 15°"))
-        self.lights = {axis: label("") for axis in "xyz"}
         row = QHBoxLayout()
         row.addWidget(self.covered)
         row.addWidget(self.coverage, 1)
-        for light in self.lights.values():
-            row.addSpacing(2 * GRID)
-            row.addWidget(light)
+        card.body.addWidget(self.headline)
         card.body.addWidget(self.loci, 3)
         card.body.addLayout(row)
         card.body.addWidget(self.traces, 2)
@@ -142,6 +151,17 @@ class Live(QWidget):
 
     def _note(self) -> None:
         self._run.note(self.note.text())
+        self.note.clear()
+
+    def _photo(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("A photograph for the record"), "", PICTURES)
+        if path:
+            self.keep_photo(path)
+
+    def keep_photo(self, path: str) -> None:
+        """Copy the photograph at `path` beside the store and put it into the record, with the note as its words."""
+        text = self.note.text().strip() or self.tr("photograph")
+        self._desk.ask("photo", lambda kept: self._run.note(text, **kept), path=path)
         self.note.clear()
 
     def _pause_or_go_on(self) -> None:
@@ -167,8 +187,10 @@ class Live(QWidget):
             widget.setVisible(shown)
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.note.setEnabled(run.alive)
+        self.photo.setEnabled(run.alive)
+        self.below.setVisible(run.prompt is None and bool(run.measurements))
         self.table.show_measurements(run.measurements.values())
-        self._show_lights()
+        self.lights.show_run(run)
         self._show_fault(run.fault)
         self._ask()
         self._frame.start() if run.alive else self._draw_last()
@@ -187,7 +209,6 @@ class Live(QWidget):
         self.prompt.show_prompt(prompt)
         self.middle.setCurrentWidget(self.prompt if prompt is not None else self._picture)
         if prompt is not None and prompt is not self._asked:
-            QApplication.beep()
             QApplication.alert(self)
         self._asked = prompt
 
@@ -211,22 +232,10 @@ class Live(QWidget):
             colour = {"next": self._theme.muted, "broken": self._theme.bad}.get(mark, self._theme.text)
             item.setForeground(QColor(colour))
 
-    def _show_lights(self) -> None:
-        for axis, light in self.lights.items():
-            verdict = self._run.axis_light(axis)
-            shape, state = STATES.get(verdict, ("○", ""))
-            light.setText(f"{axis.upper()} {shape} {verdict}".strip())
-            set_state(light, state)
-            light.setToolTip(self.tr("Worst verdict of what was measured about body {0}").format(axis.upper()))
-
     def _draw(self) -> None:
         run = self._run
         self._show_left()
-        self.headline.setText(
-            run.message
-            if run.state in ("starting", "stopping", "ended")
-            else run.segment or self.tr("Between segments")
-        )
+        self.headline.setText(self._now())
         self.coverage.setValue(round(100 * run.coverage()))
         self.covered.setText(self.tr("{0:3d} % of the circle").format(round(100 * run.coverage())))
         rows = run.dut.rows()
@@ -237,6 +246,20 @@ class Live(QWidget):
         self._ticks += 1
         if self._ticks % LOCI_EVERY == 1 or not run.alive:
             self.loci.show_field(run.field_rows())
+
+    def _now(self) -> str:
+        """What happens now, to be read from the cage."""
+        run = self._run
+        if run.state == "ended":
+            shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
+            return f"{shape} {run.status.partition(':')[0].capitalize()}"
+        words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
+        if run.state in words:
+            return words[run.state]
+        doing = self.tr("measuring {0}").format(run.segment) if run.segment else run.step.name if run.step else ""
+        left = run.step_left_s()
+        wait = "" if left is None else f" · {left:.0f} s"
+        return self.tr("Hands off · {0}{1}").format(doing, wait)
 
     def _show_left(self) -> None:
         run, left = self._run, self._run.left_s()

@@ -15,6 +15,7 @@ from labcal.gui.theme import GRID, STATES, Theme
 from labcal.gui.widgets import Card, button, flat, label, set_state
 
 DUE_DAYS = 365
+CAGE_DAYS = 30  # a cage calibration older than this is checked again
 MORNING = ("morning-check", "axes-check")  # the first that is installed
 
 
@@ -24,6 +25,7 @@ class StartPage(QWidget):
     def __init__(self, desk: Desk, theme: Theme) -> None:
         super().__init__()
         self._desk = desk
+        self._cage_check: dict[str, Any] | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -58,6 +60,7 @@ class StartPage(QWidget):
         """Ask again."""
         self._desk.ask("runs", self._runs_known)
         self._desk.ask("closing", self._closing_known)
+        self._desk.ask("cage_check", self._cage_known)
 
     def _hello_card(self) -> Card:
         card = Card()
@@ -129,6 +132,8 @@ class StartPage(QWidget):
     def _show_cage(self, cage: dict[str, Any]) -> None:
         if not cage:
             return self._say("cage", self.tr("not known"), self.tr("No bench is open."))
+        if self._cage_check is not None:
+            return self._show_cage_check(self._cage_check)
         if not cage["matrix_nT_per_A"]:
             words = self.tr("The bench file states coil constants only; run cage-calibration to measure the matrix.")
             return self._say("cage", self.tr("▲ not measured"), words, "warning")
@@ -137,6 +142,21 @@ class StartPage(QWidget):
             return self._say("cage", self.tr("✓ approved"), words, "good")
         words = self.tr("The bench file states a measured matrix, without a date; cage-calibration checks it.")
         return self._say("cage", self.tr("✓ measured"), words, "good")
+
+    def _cage_known(self, said: dict[str, Any] | None) -> None:
+        self._cage_check = said
+        self._show_cage(self._desk.facts.get("cage") or {})
+
+    def _show_cage_check(self, said: dict[str, Any]) -> None:
+        """What the last cage-calibration found, and how long ago."""
+        shape, state = STATES.get(said["verdict"], ("", ""))
+        days = (datetime.now(UTC) - datetime.fromisoformat(said["run"]["started_utc"].replace("Z", "+00:00"))).days
+        words = self.tr("Checked {0}, {1} days ago.").format(said["run"]["started_utc"][:10], days)
+        if (worst := said["measurement"]) is not None:
+            words += f"\n{worst['name']}: {number(worst['value'])} {worst['unit']} ({worst['limit']:g})"
+        if days > CAGE_DAYS:
+            return self._say("cage", self.tr("▲ due"), words, "warning")
+        return self._say("cage", f"{shape} {said['verdict']}", words, state)
 
     def _closing_known(self, said: dict[str, Any] | None) -> None:
         if said is None:
@@ -161,6 +181,8 @@ class StartPage(QWidget):
                 self.tr("Go on with  {0}").format(run_words(one)),
                 self.tr("After its last finished step; you are asked whether the mounting stands"),
             )
-            again.clicked.connect(lambda _=False, o=one: self._desk.resume(o["run_id"], o["procedure"]))
+            again.clicked.connect(
+                lambda _=False, o=one: self._desk.resume(o["run_id"], o["procedure"], o["dut_serial"])
+            )
             again.setEnabled(bool(self._desk.facts))
             self.interrupted.body.addWidget(again)

@@ -1,0 +1,158 @@
+"""Pictures of a fit as the three papers draw them: loci, magnitudes, residuals, their histogram, a filter's growth."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QStackedWidget
+
+from labcal.gui.plots import Loci, named_curves, plot
+from labcal.gui.study_plots import Residuals, faint
+from labcal.gui.theme import Theme
+from labcal.gui.widgets import Card, label
+from labcal.gui.wire import unpack
+
+Array = NDArray[np.float64]
+BINS = 60
+SIGMAS = 3.0  # the papers' bounds
+
+
+class FitViews(Card):
+    """One picture at a time, as large as there is room; `filter_wanted` asks for a filter's history."""
+
+    filter_wanted = Signal()
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._look: dict[str, Any] | None = None
+        self._said: dict[str, Any] | None = None
+        self.view, self.against, self.words = QComboBox(), QComboBox(), label("", "caption")
+        self.view.setToolTip(self.tr("The figures of the papers that the methods are from"))
+        self.view.setAccessibleName(self.tr("View"))
+        self.against.setToolTip(self.tr("What the residual is drawn against"))
+        self.against.setAccessibleName(self.tr("Against"))
+        row = QHBoxLayout()
+        row.addWidget(self.view)
+        row.addWidget(self.against)
+        row.addStretch()
+        row.addWidget(self.words)
+        self.body.addLayout(row)
+        self.faces = QStackedWidget()
+        self.body.addWidget(self.faces, 1)
+        self._make_faces()
+        self.view.activated.connect(self._chosen)
+        self.against.activated.connect(self._draw)
+        self._chosen()
+
+    def _make_faces(self) -> None:
+        theme = self._theme
+        self.loci, self.residual = Loci(theme, clouds=2), Residuals(theme, "residual of |b|  nT")
+        self.magnitude, self.histogram = (
+            plot(theme, "time  s", "|b|  nT"),
+            plot(theme, "residual of |b|  nT", "samples"),
+        )
+        self.growth = plot(theme, "time  s", "bias of the reading  nT")
+        for words, face in (
+            (self.tr("Loci on the sphere (Riwanto 2017, figs. 5, 7)"), self.loci),
+            (self.tr("Residual of the magnitude (Crassidis 2003, fig. 3)"), self.residual),
+            (self.tr("Magnitude and reference (Springmann 2011, figs. 2, 4)"), self.magnitude),
+            (self.tr("Histogram of the residual (Springmann 2011, fig. 7)"), self.histogram),
+            (self.tr("Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)"), self.growth),
+        ):
+            self.view.addItem(words)
+            self.faces.addWidget(face)
+
+    def show_fit(self, look: dict[str, Any] | None, method: str, said: dict[str, Any] | None) -> None:
+        """Draw what is known of a run (`look`) and of one method's answer (`said`)."""
+        self._look, self._method, self._said = look, method, said
+        names = list(look["against"]) if look else []
+        if [self.against.itemText(n) for n in range(self.against.count())] != names:
+            self.against.clear()
+            self.against.addItems(names)
+        self._draw()
+
+    def show_growth(self, method: str, said: dict[str, Any] | None) -> None:
+        """Draw a filter's history: estimates as lines, their bounds as bands of the same colour."""
+        self.growth.clear()
+        if said is None:
+            return
+        t, bias, u = unpack(said["t_s"]), unpack(said["bias_nT"]), unpack(said["u_nT"])
+        legend = self.growth.getPlotItem().legend or self.growth.addLegend(offset=(-8, 8))
+        legend.clear()
+        for axis, colour in enumerate(self._theme.axes):
+            upper, lower = (
+                pg.PlotCurveItem(t, bias[:, axis] + s * u[:, axis], pen=pg.mkPen(faint(colour, 120)))
+                for s in (SIGMAS, -SIGMAS)
+            )
+            for item in (upper, lower, pg.FillBetweenItem(upper, lower, brush=faint(colour, 50))):
+                self.growth.addItem(item)
+            name = f'<span style="color: {colour}">{method}  b{"xyz"[axis]}</span>'
+            self.growth.plot(t, bias[:, axis], pen=pg.mkPen(colour, width=2), name=name)
+        self.growth.autoRange()
+
+    def _chosen(self) -> None:
+        at = self.view.currentIndex()
+        self.faces.setCurrentIndex(at)
+        self.against.setVisible(self.faces.currentWidget() is self.residual)
+        words = (
+            self.tr("orange: as read   blue: calibrated   faint: behind the sphere"),
+            self.tr("band: the noise this method states, k=2"),
+            "",
+            self.tr("line: the noise this method states"),
+            self.tr("the ekf, or the filter that is chosen above"),
+        )
+        self.words.setText(words[at])
+        if self.faces.currentWidget() is self.growth:
+            self.filter_wanted.emit()
+        self._draw()
+
+    def _draw(self) -> None:
+        look, said = self._look, self._said
+        if look is None:
+            return
+        self.loci.show_field(unpack(look["before"]), 1)
+        fitted = said is not None and "residual" in said
+        self.loci.show_field(unpack(said["after"]) if said and fitted else np.empty((0, 3)), 0)
+        self._draw_magnitude(look, said if fitted else None)
+        if not (said and fitted):
+            self.histogram.clear()
+            self.residual.clear()
+            return
+        residual = unpack(said["residual"])
+        against = self.against.currentText()
+        cloud = (self._method, self._theme.accent, residual)
+        self.residual.show_residual(against, unpack(look["against"][against]), [cloud], said["noise_nT"])
+        self._draw_histogram(residual[np.isfinite(residual)], said["noise_nT"])
+
+    def _draw_magnitude(self, look: dict[str, Any], said: dict[str, Any] | None) -> None:
+        self.magnitude.clear()
+        against = {name.split("  ")[0]: unpack(values) for name, values in look["against"].items()}
+        curves = [(self.tr("as read"), self._theme.axis_x, np.linalg.norm(unpack(look["before"]), axis=1))]
+        if said is not None:
+            curves.append((self.tr("calibrated"), self._theme.accent, np.linalg.norm(unpack(said["after"]), axis=1)))
+        if "field" in against:
+            curves.append((self.tr("reference"), self._theme.text, against["field"]))
+        named_curves(self.magnitude, against["time"], curves)
+
+    def _draw_histogram(self, residual: Array, noise_nT: float | None) -> None:
+        self.histogram.clear()
+        if not len(residual):
+            return
+        counts, edges = np.histogram(residual, BINS)
+        bars = pg.BarGraphItem(
+            x0=edges[:-1], width=np.diff(edges), y0=0, height=counts, pen=None, brush=faint(self._theme.accent, 160)
+        )
+        self.histogram.addItem(bars)
+        if noise_nT:
+            x = np.linspace(edges[0], edges[-1], 301)
+            area = len(residual) * (edges[1] - edges[0])
+            gauss = area * np.exp(-0.5 * (x / noise_nT) ** 2) / (noise_nT * np.sqrt(2 * np.pi))
+            self.histogram.plot(x, gauss, pen=pg.mkPen(self._theme.text, width=2))
+        rms = float(np.sqrt(np.mean(residual**2)))
+        self.histogram.setTitle(self.tr("mean {0:+.1f} nT, rms {1:.1f} nT").format(float(residual.mean()), rms))
+        self.histogram.autoRange()

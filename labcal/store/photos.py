@@ -1,0 +1,35 @@
+"""Photographs beside the store: each under the SHA-256 of its bytes, so that a record can name it and prove it."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+from pathlib import Path
+
+from labcal.errors import InputError
+from labcal.files import write_bytes
+from labcal.home import home
+
+LARGEST_BYTES = 50 * 2**20
+KINDS = {b"\xff\xd8\xff": ".jpg", b"\x89PNG": ".png", b"RIFF": ".webp"}
+
+
+def keep_photo(path: Path) -> dict[str, str]:
+    """Copy the photograph at `path` beside the store; returns its name there and its SHA-256, for an event's data.
+
+    Raises InputError where it is no photograph, or larger than 50 MB.
+    """
+    try:
+        if path.stat().st_size > LARGEST_BYTES:
+            raise InputError("is larger than 50 MB", file=path)
+        content = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", file=path) from error
+    kind = next((kind for start, kind in KINDS.items() if content.startswith(start)), None)
+    if kind is None:
+        raise InputError("is no JPEG, PNG or WebP picture", file=path)
+    digest = sha256(content).hexdigest()
+    kept = home() / "photos" / f"{digest}{kind}"
+    if not kept.exists():
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        write_bytes(kept, content)
+    return {"photo": kept.name, "sha256": digest, "taken_from": path.name}

@@ -1,0 +1,156 @@
+"""Every state of a run: Stop, F12, a dying instrument and a dying worker, on a window without a process."""
+
+from dataclasses import asdict
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from labcal.gui.run_vm import Order
+from labcal.gui.wire import Fault, item_to_json
+from labcal.record import Segment
+from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+
+STEPS = ("zero", "x+20uT-nominal", "closing")
+SEGMENT = SegmentOpened(2.0, Segment("x+20uT-nominal", "rotation"))
+INTO = {
+    "starting": (),
+    "running": (Step(0.0, 1, 3, "zero", 60.0, STEPS, 20.0), Event(0.5, "set-point", "on", {"read_back_A": [1, 0, 0]})),
+    "measuring": (Step(0.0, 2, 3, "x+20uT-nominal", 60.0, STEPS, 20.0), SEGMENT),
+    "asking": (Step(0.0, 1, 3, "zero", 60.0, STEPS), Prompt(1.0, "mount-x", "Mount it.", ("done",), True)),
+    "asked for words": (Step(0.0, 1, 3, "zero", 60.0, STEPS), Prompt(1.0, "why", "Why?", ())),
+    "paused": (Step(0.0, 1, 3, "zero", 60.0, STEPS), Event(1.0, "pause", "paused, coils at zero", {})),
+}
+SILENT = Fault("instrument", "ref: no sample for 2.1 s.", "Coils go to zero; look at its power and its cable.", "trace")
+
+
+def send(window, *items):
+    window.desk.bench_worker.items.emit([item_to_json(item) for item in items])
+
+
+@pytest.fixture(params=INTO)
+def brought(request, still):
+    still.desk.run.start(Order("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    send(still, *INTO[request.param])
+    return still
+
+
+def end(window, status, fault=None):
+    said = {"run_id": "r1", "status": status, "fault": asdict(fault) if fault else None, "failed": []}
+    window.desk.bench_worker.answer("run", said)
+
+
+def test_stop_is_there_in_every_state_and_ends_in_order(qtbot, brought):
+    live, worker = brought.page("Run").live, brought.desk.bench_worker
+    qtbot.mouseClick(live.stop, Qt.MouseButton.LeftButton)
+    assert worker.said == [("stop", {})]
+    assert (brought.desk.run.state, live.prompt.isVisible()) == ("stopping", False)
+    send(brought, Event(5.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]}))
+    end(brought, "stopped")
+    assert (brought.desk.run.status, live.fault.isVisible(), live.close_run.isVisible()) == ("stopped", False, True)
+    assert brought.desk.lab.state.coils_at_zero is True
+
+
+def test_coils_off_is_heard_in_every_state(qtbot, brought):
+    qtbot.keyClick(brought, Qt.Key.Key_F12)
+    assert brought.desk.bench_worker.said == [("abort", {})]
+    assert brought.desk.run.state == "stopping"
+    assert brought.desk._force.isActive()
+    brought.desk._off_by_force()  # what happens where the run does not come to its end
+    assert brought.desk.bench_worker.killed == 1
+    assert brought.desk.switch.asked[-1][0] == "off"
+
+
+def test_a_run_that_comes_to_its_end_by_itself_leaves_nothing_behind_that_could_kill_the_next(qtbot, brought):
+    qtbot.keyClick(brought, Qt.Key.Key_F12)
+    end(brought, "failed: aborted by the operator")
+    assert not brought.desk._force.isActive()
+
+
+def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(brought):
+    live = brought.page("Run").live
+    end(brought, "failed: ref is silent", SILENT)
+    assert live.fault.isVisible()
+    assert (live.fault.text.text(), live.fault.remedy.text()) == (SILENT.text, SILENT.remedy)
+    assert not live.prompt.isVisible()
+    assert not live.fault.details.isVisible()
+    assert ("reference", "fault", "failed") not in brought.desk.lab.state.lights
+    assert not brought.desk.run.alive
+
+
+def test_a_worker_that_dies_in_any_state_is_a_card_and_another_one_switches_the_coils_off(brought):
+    (_, _, failed, _) = brought.desk.bench_worker.asked[-1]
+    failed(Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
+    assert brought.page("Run").live.fault.isVisible()
+    assert brought.desk.switch.asked[-1][0] == "off"
+
+
+def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
+    still.desk.coils_off()
+    _, _, failed, _ = still.desk.switch.asked[-1]
+    failed(Fault("instrument", "supply_x does not answer."))
+    assert still.desk.lab.state.coils_at_zero is None
+    assert "NOT confirmed" in still.fault.remedy.text()
+    assert still.fault.isVisible()
+
+
+def test_coils_off_without_a_run_asks_for_them_at_once(qtbot, still):
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    assert still.desk.switch.asked[-1][0] == "off"
+    still.desk.switch.answer("off", [{"axis": a, "current_A": 0.0, "words": "at zero", "ok": True} for a in "xyz"])
+    assert still.desk.lab.state.coils_at_zero is True
+
+
+def test_pause_and_go_on(qtbot, still):
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    send(still, *INTO["running"])
+    live, worker = still.page("Run").live, still.desk.bench_worker
+    qtbot.mouseClick(live.pause, Qt.MouseButton.LeftButton)
+    send(still, Event(1.0, "pause", "paused, coils at zero", {}))
+    assert live.pause.text() == "Go on"
+    qtbot.mouseClick(live.pause, Qt.MouseButton.LeftButton)
+    send(still, Event(2.0, "pause", "goes on", {}))
+    assert [word for word, _ in worker.said] == ["pause", "go on"]
+    assert still.desk.run.state == "running"
+
+
+def test_what_happens_can_be_read_from_the_cage(still):
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    live = still.page("Run").live
+    send(still, *INTO["measuring"])
+    t = np.array([6.0])
+    send(still, Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.ones((1, 3))))
+    live._draw()
+    assert live.headline.text() == "Hands off · measuring x+20uT-nominal · 14 s"
+    assert still.desk.lab.state.waiting == "hands off, measuring"
+
+
+def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_it_is_redone(still):
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    lights, name = still.page("Run").live.lights, "x+20uT-nominal"
+    send(still, *INTO["measuring"], SegmentClosed(20.0))
+    looks = (("missing sectors", 0.0, 0.0, 0.0), ("noise", 26.0, 1.0, 37.5), ("wrong signs", 0.0, 0.0, 0.0))
+    send(still, *(Measurement(20.5, f"{name}: {what}", v, u, "", limit) for what, v, u, limit in looks))
+    send(still, Measurement(21.0, "delay x", 0.9, 0.01, "s", 0.5))
+    send(still, Prompt(22.0, "mount-y", "Mount Y.", ("done", "redo x"), True))
+    assert lights.worst["x"].text() == "X  ✕ FAIL"
+    assert {look: shown.text()[0] for look, shown in lights.looks["x"].items()} == {
+        "coverage": "✓", "noise": "✓", "sign": "✓", "delay": "✕", "closure": "○",
+    }  # fmt: skip
+    assert lights.isVisible()
+    send(still, Event(23.0, "not-used", "lift moved", {"segments": [name], "reason": "lift moved"}))
+    assert lights.worst["x"].text() == "X  ○"
+    assert name not in still.desk.run.locus
+
+
+def test_a_note_and_a_photograph_go_into_the_record_at_any_moment(qtbot, brought):
+    live, worker = brought.page("Run").live, brought.desk.bench_worker
+    live.note.setText("lift moved")
+    live._note()
+    live.note.setText("how it stands")
+    live.keep_photo("/tmp/picture.jpg")
+    brought.desk.clerk.answer("photo", {"photo": "ab.jpg", "sha256": "ab"})
+    assert worker.said == [
+        ("note", {"text": "lift moved", "data": {}}),
+        ("note", {"text": "how it stands", "data": {"photo": "ab.jpg", "sha256": "ab"}}),
+    ]
