@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.observations import SCALAR
-from labcal.loop.bins import binned
-from labcal.loop.correlation import correlation_s, follows_itself
-from labcal.loop.decide import Cause, forward, looks, refined
+from labcal.loop.correlation import follows_itself
+from labcal.loop.decide import Cause
+from labcal.loop.evidence import AT_FLOOR, Contender, Evidence, search_of, weighed, without_outliers
 from labcal.loop.findings import findings
 from labcal.loop.floor import Floor, floor
-from labcal.loop.holdout import HeldOut, Plan, held_out, plan, rms
+from labcal.loop.holdout import held_out, plan, rms
 from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
 from labcal.loop.proposal import next_experiment, twins
 from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
-from labcal.loop.search import Candidate, Search, Weighed, expand
-from labcal.loop.setaside import at_rail, farness, outliers
+from labcal.loop.search import Search, Weighed
+from labcal.loop.setaside import at_rail
 from labcal.loop.shape import describe
 from labcal.loop.whiteness import tests as residual_tests
 from labcal.loop.words import in_doubt, summary, tested, why, why_not
@@ -30,17 +30,8 @@ from labcal.model.calibration import Rival
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
-SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
-SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
-SECOND_OF_NOISE = 0.25  # or this part of the noise's square
 GROSS = 10.0  # standard deviations: nearer rows may be a detail that an effect's shape lacks
 A_FEW = 3  # rows set aside before they are named as a cause
-AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
-CONTENDERS = 4  # rivals that are tried on held-out data
-RIVAL = 8.0  # nats: what comes closer does as well
-REFUSALS = 6  # causes refused on held-out data before the loop gives up
-SHORTLIST = 8  # causes that the folds choose from
 MOST_OUTLIERS = 0.05
 WHITE_AT_LEAST = 0.85  # of a declared noise; 0.5 of a measured one
 Progress = Callable[[str], None]
@@ -63,10 +54,10 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
 
 def searched(run: Run, problem: Problem, only: Cause | None = None) -> Search:
     """Every candidate, or the looks of one cause `only`, on the rows that do not lie."""
-    search = _search(problem, _lowest(run))
+    search = search_of(problem, _lowest(run))
     if only is not None:
         search = search.among([c for c in search.candidates if c.cause == only])
-    return _without_outliers(search)
+    return without_outliers(search)
 
 
 def doubted(run: Run, problem: Problem, level: Floor, stuck: int, finding: Finding) -> ClosedLoop:
@@ -74,106 +65,10 @@ def doubted(run: Run, problem: Problem, level: Floor, stuck: int, finding: Findi
     rows = np.ones(len(problem), dtype=bool)
     search = Search(problem, [], rows, _lowest(run), rows)
     blocks = plan(problem, 0.0)
-    honest = held_out(search, blocks, _always(()))
+    honest = held_out(search, blocks, lambda part: ())
     found = Evidence(search, (), (), (), honest, (), level, blocks, 0.0)
     base = refit(problem, [])
     return replace(_result(run, found, base, base, {"outliers": 0, "saturation": stuck}), **in_doubt(finding))
-
-
-def weighed(search: Search, level: Floor) -> Evidence:
-    """Choose effects, and refuse again those that do not help on data that the fit has not seen."""
-    refused: set[Cause] = set()
-    for _ in range(REFUSALS):
-        accepted, rankings = forward(search, refused=refused)
-        accepted = _preferred(search, accepted, refused)
-        blocks = plan(search.problem, correlation_s(search, accepted))
-        steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
-        idle = next((i for i in range(len(steps)) if not (_helps(steps[i]) and _adds(steps[: i + 1], level))), None)
-        if idle is None:
-            break
-        refused.add(accepted[idle].cause)
-        accepted, steps = accepted[:idle], steps[:idle]
-    shortlist = _shortlist(search, rankings)
-    while True:
-        honest = held_out(shortlist, blocks, _choice(len(accepted), refused))
-        if not accepted or _carries(honest, level):
-            break
-        accepted, steps = accepted[:-1], steps[:-1]
-    rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
-    far = farness(search.everywhere(accepted)[0], search.good)
-    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks, far)
-
-
-def _shortlist(search: Search, rankings: Sequence[Sequence[Weighed]]) -> Search:
-    """The search among the causes that came out best: what has no weight on all rows has none on four fifths."""
-    best = {w.candidate.cause for ranking in rankings for w in ranking[:SHORTLIST]}
-    return search.among([c for c in search.candidates if c.cause in best])
-
-
-def _choice(most: int, refused: Collection[Cause]) -> Callable[[Search], Sequence[Candidate]]:
-    return lambda part: forward(part, most, refused)[0]
-
-
-def _helps(step: HeldOut) -> bool:
-    """Whether an effect lowers the held-out error, its whole interval above zero."""
-    return step.improvement()[0] > 0
-
-
-def _adds(steps: Sequence[HeldOut], level: Floor) -> bool:
-    """Whether the last of some effects is more than a detail of those before it, on held-out data."""
-    fall, total = (step.before**2 - steps[-1].after ** 2 for step in (steps[-1], steps[0]))
-    return len(steps) == 1 or fall > min(SECOND * total, SECOND_OF_NOISE * level.nT**2)
-
-
-def _carries(honest: HeldOut, level: Floor) -> bool:
-    """Whether the effects carry most of what lies above the noise: less is no explanation, whatever its name."""
-    excess = honest.before**2 - level.nT**2
-    return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > SHARE_OF_EXCESS * excess
-
-
-def _search(problem: Problem, lowest: float) -> Search:
-    """Every candidate on all rows, or on bins of them where there are many."""
-    fewer = binned(problem)
-    rows, good = (np.ones(len(p), dtype=bool) for p in (fewer, problem))
-    return Search(fewer, expand(fewer), rows, lowest, good)
-
-
-def _without_outliers(search: Search) -> Search:
-    """The search on the rows that do not lie, once the effects that the others show are taken off."""
-    segment = search.whole.scene.segment
-    lying = outliers(search.whole.y, segment)
-    for _ in range(2):
-        here = search.without(lying)
-        accepted, _ = forward(here) if lying.any() else ([], [])
-        left, added = here.everywhere(accepted)
-        still = outliers(left, segment, added)
-        if bool((still == lying).all()):
-            break
-        lying = still
-    return search.without(lying)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Contender:
-    """A cause in the place of an accepted one, and the held-out rms that it reaches."""
-
-    weighed: Weighed
-    after_nT: float
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Evidence:
-    """All that the verdict rests on."""
-
-    search: Search
-    accepted: tuple[Candidate, ...]
-    rankings: tuple[list[Weighed], ...]
-    rivals: tuple[tuple[Contender, ...], ...]  # of each accepted effect, itself first
-    honest: HeldOut
-    steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
-    level: Floor
-    blocks: Plan
-    far: float  # how far the rows that were set aside typically lie, in standard deviations of the others
 
 
 def prepared(run: Run) -> tuple[Problem, Floor, int]:
@@ -191,59 +86,6 @@ def prepared(run: Run) -> tuple[Problem, Floor, int]:
 
 def _lowest(run: Run) -> float:
     return WHITE_AT_LEAST if run.dut.noise_nT else 0.5
-
-
-def _always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
-    return lambda part: accepted
-
-
-def _as_good(search: Search, blocks: Plan, accepted: Sequence[Candidate], chosen: Candidate) -> list[Contender]:
-    """`chosen`, and the causes that in its place do as well on held-out data too."""
-    out: list[Contender] = []
-    for w in _rivals(search, accepted, chosen)[: CONTENDERS + 1]:
-        mine = chosen if w.candidate.cause == chosen.cause else w.candidate
-        swapped = [mine if c is chosen else c for c in accepted]
-        after = held_out(search, blocks, _always(swapped)).after
-        if not out or after <= AS_GOOD * out[0].after_nT:
-            out.append(Contender(w, after))
-    return out
-
-
-def _preferred(search: Search, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
-    """Of causes that do as well, the one that can be computed from readings alone; a channel without physics last."""
-    for place, chosen in enumerate(accepted):
-        equals = [w for w in _rivals(search, accepted, chosen) if w.candidate.cause not in refused]
-        best = min(equals, key=lambda w: _standing(w.candidate))
-        if _standing(best.candidate) < _standing(chosen):
-            others = [c for c in accepted if c is not chosen]
-            accepted = [*accepted[:place], refined(search, best.candidate, others), *accepted[place + 1 :]]
-    return accepted
-
-
-def _standing(candidate: Candidate) -> tuple[int, int]:
-    """Low goes first: what readings alone can correct, then the rig's, then time's; the simpler before the richer."""
-    kind = 1 if candidate.family.id == "offset-channel" else 0
-    if candidate.family.bound_to_run:
-        kind = 3
-    elif candidate.family.belongs_to == "rig":
-        kind = 2
-    return kind, len(candidate.form.parameters)
-
-
-def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
-    """Other causes that would do as well in the place of `chosen`, it first."""
-    others = [c for c in accepted if c is not chosen]
-    open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
-    near = _near(search.rank([*open_to, chosen], others), chosen)
-    if search.problem.whole is not None and len(near) > 1:
-        near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen)
-    return near
-
-
-def _near(ranking: Sequence[Weighed], chosen: Candidate) -> list[Weighed]:
-    """`chosen`, and what weighs nearly as much."""
-    own = next(w for w in ranking if w.candidate.cause == chosen.cause)
-    return [own, *(w for w in ranking if w.candidate.cause != chosen.cause and w.weight > own.weight - RIVAL)]
 
 
 def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[str, int]) -> ClosedLoop:

@@ -12,7 +12,7 @@ from labcal.loop.search import Candidate
 from labcal.loop.words import name
 
 if TYPE_CHECKING:
-    from labcal.loop.close import Evidence
+    from labcal.loop.evidence import Evidence
 
 MENTIONED = 4  # experiments that the result ranks
 BY_SHAPE = {  # do, procedure

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,12 @@ class Refit:
     def effects(self, scene: Scene) -> Array | float:
         """Σ e (n, 3) [nT]."""
         return total(self.forms, self.beta, scene)
+
+    def uncorrected(self) -> Problem:
+        """The problem about the same map and phases with the effects still in its residual."""
+        here = self.problem
+        y = sum((here.columns(form) @ b for form, b in zip(self.forms, self.beta, strict=True)), here.y)
+        return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + self.effects(here.scene))
 
     def parameters(self) -> tuple[tuple[Parameter, ...], ...]:
         """The parameters of each effect with their standard uncertainties."""

@@ -88,12 +88,17 @@ def _points(form: Form) -> list[Form]:
 
 
 def periodic(problem: Problem, residual: Array) -> list[Candidate]:
-    """The periodic effect at the highest peaks of the residual's periodogram (n, q), against its neighbourhood."""
+    """The periodic effect at the highest peaks against their neighbourhood, for a residual (n, q).
+
+    What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
+    the turning of the field.
+    """
     family = next((f for f in families() if f.id == "periodic"), None)
     forms = family.candidates(problem.run) if family is not None else ()
     if family is None or not forms:
         return []
-    frequency, power = periodogram(problem.scene.t_s, residual)
+    offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
+    frequency, power = periodogram(problem.scene.t_s, offsets)
     t, segment = problem.scene.t_s, problem.scene.segment
     lengths = [float(np.ptp(t[segment == s])) for s in np.unique(segment)]
     low = CYCLES / max(float(np.median(lengths)), 1e-9)

@@ -10,7 +10,7 @@ from labcal.loop.result import Finding, NextExperiment, ResidualTest, Shape, Ver
 from labcal.loop.search import NAMED, Candidate, Weighed
 
 if TYPE_CHECKING:
-    from labcal.loop.close import Evidence
+    from labcal.loop.evidence import Evidence
 
 
 def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Shape | None = None) -> str:

@@ -1,0 +1,222 @@
+"""Which effects are accepted, what proves each on held-out data, and which others would do as well."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.bins import binned
+from labcal.loop.correlation import correlation_s
+from labcal.loop.decide import Cause, forward, looks, refined
+from labcal.loop.floor import Floor
+from labcal.loop.holdout import HeldOut, Plan, held_out, plan
+from labcal.loop.problem import Problem
+from labcal.loop.refit import refit
+from labcal.loop.search import Candidate, Search, Weighed, expand
+from labcal.loop.setaside import farness, outliers
+from labcal.model.effects.regressors import stretches
+
+Array = NDArray[np.float64]
+AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
+SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
+REMAINS = 0.03  # of what all effects took away: as much left is an unnamed process, not a drift, a step or a mode
+SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
+SECOND_OF_NOISE = 0.25  # or this part of the noise's square
+AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
+CONTENDERS = 4  # rivals that are tried on held-out data
+RIVAL = 8.0  # nats: what comes closer does as well
+REFUSALS = 6  # causes refused on held-out data before the loop gives up
+SHORTLIST = 8  # causes that the folds choose from
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contender:
+    """A cause in the place of an accepted one, and the held-out rms that it reaches."""
+
+    weighed: Weighed
+    after_nT: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """All that the verdict rests on."""
+
+    search: Search
+    accepted: tuple[Candidate, ...]
+    rankings: tuple[list[Weighed], ...]
+    rivals: tuple[tuple[Contender, ...], ...]  # of each accepted effect, itself first
+    honest: HeldOut
+    steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
+    level: Floor
+    blocks: Plan
+    far: float  # how far the rows that were set aside typically lie, in standard deviations of the others
+
+
+def weighed(search: Search, level: Floor) -> Evidence:
+    """Choose effects, and refuse again those that do not help on data that the fit has not seen."""
+    bare, search = search, settled(search)
+    refused: set[Cause] = set()
+    for _ in range(REFUSALS):
+        accepted, rankings = forward(search, refused=refused)
+        accepted = _preferred(search, accepted, refused)
+        blocks = plan(search.problem, correlation_s(search, accepted))
+        steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
+        idle = _idle(search, accepted, steps, level)
+        if idle is None:
+            break
+        refused.add(accepted[idle].cause)
+        accepted, steps = accepted[:idle], steps[:idle]
+    shortlist = _shortlist(search, rankings)
+    while True:
+        honest = held_out(shortlist, blocks, _choice(len(accepted), refused))
+        if not accepted or _carries(honest, level):
+            break
+        accepted, steps = accepted[:-1], steps[:-1]
+    if search is not bare and bool((search.good == bare.good).all()):
+        honest = replace(honest, before_nT=held_out(bare, blocks, _always(())).before_nT)
+    rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
+    far = farness(search.everywhere(accepted)[0], search.good)
+    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks, far)
+
+
+def settled(search: Search) -> Search:
+    """The search about the map that goes with the effects it finds, where the problem is not linear in the map.
+
+    A magnitude is not: fitted without a strong effect, K and k are so far off that what is left of them looks like an
+    effect of the field.
+    """
+    if search.problem.kind == "vector":
+        return search
+    accepted, _ = forward(search)
+    if not accepted:
+        return search
+    around = refit(search.whole, [c.form for c in accepted], search.good)
+    return without_outliers(search_of(around.uncorrected(), search.lowest))
+
+
+def _idle(search: Search, accepted: Sequence[Candidate], steps: Sequence[HeldOut], level: Floor) -> int | None:
+    """The first of the accepted effects that does not earn its name on held-out data; None where all do."""
+    for i, step in enumerate(steps):
+        if not (_helps(step) and _adds(steps[: i + 1], level)):
+            return i
+    vague = [i for i, c in enumerate(accepted) if _vague(search, c)]
+    return vague[-1] if vague and _remains(steps, level) else None
+
+
+def _vague(search: Search, chosen: Candidate) -> bool:
+    """Whether any slow process, or a jump at each change of segment, would have some of the effect's shape."""
+    if chosen.family.id == "offset-mode":
+        mode, segment = search.whole.run.mode, search.whole.scene.segment
+        return all(bool((mode[part] == mode[part][0]).all()) for part in stretches(segment))
+    return chosen.family.bound_to_run and chosen.family.id != "periodic"
+
+
+def _remains(steps: Sequence[HeldOut], level: Floor) -> bool:
+    """Whether what is left after all effects is a good part of what they took away, and more than noise."""
+    before, after = steps[0].before, steps[-1].after
+    return after > AT_FLOOR * level.nT and after**2 - level.nT**2 > REMAINS * (before**2 - after**2)
+
+
+def _shortlist(search: Search, rankings: Sequence[Sequence[Weighed]]) -> Search:
+    """The search among the causes that came out best: what has no weight on all rows has none on four fifths."""
+    best = {w.candidate.cause for ranking in rankings for w in ranking[:SHORTLIST]}
+    return search.among([c for c in search.candidates if c.cause in best])
+
+
+def _choice(most: int, refused: Collection[Cause]) -> Callable[[Search], Sequence[Candidate]]:
+    return lambda part: forward(part, most, refused)[0]
+
+
+def _helps(step: HeldOut) -> bool:
+    """Whether an effect lowers the held-out error, its whole interval above zero."""
+    return step.improvement()[0] > 0
+
+
+def _adds(steps: Sequence[HeldOut], level: Floor) -> bool:
+    """Whether the last of some effects is more than a detail of those before it, on held-out data."""
+    fall, total = (step.before**2 - steps[-1].after ** 2 for step in (steps[-1], steps[0]))
+    return len(steps) == 1 or fall > min(SECOND * total, SECOND_OF_NOISE * level.nT**2)
+
+
+def _carries(honest: HeldOut, level: Floor) -> bool:
+    """Whether the effects carry most of what lies above the noise: less is no explanation, whatever its name."""
+    excess = honest.before**2 - level.nT**2
+    return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > SHARE_OF_EXCESS * excess
+
+
+def search_of(problem: Problem, lowest: float) -> Search:
+    """Every candidate on all rows, or on bins of them where there are many."""
+    fewer = binned(problem)
+    rows, good = (np.ones(len(p), dtype=bool) for p in (fewer, problem))
+    return Search(fewer, expand(fewer), rows, lowest, good)
+
+
+def without_outliers(search: Search) -> Search:
+    """The search on the rows that do not lie, once the effects that the others show are taken off."""
+    segment = search.whole.scene.segment
+    lying = outliers(search.whole.y, segment)
+    for _ in range(2):
+        here = search.without(lying)
+        accepted, _ = forward(here) if lying.any() else ([], [])
+        left, added = here.everywhere(accepted)
+        still = outliers(left, segment, added)
+        if bool((still == lying).all()):
+            break
+        lying = still
+    return search.without(lying)
+
+
+def _always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
+    return lambda part: accepted
+
+
+def _as_good(search: Search, blocks: Plan, accepted: Sequence[Candidate], chosen: Candidate) -> list[Contender]:
+    """`chosen`, and the causes that in its place do as well on held-out data too."""
+    out: list[Contender] = []
+    for w in _rivals(search, accepted, chosen)[: CONTENDERS + 1]:
+        mine = chosen if w.candidate.cause == chosen.cause else w.candidate
+        swapped = [mine if c is chosen else c for c in accepted]
+        after = held_out(search, blocks, _always(swapped)).after
+        if not out or after <= AS_GOOD * out[0].after_nT:
+            out.append(Contender(w, after))
+    return out
+
+
+def _preferred(search: Search, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
+    """Of causes that do as well, the one that can be computed from readings alone; a channel without physics last."""
+    for place, chosen in enumerate(accepted):
+        equals = [w for w in _rivals(search, accepted, chosen) if w.candidate.cause not in refused]
+        best = min(equals, key=lambda w: _standing(w.candidate))
+        if _standing(best.candidate) < _standing(chosen):
+            others = [c for c in accepted if c is not chosen]
+            accepted = [*accepted[:place], refined(search, best.candidate, others), *accepted[place + 1 :]]
+    return accepted
+
+
+def _standing(candidate: Candidate) -> tuple[int, int]:
+    """Low goes first: what readings alone can correct, then the rig's, then time's; the simpler before the richer."""
+    kind = 1 if candidate.family.id == "offset-channel" else 0
+    if candidate.family.bound_to_run:
+        kind = 3
+    elif candidate.family.belongs_to == "rig":
+        kind = 2
+    return kind, len(candidate.form.parameters)
+
+
+def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
+    """Other causes that would do as well in the place of `chosen`, it first."""
+    others = [c for c in accepted if c is not chosen]
+    open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
+    near = _near(search.rank([*open_to, chosen], others), chosen)
+    if search.problem.whole is not None and len(near) > 1:
+        near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen)
+    return near
+
+
+def _near(ranking: Sequence[Weighed], chosen: Candidate) -> list[Weighed]:
+    """`chosen`, and what weighs nearly as much."""
+    own = next(w for w in ranking if w.candidate.cause == chosen.cause)
+    return [own, *(w for w in ranking if w.candidate.cause != chosen.cause and w.weight > own.weight - RIVAL)]
