@@ -192,9 +192,9 @@ def _rival(contender: Contender) -> Rival:
 
 def _p_value(weighed: Weighed, tried: int) -> float:
     """Chi-squared of the likelihood ratio, times the looks taken (Bonferroni)."""
-    from scipy.stats import chi2
+    from scipy.special import chdtrc
 
-    return float(min(1.0, tried * chi2.sf(2 * max(weighed.gain, 0.0), max(weighed.rank, 1))))
+    return float(min(1.0, tried * chdtrc(max(weighed.rank, 1), 2 * max(weighed.gain, 0.0))))
 
 
 def _of_the_data(aside: dict[str, int], problem: Problem, verdict: Verdict, far: float) -> list[EffectRecord]:

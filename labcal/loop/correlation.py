@@ -25,7 +25,7 @@ def correlation_s(search: Search, accepted: Sequence[Candidate]) -> float:
 
 def follows_itself(search: Search, accepted: Sequence[Candidate]) -> bool:
     """Whether the residual correlates with its past rows in a segment (Ljung & Box, Biometrika 65, 1978)."""
-    from scipy.stats import chi2
+    from scipy.special import chdtrc
 
     left = search.everywhere(accepted)[0] * search.good[:, None]
     segment, size = search.whole.scene.segment, left.size
@@ -34,4 +34,4 @@ def follows_itself(search: Search, accepted: Sequence[Candidate]) -> bool:
         within = segment[lag:] == segment[:-lag]
         correlation = float(np.sum(left[lag:][within] * left[:-lag][within])) / total
         statistic += size * (size + 2) * correlation**2 / (size - lag)
-    return bool(chi2.sf(statistic, LAGS) < CHANCE)
+    return bool(chdtrc(LAGS, statistic) < CHANCE)

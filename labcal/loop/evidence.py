@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -63,6 +63,7 @@ def weighed(search: Search, level: Floor) -> Evidence:
         accepted, rankings = forward(search, refused=refused)
         accepted = _preferred(search, accepted, refused)
         blocks = plan(search.problem, correlation_s(search, accepted))
+        accepted = _plainer(search, blocks, accepted)
         steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
         idle = _idle(search, accepted, steps, level)
         if idle is None:
@@ -194,6 +195,28 @@ def _preferred(search: Search, accepted: list[Candidate], refused: Collection[Ca
             others = [c for c in accepted if c is not chosen]
             accepted = [*accepted[:place], refined(search, best.candidate, others), *accepted[place + 1 :]]
     return accepted
+
+
+def _plainer(search: Search, blocks: Plan, accepted: list[Candidate]) -> list[Candidate]:
+    """Each cause in its simplest look that is not worse on held-out data: a detail that fits the run alone misleads."""
+    for place, chosen in enumerate(accepted):
+        others = [c for c in accepted if c is not chosen]
+        for look in _simpler(search, chosen, others):
+            simple = [*accepted[:place], look, *accepted[place + 1 :]]
+            richer = held_out(search, blocks, _always(accepted), simple)
+            if richer.before <= AS_GOOD * richer.after or not _helps(richer):
+                accepted = simple
+                break
+    return accepted
+
+
+def _simpler(search: Search, chosen: Candidate, others: Sequence[Candidate]) -> Iterator[Candidate]:
+    """The best look of the same cause of each smaller size, the smallest first."""
+    kin = [c for c in search.candidates if c.cause == chosen.cause and c.size < chosen.size]
+    stage = search.stage(others)
+    for size in sorted({c.size for c in kin}):
+        best = max((search.weigh(c, stage) for c in kin if c.size == size), key=lambda w: w.weight)
+        yield refined(search, best.candidate, others)
 
 
 def _standing(candidate: Candidate) -> tuple[int, int]:

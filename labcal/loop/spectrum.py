@@ -115,17 +115,23 @@ class Stage:
     def beside(self, X: Array, least: float = 1e-4) -> tuple[Likelihood, int]:
         """The likelihood with the transformed columns X (n, q, p) too, and how many directions they add."""
         X = X / np.maximum(np.sqrt(np.sum(X**2, axis=(0, 1))), 1e-300)
-        total = _weighted(X, np.concatenate([self.columns, X, self.y], axis=2), self.bands)
         b, p = self.columns.shape[2], X.shape[2]
-        cross, own, pull = total[:, :, :b], total[:, :, b : b + p], total[:, :, -1]
+        bands = _grams(X, np.concatenate([self.columns, X, self.y], axis=2), self.bands)
+        new = self._directions(bands.sum(axis=0), least)
+        total = np.tensordot(1.0 / self.bands.spectra, np.einsum("pk,bpr->bkr", new, bands), axes=1)
+        cross, own, pull = total[:, :, :b], total[:, :, b : b + p] @ new, total[:, :, -1]
         schur = own - cross @ self.inverse @ np.swapaxes(cross, 1, 2)
-        pull = pull - np.einsum("tpb,tb->tp", cross, self.solved)
-        values, vectors = np.linalg.eigh(schur)
-        usable = values > least * np.trace(own, axis1=1, axis2=2)[:, None] / p
-        along = np.einsum("tpk,tp->tk", vectors, pull)
-        drop = np.sum(np.where(usable, along**2 / np.where(usable, values, 1.0), 0.0), axis=1)
+        pull = (pull - np.einsum("tkb,tb->tk", cross, self.solved))[:, :, None]
+        drop = np.sum(pull * np.linalg.solve(schur, pull), axis=(1, 2))
         rss = np.maximum(self.rss - drop, 1e-300)
-        return _best(rss, self.y.size, self.y.shape[1], self.bands, self.lowest), int(usable[0].sum())
+        return _best(rss, self.y.size, self.y.shape[1], self.bands, self.lowest), new.shape[1]
+
+    def _directions(self, total: Array, least: float) -> Array:
+        """Combinations (p, k) of columns of which more than `least` of the square is new, for white noise."""
+        b, p = self.columns.shape[2], len(total)
+        cross, own = total[:, :b], total[:, b : b + p]
+        values, vectors = np.linalg.eigh(own - cross @ self.inverse[0] @ cross.T)
+        return np.asarray(vectors[:, values > least * np.trace(own) / p])
 
 
 RIDGE = 1e-12
@@ -133,13 +139,17 @@ RIDGE = 1e-12
 
 def _weighted(left: Array, right: Array, bands: Bands) -> Array:
     """Gram matrices (tried, p, r) under every spectrum."""
-    gram = np.stack(
+    return np.asarray(np.tensordot(1.0 / bands.spectra, _grams(left, right, bands), axes=1))
+
+
+def _grams(left: Array, right: Array, bands: Bands) -> Array:
+    """Gram matrices (bands, p, r)."""
+    return np.stack(
         [
             left[a:b].reshape(-1, left.shape[2]).T @ right[a:b].reshape(-1, right.shape[2])
             for a, b in itertools.pairwise(bands.edges)
         ]
     )
-    return np.asarray(np.tensordot(1.0 / bands.spectra, gram, axes=1))
 
 
 def _best(rss: Array, size: int, q: int, bands: Bands, lowest: float) -> Likelihood:

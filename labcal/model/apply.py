@@ -13,6 +13,7 @@ from labcal.errors import InputError
 from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load
+from labcal.model.effects.following import behind
 from labcal.model.wary import outliers, saturated
 
 Array = NDArray[np.float64]
@@ -61,8 +62,7 @@ def needed_columns(calibration: Calibration) -> tuple[str, ...]:
 
 def remembers(effect: Fitted) -> bool:
     """Whether a row's effect depends on the rows before it."""
-    timed = any(shape.name == "tau_s" for shape in effect.form.shape) and not effect.family.bound_to_run
-    return timed or effect.family.id in REMEMBERING
+    return (behind(effect.form) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
 
 
 def apply(calibration: Calibration, readings: Readings) -> Applied:

@@ -5,33 +5,28 @@ Springmann & Cutler 2011, (7): the bias varies as S i(t). Eddy currents and filt
 
 from __future__ import annotations
 
+from labcal.model.effects.following import late, prompt, responding, several
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
-from labcal.model.effects.regressors import low_passed, middle, moving, on_each_axis, per_axis
+from labcal.model.effects.regressors import moving
 from labcal.record import Run
 
 TAU_S = (1.0, 3.0, 10.0, 30.0)
+SEVERAL_S = (0, 3, 12, 50)  # a response that no single time constant describes
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = c (i * h)(t), h a first-order response of time constant tau_s."""
-    drive = form.drive(scene)
-    return on_each_axis(low_passed(scene.t_s, scene.segment, drive, form.at("tau_s")) if form.shape else drive)
+    """E = c (i * h)(t), h a first-order response of time constant tau_s, or a sum of several (`c12s_x`: of 12 s)."""
+    return responding(form, scene)
 
 
 def candidates(run: Run) -> list[Form]:
-    """Each current that moves, prompt and filtered."""
-    found = []
-    for c in moving(run, ("current",)):
-        prompt = Form(kernel, per_axis("c", f"nT/{c.unit}"), (c.name,), {c.name: middle(c)})
-        late = Form(
-            kernel,
-            prompt.parameters,
-            prompt.channels,
-            prompt.reference_value,
-            (Shape("tau_s", 3.0, "s", TAU_S),),
-        )
-        found += [prompt, late]
-    return found
+    """Each current that moves: prompt, filtered, and with several time constants."""
+    tau = Shape("tau_s", 3.0, "s", TAU_S)
+    return [
+        form
+        for c in moving(run, ("current",))
+        for form in (prompt(c, kernel), late(c, kernel, tau), several(c, kernel, SEVERAL_S))
+    ]
 
 
 FAMILY = Family(

@@ -1,30 +1,41 @@
-"""Sensor offset that follows temperature, at once or behind it by a thermal time constant."""
+"""Sensor offset that follows temperature, straight or curved, at once or behind it by thermal time constants."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+
+from labcal.model.effects.following import late, prompt, responding, several
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
-from labcal.model.effects.regressors import low_passed, middle, moving, on_each_axis, per_axis
+from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
 
 TAU_S = (30.0, 100.0, 300.0)
+SEVERAL_S = (0, 60, 300)  # a housing and what is inside it
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = c (T − T_ref), T through a first-order response of time constant tau_s."""
-    drive = form.drive(scene)
-    return on_each_axis(low_passed(scene.t_s, scene.segment, drive, form.at("tau_s")) if form.shape else drive)
+    """E = c (T − T_ref) + d (T − T_ref)², T through a first-order response of time constant tau_s, or of several."""
+    if not any(name.startswith("d_") for name, _ in form.parameters):
+        return responding(form, scene)
+    T = low_passed(scene.t_s, scene.segment, form.drive(scene), form.at("tau_s") if form.shape else 0.0)
+    return np.concatenate([on_each_axis(T), on_each_axis(T**2)], axis=2)
 
 
 def candidates(run: Run) -> list[Form]:
-    """Each temperature that moves, prompt and behind."""
+    """Each temperature that moves: prompt, behind, with several time constants, and curved."""
+    tau = Shape("tau_s", 100.0, "s", TAU_S)
     found = []
     for c in moving(run, ("temperature",)):
-        prompt = Form(kernel, per_axis("c", f"nT/{c.unit}"), (c.name,), {c.name: middle(c)})
-        behind = Form(
-            kernel, prompt.parameters, prompt.channels, prompt.reference_value, (Shape("tau_s", 100.0, "s", TAU_S),)
-        )
-        found += [prompt, behind]
+        straight = (prompt(c, kernel), late(c, kernel, tau))
+        found += [*straight, several(c, kernel, SEVERAL_S), *map(_curved, straight)]
     return found
+
+
+def _curved(form: Form) -> Form:
+    unit = form.parameters[0][1].removeprefix("nT/")
+    return replace(form, parameters=(*form.parameters, *per_axis("d", f"nT/{unit}^2")))
 
 
 FAMILY = Family(

@@ -92,16 +92,22 @@ def _slope(t: Array, x: Array, tau_s: float) -> float:
 
 def shifted(t_s: Array, segment: NDArray[np.intp], values: Array, by_s: float) -> Array:
     """`values` (n, ...) at t + by_s, a cubic through the neighbours in the same segment; held slope beyond its ends."""
-    from scipy.interpolate import CubicHermiteSpline
-
     out = np.array(values, dtype=float)
     for rows in stretches(segment):
         t, v = t_s[rows], values[rows]
-        if len(t) < 3 or not np.all(np.diff(t) > 0):
-            continue
-        slope = np.gradient(v, t, axis=0)
-        inside = np.clip(t + by_s, t[0], t[-1])
-        beyond = (t + by_s - inside).reshape(-1, *[1] * (v.ndim - 1))
-        spline = CubicHermiteSpline(t, v, slope, axis=0)
-        out[rows] = spline(inside) + beyond * spline(inside, 1)
+        if len(t) > 2 and np.all(np.diff(t) > 0):
+            out[rows] = _cubic(t, v, t + by_s)
     return out
+
+
+def _cubic(t: Array, v: Array, at: Array) -> Array:
+    """Hermite's cubic through v (n, ...) at t, with the slopes of neighbours, at other times (n,)."""
+    slope = np.gradient(v, t, axis=0)
+    inside = np.clip(at, t[0], t[-1])
+    left = np.clip(np.searchsorted(t, inside, side="right") - 1, 0, len(t) - 2)
+    column = (slice(None), *[None] * (v.ndim - 1))
+    step, beyond = (t[left + 1] - t[left])[column], (at - inside)[column]
+    u = ((inside - t[left]) / (t[left + 1] - t[left]))[column]
+    ends = (1 + 2 * u) * (1 - u) ** 2 * v[left] + u**2 * (3 - 2 * u) * v[left + 1]
+    slopes = u * (1 - u) * ((1 - u) * slope[left] - u * slope[left + 1])
+    return np.asarray(ends + step * slopes + beyond * np.where(beyond < 0, slope[0], slope[-1]))
