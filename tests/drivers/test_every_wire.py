@@ -259,3 +259,31 @@ def test_a_current_out_of_range_sends_nothing(name: str, amps: float) -> None:
 def test_a_move_out_of_range_sends_nothing(name: str, angle_deg: float, rate: float) -> None:
     with scripted(DRIVERS[name], []) as stage, pytest.raises(LimitError, match="nothing was sent"):
         BenchPlatform(stage, PlatformConfig(), DutLimits()).move_to(angle_deg, rate)
+
+
+LISTENING = ("ccsds", "csv-line", "lemi-025", "pmag", "rm3100", "text-line")
+
+
+@pytest.mark.parametrize("name", LISTENING)
+@pytest.mark.parametrize("noise", [b"", b"\xff\x00\xc0\n" * 50])
+def test_a_listener_that_hears_nothing_or_noise_is_silent(name: str, noise: bytes) -> None:
+    with scripted(DRIVERS[name], []) as listener:
+        listener._link.give_back(0.0, noise)
+        with pytest.raises(InstrumentError) as caught:
+            listener.identify()
+    assert caught.value.fault == "silent"
+    assert caught.value.remedy
+
+
+@pytest.mark.parametrize("name", LISTENING)
+def test_a_listener_says_nothing_and_names_a_pulled_plug(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def lost(until_s: float) -> None:
+        raise InstrumentError("the link is lost", fault="link lost")
+
+    with scripted(DRIVERS[name], []) as listener:
+        for act in (listener.start, listener.stop, listener.make_safe):
+            act()
+        monkeypatch.setattr(listener._link, "receive", lost)
+        with pytest.raises(InstrumentError) as caught:
+            listener.read_until(1.0)
+    assert caught.value.fault == "link lost"

@@ -55,7 +55,9 @@ class WiredLink:
     def __init__(self, url: str, clock: Clock) -> None:
         self.url, self._clock = url, clock
         self._options, self._address = _split(url)
-        self._gap_s = float(self._options.get("gap_ms", "0")) / 1000
+        if not (gap_ms := self._options.get("gap_ms", "0")).isdigit():
+            raise InputError(f"link {url!r}: gap_ms={gap_ms} is no number of milliseconds")
+        self._gap_s = int(gap_ms) / 1000
         self.never = DenyList()
         self._echo = Echo(url) if self._options.get("echo") == "1" else None
         self._arrived: list[tuple[float, bytes]] = []
@@ -77,7 +79,7 @@ class WiredLink:
             self._port = _open(self.url, self._address, self._options)
         except (OSError, ValueError) as error:
             self.close()
-            raise self._lost(error) from error
+            raise self._lost(error) if isinstance(error, OSError) else self._wrong(error) from error
 
     def send(self, data: bytes) -> None:
         """Put bytes on the line."""
@@ -140,6 +142,9 @@ class WiredLink:
             raise self._lost(self._failure)
         return self._port
 
+    def _wrong(self, error: ValueError) -> InputError:
+        return error if isinstance(error, InputError) else InputError(f"link {self.url!r}: {error}")
+
     def _lost(self, error: Exception | None) -> InstrumentError:
         why = f" ({error})" if error else ""
         if isinstance(error, OSError) and error.errno in BUSY:
@@ -156,7 +161,9 @@ class SerialPort:
     """Any port that pyserial opens by URL."""
 
     def __init__(self, address: str, options: dict[str, str]) -> None:
-        baud = int(options.get("baud", "9600"))
+        if not (rate := options.get("baud", "9600")).isdigit() or not int(rate):
+            raise ValueError(f"baud={rate} is no baud rate")
+        baud = int(rate)
         self._port = serial.serial_for_url(
             address,
             baudrate=baud,
