@@ -21,7 +21,7 @@ class Settings:
     compliance_V: float = 20.0
     zero_current_A: float = 0.005
     ramp_A_per_s: float = 4.0
-    gap_s: float = 0.02
+    gap_s: float = 0.05
     timeout_s: float = 1.5
 
 

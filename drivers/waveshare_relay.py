@@ -9,18 +9,22 @@ from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
-VERSION = 0x8000
+VERSION, CONTROL_MODE = 0x8000, 0x1000  # control mode: of relay 0; 0 obeys this line alone
 GAP_S = 0.2  # between commands
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """Which relay (0…31) reverses which axis; an axis without one is not reversed. Relay off is polarity +1."""
+    """Which relay (0…31) reverses which axis; an axis without one is not reversed. Relay off is polarity +1.
+
+    `inputs`: a (D) board, whose digital inputs could move its relays: each must be set to obey this line alone.
+    """
 
     x: int | None = None
     y: int | None = None
     z: int | None = None
     address: int = 1
+    inputs: bool = False
 
 
 class WaveshareRelay:
@@ -45,6 +49,8 @@ class WaveshareRelay:
             raise InstrumentError(
                 f"{self.name}: firmware version register reads {version}, not 200 or more.", fault="another instrument"
             )
+        if self.settings.inputs:
+            self._refuse_inputs()
         return Identity("Waveshare", "Modbus RTU Relay", f"address {self.settings.address}", f"V{version / 100:.2f}")
 
     def reverses(self, axis: str) -> bool:
@@ -73,6 +79,17 @@ class WaveshareRelay:
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()
+
+    def _refuse_inputs(self) -> None:
+        for axis in filter(self.reverses, "xyz"):
+            self._wait()
+            relay = getattr(self.settings, axis)
+            if mode := self._link.read_holding(self.settings.address, CONTROL_MODE + relay, 1)[0]:
+                raise InstrumentError(
+                    f"{self.name}: an input of the board can move relay {relay}: its control mode is {mode}.",
+                    fault="wrong set-up",
+                    remedy="Set its control mode to normal (0) with the maker's program.",
+                )
 
     def _wait(self) -> None:
         self._clock.wait_until(self._free_s)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
+import re
 from datetime import UTC, datetime
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -112,6 +113,16 @@ def supply(request: pytest.FixtureRequest) -> Rig:
 def test_every_driver_has_an_emulator_and_a_forbidden_message_that_is_tried() -> None:
     assert set(DRIVERS) == set(EMULATORS)
     assert set(DRIVERS) == set(FORBIDDEN)
+
+
+def test_every_driver_stands_in_the_docs_and_every_supply_says_whether_it_has_a_watchdog() -> None:
+    docs = Path(__file__).parents[2] / "docs"
+    named = re.findall(r"^\|( `.*?) \|", (docs / "bench.md").read_text(), re.MULTILINE)
+    assert set(DRIVERS) <= set(re.findall(r"`([\w-]+)`", " ".join(named)))
+    watchdogs = (docs / "instruments.md").read_text().partition("## A supply's own watchdog")[2]
+    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA"}
+    for name in (n for n, entry in DRIVERS.items() if "coil" in entry.load().roles):
+        assert makers.get(name, name.split("-")[0].title()) in watchdogs, name
 
 
 def test_it_says_who_it_is(rig: Rig) -> None:

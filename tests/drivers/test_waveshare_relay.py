@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from frames import read
 
 from drivers.waveshare_relay import WaveshareRelay
 from labcal.bench.testing import SILENT, scripted
@@ -37,3 +38,15 @@ def test_an_old_firmware_is_another_instrument() -> None:
     ):
         relay.identify()
     assert caught.value.fault == "another instrument"
+
+
+@pytest.mark.parametrize(("mode", "fine"), [(0, True), (1, False)])
+def test_a_board_whose_inputs_move_its_relays_is_refused(mode: int, fine: bool) -> None:
+    wire = [read("0103 8000 0001", [200]), read("0103 1000 0001", [0]), read("0103 1002 0001", [mode])]
+    with scripted(WaveshareRelay, wire, x=0, z=2, inputs=True) as relay:
+        if fine:
+            assert relay.identify().firmware == "V2.00"
+            return
+        with pytest.raises(InstrumentError, match="relay 2") as caught:
+            relay.identify()
+    assert caught.value.fault == "wrong set-up"
