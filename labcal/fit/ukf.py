@@ -26,6 +26,7 @@ ALPHA, BETA = 0.1, 2.0  # the paper's, below (48)
 SPREAD = ALPHA * sqrt(3)  # γ = √(L + λ) with κ = 3 − L, (35) and (36): the same for nine and twelve states
 WEIGHT = 1 / (2 * SPREAD**2)  # (39c)
 OF_E = 3 + PLACE  # where E's elements stand in the state
+BOTH_WAYS = SPREAD * np.concatenate([np.eye(9), -np.eye(9)])
 EYE = np.eye(3)
 
 
@@ -65,23 +66,23 @@ def step_augmented(
 
 def factor(covariance: Array) -> Array:
     """The Cholesky factor; raises ArithmeticError where a covariance is no longer positive definite."""
-    root, fault = dpotrf(covariance, lower=1, clean=1)
+    root, fault = dpotrf(covariance, 1, 1)
     if fault:
         raise ArithmeticError("the filter's covariance is no longer positive definite")
     return np.asarray(root)
 
 
 def spread(x: Array, P: Array, at: Terms) -> tuple[Array, Array, Array]:
-    """γ√P (9, 9), and of ζ at the sigma points (33), (43) the differences ζ₊ − ζ₋ (9,) and the rises ζ₊ + ζ₋ − 2 ζ(0).
+    """√P (9, 9), and of ζ at the sigma points (33), (43) the differences ζ₊ − ζ₋ (9,) and the rises ζ₊ + ζ₋ − 2 ζ(0).
 
-    ζ₊ stands for x + a column of γ√P, ζ₋ for x − it.
+    ζ₊ stands for x + γ times a column of √P, ζ₋ for x − it.
     """
-    root = SPREAD * factor(P)
-    points = np.concatenate([x + root.T, x - root.T])
+    root = factor(P)
+    points = BOTH_WAYS @ root.T + x
     c = points[:, :3, None]
-    square = np.add.reduce(np.linalg.solve(EYE + points.take(OF_E, axis=1), c) * c, axis=(1, 2))
+    square = (c.swapaxes(1, 2) @ np.linalg.solve(EYE + points.take(OF_E, axis=1), c)).ravel()
     plus, minus = square[:9], square[9:]
-    return root, np.array(at.regressor) @ (2 * root) + minus - plus, 2 * at.square - plus - minus
+    return root, 2 * SPREAD * (np.array(at.regressor) @ root) + (minus - plus), 2 * at.square - (plus + minus)
 
 
 def moments_of(odd: Array, even: Array) -> tuple[float, float]:
@@ -93,9 +94,9 @@ def moments_of(odd: Array, even: Array) -> tuple[float, float]:
 def update(
     x: Array, P: Array, at: Terms, difference: Array, expected: float, mean: float
 ) -> tuple[Array, Array, float]:
-    """(29) to (31) with P^xz = WEIGHT `difference`, then the noise that L shares with v."""
+    """(29) to (31) with P^xz = γ WEIGHT `difference`, then the noise that L shares with v."""
     innovation = at.innovation - mean
-    half = difference * (WEIGHT / sqrt(expected))
+    half = difference * (SPREAD * WEIGHT / sqrt(expected))
     P = P - half[:, None] * half
     x = x + half * (innovation / sqrt(expected)) - P @ np.array(shared_gradient(at)) / at.variance
     return x, P, innovation * innovation / expected

@@ -39,6 +39,7 @@ def normalised(method, field, seed, noise=25.0):
 @pytest.mark.parametrize("method", METHODS)
 def test_intervals_hold_the_truth_as_often_as_they_say(method, field):
     held = np.array([np.abs(normalised(method, field, seed)) < 1.96 for seed in range(500)])
+    print(method, held.mean().round(4), "each", held.mean(axis=0).min(), "to", held.mean(axis=0).max())
     assert 0.93 <= held.mean() <= 0.97
     assert np.all((held.mean(axis=0) >= 0.916) & (held.mean(axis=0) <= 0.978))
 
