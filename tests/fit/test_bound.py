@@ -59,3 +59,21 @@ def test_squared_error_is_within_five_percent_of_the_bound(bench, offers: str) -
     assert 0.93 < holds.mean() < 0.97
     assert holds.mean(axis=0).min() > 0.916
     assert holds.mean(axis=0).max() < 0.978
+
+
+@pytest.mark.slow
+def test_magnitudes_of_noisy_readings_hardly_bias_the_answer(bench) -> None:
+    """Noise makes a reading longer by σ²/|b|; uncorrected, at 2000 nT that is two uncertainties of the scale."""
+    seeds, errors, squares = 60, {}, {}
+    for noise in (25.0, 2000.0):
+        run, true, b = bench(offers="scalar", K=SYMMETRIC, noise_nT=noise)
+        keep = INDEPENDENT[9]
+        size = np.sqrt(np.diag(cramer_rao(run, true, b, Noise(noise))))[keep]
+        runs = [bench(offers="scalar", seed=seed, K=SYMMETRIC, noise_nT=noise)[0] for seed in range(seeds)]
+        z = np.array([(ml(one).affine.parameters - true.parameters)[keep] / size for one in runs])
+        errors[noise], squares[noise] = z.mean(axis=0), np.mean(z**2)
+    uncorrected = 2000.0 * np.sqrt(len(b) * np.mean(1 / np.sum(b**2, axis=1)))
+    print("shift", np.abs(errors[2000.0] - errors[25.0]).max(), "uncorrected", uncorrected, "error/bound", squares)
+    assert uncorrected > 2
+    assert np.abs(errors[2000.0] - errors[25.0]).max() < 0.3  # the same draws
+    assert squares[2000.0] < squares[25.0] + 0.1

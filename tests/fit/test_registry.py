@@ -1,8 +1,11 @@
+import made_up_runs as lab
 import numpy as np
 import pytest
 
 from labcal.errors import InputError
 from labcal.fit import METHODS, fit
+from labcal.fit.pso_axis import Options
+from labcal.fit.swarm import SwarmSettings
 from labcal.record import Dut, Reference, Run, Segment
 
 
@@ -24,6 +27,16 @@ def empty_run() -> Run:
 def test_a_method_that_does_not_exist_is_named_with_those_that_do() -> None:
     with pytest.raises(InputError, match=r"no method 'magic'.*twostep"):
         fit(empty_run(), "magic")
+
+
+def test_options_reach_the_method() -> None:
+    run = lab.run_of(lab.tumbling(1, 400), 1)
+    plain, field = fit(run, holdout=False), fit(run, holdout=False, white_in="field")
+    assert not np.array_equal(plain.affine.K, field.affine.K)
+    short = Options(SwarmSettings(iterations=5), polish=False)
+    one, other = (fit(run, "pso-scalar", holdout=False, options=short, seed=seed) for seed in (0, 3))
+    assert one.covariance is None
+    assert not np.array_equal(one.affine.K, other.affine.K)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.linalg import sqrtm
 
 from labcal import session
 from labcal.errors import InputError, LimitNotMet
@@ -47,6 +49,13 @@ def test_a_fit_of_the_record_finds_the_truth_of_the_twin(bench_file: BenchFile) 
     for field in 5e4 * np.vstack([np.eye(3), -np.eye(3)]):
         reading = (R @ field + truth.bias_nT) / truth.nT_per_unit
         assert fit.affine.apply(reading) == pytest.approx(field, abs=25.0)
+    with Store.open() as store:
+        notes = [i.text for i in store.items(outcome.run_id) if isinstance(i, Event) and "offsets so far" in i.text]
+    assert notes[0] == "offsets so far: not yet determined by the turns made"
+    root = sqrtm(np.linalg.inv(R @ R.T)).real  # K of the magnitudes, from readings in nT
+    said = re.findall(r"[xyz] (-?\d+) ± (\d+)", notes[-1])
+    for true, (value, expanded) in zip(root @ truth.bias_nT, said, strict=True):
+        assert float(value) == pytest.approx(true, abs=2 * float(expanded) + 1)
 
 
 def test_the_zero_the_checks_the_rate_and_the_closure_stand_in_the_record(bench_file: BenchFile) -> None:

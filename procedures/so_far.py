@@ -1,0 +1,42 @@
+"""What a procedure knows of the DUT while it still turns: the extended filter, fed with every turn's magnitudes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labcal.bench.bench import Bench
+from labcal.bench.samples import samples
+from labcal.bench.steps import Blocks, Work, dut_nT
+from labcal.fit.ekf import EKF
+from labcal.record.stream import Event
+
+NOISE_NT = 100.0  # of one axis, where none is stated; the filter's start finds its own
+
+
+class SoFar:
+    """The offsets of the DUT from the turns that it has made."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self.forget()
+
+    def forget(self) -> None:
+        """Begin again, where turns are not to be used."""
+        self._filter = EKF((self._bench.config.dut.noise_nT or NOISE_NT) ** 2 * np.eye(3))
+
+    def take(self, blocks: Blocks) -> Work[None]:
+        """Feed one turn in a steady field, reading by reading, and say what is known since."""
+        magnitude = float(np.linalg.norm(samples(blocks, "reference").mean))
+        for reading in dut_nT(self._bench, blocks).values:
+            self._filter.update(reading, magnitude)
+        yield Event(self._bench.clock.now(), "note", self._sentence())
+
+    def _sentence(self) -> str:
+        if why := self._filter.diverged():
+            return f"offsets so far: {why}"
+        if not self._filter.started:
+            return "offsets so far: not yet determined by the turns made"
+        found = self._filter.estimate()
+        u = np.sqrt(np.diag(found.covariance)[:3])
+        each = (f"{axis} {b:.0f} ± {2 * s:.0f}" for axis, b, s in zip("xyz", found.bias, u, strict=True))
+        return f"offsets so far, from magnitudes alone: {', '.join(each)} nT (k = 2)"
