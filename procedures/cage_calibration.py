@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 AT_DUT = (0.0, 0.0, 0.0)
 READS = 4  # of the currents at each step
 SPREAD = 0.04  # of each step: no two alike, so that what a supply's last digit hides differs every time
+LOWEST = 0.1  # of the largest current: what a supply lets through at zero, its read-back does not show
 GOLDEN = 0.6180339887498949
 
 
@@ -33,7 +34,7 @@ class Rung:
 
     fraction: float
     rising: bool
-    sign: int  # of the polarity relay, also where no current flows
+    sign: int  # of the polarity relay
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,9 +86,9 @@ def cage_calibration(
 
 
 def ladder(steps: int) -> list[Rung]:
-    """Up, down and up again from zero in the one polarity, then in the other: the contacts switch once, at zero."""
+    """Up, down and up again in the one polarity, then in the other: the contacts switch once, at zero."""
     up = [n / steps for n in range(1, steps + 1)]
-    once = [*((f, True) for f in up), *((f, False) for f in (*reversed(up[:-1]), 0.0)), *((f, True) for f in up)]
+    once = [*((f, True) for f in up), *((f, False) for f in (*reversed(up[:-1]), LOWEST)), *((f, True) for f in up)]
     spread = (1 - SPREAD * (n * GOLDEN % 1) for n in range(2 * len(once)))
     return [Rung(sign * f * next(spread), rising, sign) for sign in (1, -1) for f, rising in once]
 

@@ -41,6 +41,10 @@ class Answers:
             if reply := self._answer(self._free_s, line.decode("ascii", "replace").strip()):
                 self._waiting.append((self._free_s, reply))
 
+    def due_s(self) -> float:
+        """When its next reply is on the line; 0 where none is on its way."""
+        return self._waiting[0][0] if self._waiting else 0.0
+
     def emit(self, until_s: float) -> Pieces:
         """Replies that are due."""
         due = [piece for piece in self._waiting if piece[0] <= until_s]

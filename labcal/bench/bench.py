@@ -8,10 +8,10 @@ from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import Literal, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from labcal.bench.cage import Cage
 from labcal.bench.cage_file import Place
@@ -34,7 +34,7 @@ from labcal.bench.roles import (
 from labcal.bench.samples import merged
 from labcal.bench.watch import FieldLimit, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
-from labcal.record.stream import Block, Event
+from labcal.record.stream import Block, Event, Stream
 
 COIL_POLL_S = 1.0
 SEE_S = 0.2  # of the reference, and at least one sample
@@ -97,6 +97,7 @@ class Bench:
         if isinstance(platform, BenchPlatform):
             platform.bring_back = partial(bring_back, partial(self.reconnect, platform.name), clock)
         self._pending: list[Block] = []
+        self._polled: dict[tuple[Stream, str, tuple[str, ...]], list[tuple[float, ...]]] = {}  # rows of t_s and values
         self._watches: list[StreamWatch] = []
         self._limits: list[TemperatureLimit] = []
         self._field_limit = self._limit_of_the_field_seen()
@@ -150,8 +151,9 @@ class Bench:
     def stream_until(self, t_s: float) -> list[Block]:
         """Everything that arrived up to `t_s` on the bench's clock, in blocks at their own stamps; waits for it."""
         self._wait_until(t_s)
-        arrived, self._pending = self._pending, []
-        return merged(arrived)
+        arrived, polled = self._pending, self._polled
+        self._pending, self._polled = [], {}
+        return merged(arrived) + [_block(*what, rows) for what, rows in polled.items()]
 
     def events(self) -> list[Event]:
         """What the streams lost since this was asked last: gaps, wrong checksums, broken frames, their line."""
@@ -265,18 +267,22 @@ class Bench:
         t = self.clock.now()
         angle, moving = self.platform.state()
         if self.by_hand is None or not moving:  # hands tell no angle before they are taken off
-            self._keep("angle", self.platform.name, ("angle_deg",), t, [angle])
-        self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, [float(moving and self.by_hand is None)])
+            self._keep("angle", self.platform.name, ("angle_deg",), t, angle)
+        self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, float(moving and self.by_hand is None))
 
     def _poll_coils(self) -> None:
         t, currents = self.clock.now(), self.cage.currents_A()
         signs = np.where(np.signbit(currents), -1.0, 1.0)
         values = np.column_stack([currents, signs]).ravel()
-        self._keep("channel", "cage", tuple(c.name for c in COIL_CHANNELS), t, values)
+        self._keep("channel", "cage", tuple(c.name for c in COIL_CHANNELS), t, *values.tolist())
 
-    def _keep(self, stream: Any, source: str, columns: tuple[str, ...], t_s: float, values: ArrayLike) -> None:
-        row = np.asarray(values, dtype=float)[None, :]
-        self._pending.append(Block(stream, source, columns, np.array([t_s]), row))
+    def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:
+        self._polled.setdefault((stream, source, columns), []).append((t_s, *values))
+
+
+def _block(stream: Stream, source: str, columns: tuple[str, ...], rows: list[tuple[float, ...]]) -> Block:
+    table = np.array(rows, dtype=float)
+    return Block(stream, source, columns, table[:, 0], table[:, 1:])
 
 
 def temperatures_of(dut: DutStream, role: str) -> tuple[str, ...]:

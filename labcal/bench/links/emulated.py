@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
-from labcal.bench.clock import Clock
+from labcal.bench.clock import Clock, VirtualClock
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
-from labcal.bench.links.line import read_reply
+from labcal.bench.links.line import ASK_STEP_S, read_reply
 
 
 class Emulator(Protocol):
@@ -22,6 +22,15 @@ class Emulator(Protocol):
         ...
 
 
+@runtime_checkable
+class Foresees(Emulator, Protocol):
+    """An emulator that knows when its next reply is on the line."""
+
+    def due_s(self) -> float:
+        """That time; one in the past where none is on its way."""
+        ...
+
+
 class EmulatedLink:
     """A line whose other end is an emulator in this process: only the wire is exchanged, never the driver."""
 
@@ -29,6 +38,7 @@ class EmulatedLink:
 
     def __init__(self, url: str, emulator: Emulator, clock: Clock) -> None:
         self.url, self._emulator, self._clock = url, emulator, clock
+        self._foresees = emulator if isinstance(emulator, Foresees) and isinstance(clock, VirtualClock) else None
         self.never = DenyList()
         self._echo = Echo(url) if "echo=1" in url else None
         self._arrived: list[tuple[float, bytes]] = []
@@ -51,7 +61,16 @@ class EmulatedLink:
         """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
         if request:
             self.send(request)
+        self._wait_for_the_reply(timeout_s)
         return read_reply(self, self._clock, end=end, timeout_s=timeout_s)
+
+    def _wait_for_the_reply(self, timeout_s: float) -> None:
+        """On a virtual clock straight to the step in which the reply is due: nobody looks at the line before."""
+        if self._foresees is None:
+            return
+        now = self._clock.now()
+        steps = int((min(self._foresees.due_s(), now + timeout_s) - now) / ASK_STEP_S)
+        self._clock.wait_until(now + steps * ASK_STEP_S)
 
     def reopen(self) -> None:
         """It cannot be lost."""
