@@ -8,25 +8,28 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from labcal.errors import InputError
+
 
 @contextmanager
 def replacing(path: Path, mode: int | None = None) -> Iterator[Path]:
     """Give a temporary path beside `path`; on success it is flushed to disk and takes the name, else it goes.
 
-    `mode` is the file's permissions (0o600 for a secret); by default the umask decides.
+    `mode` is the file's permissions (0o600 for a secret); by default the umask decides. Raises InputError where
+    `path` is a folder or a device, which no file may replace, or lies in no folder.
     """
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
-    os.close(handle)
-    part = Path(name)
+    part = _beside(path)
     try:
         yield part
         with part.open("rb+") as written:
             os.fsync(written.fileno())
         os.chmod(part, 0o666 & ~_umask() if mode is None else mode)
         part.replace(path)
-    except BaseException:
+    except BaseException as error:
         with suppress(FileNotFoundError):
             part.unlink()
+        if isinstance(error, OSError) and error.filename in (None, str(part)):
+            error.filename = str(path)  # the person named this one
         raise
 
 
@@ -39,6 +42,17 @@ def write_bytes(path: Path, content: bytes, mode: int | None = None) -> None:
 def write_text(path: Path, content: str) -> None:
     """Write `content` to `path` as UTF-8 with LF line ends, whole or not at all."""
     write_bytes(path, content.encode())
+
+
+def _beside(path: Path) -> Path:
+    """An empty file of a new name in the folder of `path`."""
+    if path.exists() and not path.is_file():
+        raise InputError("is a folder or a device; name a file", file=path)
+    if not path.parent.is_dir():
+        raise InputError("its folder does not exist", file=path)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:60]}.", suffix=".part")
+    os.close(handle)
+    return Path(name)
 
 
 def _umask() -> int:

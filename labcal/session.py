@@ -297,12 +297,13 @@ def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | Non
     found = load_calibration(calibration)
     if dut is not None and dut != found.dut.serial:
         raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
+    certificate.check_effects(found, calibration)
     return certificate.apply_file(found, source, out)
 
 
 def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:
     """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`."""
-    if Path(source).is_file() and source.lower().endswith(".json"):
+    if certificate.looks_like_calibration(Path(source)):
         return _report_calibration(Path(source), out, allowed_signers)
     bundle = run_bundle(source)
     run = bundle.run()

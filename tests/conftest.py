@@ -6,8 +6,13 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+# A property fails for what it says, never for how busy the machine is, and tries the same examples everywhere.
+settings.register_profile("labcal", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("labcal")
 
 
 @pytest.fixture(scope="session")

@@ -2,8 +2,13 @@
 
 from labcal.certificate import keys
 from labcal.certificate.allowed_signers import Signer, read_allowed_signers
-from labcal.certificate.apply_file import apply_file
-from labcal.certificate.calibration_file import calibration_bytes, parse_calibration, read_calibration
+from labcal.certificate.apply_file import apply_file, check_effects
+from labcal.certificate.calibration_file import (
+    calibration_bytes,
+    looks_like_calibration,
+    parse_calibration,
+    read_calibration,
+)
 from labcal.certificate.keys import Entry
 from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, signature_files, verify
 
@@ -15,7 +20,9 @@ __all__ = [
     "apply_file",
     "approve",
     "calibration_bytes",
+    "check_effects",
     "keys",
+    "looks_like_calibration",
     "parse_calibration",
     "read_allowed_signers",
     "read_calibration",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from pathlib import Path
 
 import numpy as np
@@ -10,20 +11,33 @@ from labcal.errors import InputError
 from labcal.files import write_text
 from labcal.model import Calibration
 from labcal.model.apply import Applied, Readings, apply, needed_columns, temperature_channel
+from labcal.model.effects import load_shipped
 from labcal.store.table import Table, read_table, require_increasing
 
 READING = ("dut_x", "dut_y", "dut_z")
 ADDED = ("b_x", "b_y", "b_z", "u_nT", "flag")
 
 
+def check_effects(calibration: Calibration, file: Path) -> None:
+    """Raise InputError that names the place in `file` where an effect is not whole, or no installed package has it."""
+    for number, record in enumerate(calibration.effects):
+        try:
+            load_shipped(record)
+        except InputError as error:
+            raise InputError(f"effects[{number}]: {error.what}", file=file) from None
+
+
 def apply_file(calibration: Calibration, source: Path, out: Path) -> Applied:
     """Write `source` with b_x, b_y, b_z, u_nT and flag added to `out`, whole or not at all (contract: `apply`).
 
     Raises InputError with file, line and column for a missing column, a cell that is no number, or a time that does
-    not grow where an effect remembers.
+    not grow where an effect remembers; and where `out` is `source` itself, which is a record.
     """
+    if out.exists() and out.samefile(source):
+        raise InputError("is the recording itself; write what is corrected to another file", file=out)
     table = _table(calibration, source)
-    applied = apply(calibration, _readings(table))
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is left empty
+        applied = apply(calibration, _readings(table))
     write_text(out, "\n".join([f"{table.header_line},{','.join(ADDED)}", *_rows(table, applied)]) + "\n")
     return applied
 
@@ -31,7 +45,7 @@ def apply_file(calibration: Calibration, source: Path, out: Path) -> Applied:
 def _table(calibration: Calibration, source: Path) -> Table:
     needed = needed_columns(calibration)
     texts = ("segment", "mode")
-    wanted = {"t_s", *READING, *(n for n in needed if n not in texts)}
+    wanted = {*READING, *(n for n in needed if n not in texts)}
     wanted |= {name for name in (temperature_channel(calibration, {"temp_dut": np.array([])}),) if name}
     table = read_table(source.read_bytes(), file=source, numbers=wanted, texts=texts, required=(*READING, *needed))
     for name in ADDED:
@@ -51,5 +65,5 @@ def _readings(table: Table) -> Readings:
 
 def _rows(table: Table, applied: Applied) -> list[str]:
     numbers = np.column_stack([applied.field_nT, applied.u_nT]).tolist()
-    cells = (",".join(f"{v:.3f}" if v == v else "" for v in row) for row in numbers)
+    cells = (",".join(f"{v:.3f}" if isfinite(v) else "" for v in row) for row in numbers)
     return [f"{line},{new},{flag}" for line, new, flag in zip(table.lines, cells, applied.flags, strict=True)]

@@ -7,7 +7,6 @@ reader that skips it would still call the file valid. A new meaning is a new `fo
 from __future__ import annotations
 
 import json
-import re
 import stat
 from collections.abc import Mapping
 from datetime import date
@@ -22,13 +21,12 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.calibration import Rival
+from labcal.plain import plain
 from labcal.record import Dut
 
 FORMAT: Literal["labcal-calibration/1"] = "labcal-calibration/1"
 LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
 WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other
-# What a terminal obeys, what turns the direction of reading, and what XML or UTF-8 cannot write.
-_CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]")
 ROUNDING = 1e-6  # of a covariance scaled to unit variances
 
 
@@ -58,19 +56,13 @@ def _covariance(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...],
     return rows
 
 
-def _plain(text: str) -> str:
-    if found := _CONTROL.search(text):
-        raise ValueError(f"holds the control character U+{ord(found[0]):04X}")
-    return text
-
-
 def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
     if len(set(names)) < len(names):
         raise ValueError("names one thing twice")
     return names
 
 
-Text = Annotated[str, Field(max_length=10_000), AfterValidator(_plain)]
+Text = Annotated[str, Field(max_length=10_000), AfterValidator(plain)]
 Name = Annotated[Text, Field(min_length=1)]
 Names = Annotated[tuple[Name, ...], AfterValidator(_distinct)]
 Span = Annotated[tuple[float, float], AfterValidator(_range)]
@@ -78,7 +70,7 @@ Row = tuple[float, float, float]
 CovarianceRow = Annotated[tuple[float, ...], Field(min_length=12, max_length=12)]
 Covariance = Annotated[tuple[CovarianceRow, ...], Field(min_length=12, max_length=12), AfterValidator(_covariance)]
 Sha256 = Annotated[str, Field(pattern=r"\A[0-9a-f]{64}\z")]
-Uncertainty = Annotated[float, Field(ge=0)]
+Uncertainty = Annotated[float, Field(ge=0, le=1e100)]  # its square is a number too
 
 
 class _Part(BaseModel):
@@ -128,8 +120,8 @@ class _Validity(_Part):
 
 
 class _Metrics(_Part):
-    before: dict[Name, float]
-    after: dict[Name, float]
+    before: dict[Name, Uncertainty]
+    after: dict[Name, Uncertainty]
 
 
 def _of_the_sensor(effects: tuple[_Effect, ...]) -> tuple[_Effect, ...]:
@@ -195,6 +187,14 @@ def calibration_bytes(calibration: Calibration) -> bytes:
     except ValidationError as error:
         raise InputError(_first_fault(error), file="calibration to be written") from None
     return rfc8785.dumps(stated.model_dump(mode="json"))
+
+
+def looks_like_calibration(path: Path) -> bool:
+    """Whether `path` is a file that begins as a calibration does, or is called .json; a bundle is neither."""
+    if not path.is_file():
+        return False
+    with path.open("rb") as source:
+        return source.read(1) == b"{" or path.suffix.lower() == ".json"
 
 
 def read_limited(path: Path, largest: int) -> bytes:

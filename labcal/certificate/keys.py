@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import os
 import stat
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -34,14 +35,20 @@ class Entry:
 
 
 def new_key(home: Path, name: str, passphrase: str) -> Signer:
-    """Make an Ed25519 key for `name`, lock it with `passphrase`, and trust it. Raises InputError."""
+    """Make an Ed25519 key for `name`, lock it with `passphrase`, and trust it. Raises InputError.
+
+    A key takes the place of a revoked one of the same person, and of no other.
+    """
     _check_name(name)
     if not passphrase:
         raise InputError("the passphrase is empty; nothing was made")
-    path = _private(home, name)
-    if path.exists():
-        raise InputError(f"{name} has a key already; a second one would replace it", file=path)
-    if any(signer.principal == name for signer in trusted(home)):
+    path, known, gone = _private(home, name), trusted(home), revoked(home)
+    _check_spelling(name, known, trust_list(home))
+    keys = {signer.key for signer in known if signer.principal == name}
+    if path.exists() and not (keys and keys <= gone):
+        told = f"{name} has a key already; a second one would replace it (`labcal keys revoke {name}` where it is lost)"
+        raise InputError(told, file=path)
+    if keys - gone:
         raise InputError(f"{name} is trusted already with a key made elsewhere", file=trust_list(home))
     key = Ed25519PrivateKey.generate()
     signer = own_line(name, public_key_blob(key.public_key()))
@@ -80,21 +87,21 @@ def trust(home: Path, file: Path) -> tuple[Signer, ...]:
     Raises InputError: a line that is not one person's Ed25519 key for calibrations, or a key that is another
     person's already (two names for one key would let one person sign twice).
     """
-    known = list(trusted(home))
-    new: list[Signer] = []
-    for stated in read_allowed_signers(file):
+    known, new = list(trusted(home)), list[Signer]()
+    if not (lines := read_allowed_signers(file)):
+        raise InputError("holds nobody's key", file=file)
+    for stated in lines:
         try:
             signer = to_trust(stated)
             _check_name(signer.principal)
         except ValueError as error:
             raise InputError(str(error), file=file) from None
+        _check_spelling(signer.principal, known, file)
         if owner := next((s.principal for s in known if s.key == signer.key and s.principal != signer.principal), None):
             raise InputError(f"the key of {signer.principal} is {owner}'s already", file=file)
         if signer not in known:
             known.append(signer)
             new.append(signer)
-    if not known:
-        raise InputError("holds nobody's key", file=file)
     _add(home, new)
     return tuple(new)
 
@@ -137,6 +144,13 @@ def _check_name(name: str) -> None:
         raise InputError(str(error)) from None
     if name.lower() == SIMULATED:
         raise InputError(f"the name {SIMULATED!r} is kept for keys of simulated runs")
+
+
+def _check_spelling(name: str, known: Iterable[Signer], file: Path) -> None:
+    """Refuse a name that another person's differs from by capitals alone: it would pass one person off as two."""
+    for other in known:
+        if other.principal != name and other.principal.lower() == name.lower():
+            raise InputError(f"{name} and {other.principal}, who is trusted, differ by capitals alone", file=file)
 
 
 def _private(home: Path, name: str) -> Path:

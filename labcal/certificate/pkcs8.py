@@ -35,7 +35,7 @@ def locked(key: Ed25519PrivateKey, passphrase: str) -> bytes:
     """The PEM text of `key`, readable with `passphrase` alone."""
     salt, iv = os.urandom(16), os.urandom(16)
     plain = key.private_bytes(Encoding.DER, PrivateFormat.PKCS8, NoEncryption())
-    derived = PBKDF2HMAC(hashes.SHA256(), 32, salt, ROUNDS).derive(passphrase.encode())
+    derived = PBKDF2HMAC(hashes.SHA256(), 32, salt, ROUNDS).derive(_bytes(passphrase))
     derivation = _sequence(_PBKDF2, _sequence(_octets(salt), _integer(ROUNDS), _sequence(_HMAC_SHA256)))
     scheme = _sequence(_PBES2, _sequence(derivation, _sequence(_AES256_CBC, _octets(iv))))
     return _pem(_sequence(scheme, _octets(_encrypted(plain, derived, iv))))
@@ -46,12 +46,17 @@ def unlocked(pem: bytes, passphrase: str) -> Ed25519PrivateKey:
     if b"-----BEGIN ENCRYPTED PRIVATE KEY-----" not in pem:
         raise ValueError("is not an encrypted private key (PKCS#8)")
     try:
-        key = load_pem_private_key(pem, passphrase.encode())
+        key = load_pem_private_key(pem, _bytes(passphrase))
     except Exception as error:  # its parser raises of many kinds for a wrong passphrase and for damage alike
         raise ValueError("does not open: the passphrase is wrong or the file is damaged") from error
     if not isinstance(key, Ed25519PrivateKey):
         raise ValueError("is not an Ed25519 key")
     return key
+
+
+def _bytes(passphrase: str) -> bytes:
+    """UTF-8; bytes of the environment that are none pass as they are."""
+    return passphrase.encode(errors="surrogateescape")
 
 
 def _encrypted(plain: bytes, key: bytes, iv: bytes) -> bytes:

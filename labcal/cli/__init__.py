@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from io import TextIOWrapper
 from typing import Any, cast
 
 import typer
@@ -45,6 +46,9 @@ app = typer.Typer(
 
 def main() -> None:
     """Run the command line; every fault ends in one sentence and its exit code (contract: commands)."""
+    for stream in (sys.stdout, sys.stderr):  # whatever the system's own encoding: JSON is UTF-8
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     sys.exit(_run(sys.argv[1:]))
 
 
@@ -52,11 +56,10 @@ def _run(arguments: list[str]) -> int:
     import labcal.cli.commands  # noqa: F401  registers every command on `app`
 
     try:
-        code = app(arguments, standalone_mode=False)
+        code = app(arguments, prog_name="labcal", standalone_mode=False)
         return code if isinstance(code, int) else DONE
     except UsageFault as error:
-        error.show()
-        return WRONG_INPUT
+        return _say_usage(error)
     except (KeyboardInterrupt, typer.Abort, Stopped):
         return _say("stopped", STOPPED)
     except LimitNotMet as error:
@@ -65,6 +68,8 @@ def _run(arguments: list[str]) -> int:
         return _say(str(error), INSTRUMENT_FAILED)
     except InputError as error:
         return _say(str(error), WRONG_INPUT)
+    except UnicodeError as error:
+        return _say(f"a text here is no UTF-8 ({error.reason if hasattr(error, 'reason') else error})", WRONG_INPUT)
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         return _say(f"{place}{error.strerror or error}", WRONG_INPUT)
@@ -76,17 +81,26 @@ def _report_of(error: Exception) -> str:
     """Keep the details of a fault of ours in a file, and say what happened and where they are."""
     from traceback import format_exception
 
-    from labcal.files import write_text
+    from labcal.files import write_bytes
     from labcal.home import home
 
     what = f"a fault of labcal's own: {type(error).__name__}: {error}"
     report = home() / "last-fault.txt"
     try:
         report.parent.mkdir(parents=True, exist_ok=True)
-        write_text(report, f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}")
+        told = f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}"
+        write_bytes(report, told.encode(errors="backslashreplace"))
     except OSError:
         return what
     return f"{what}; please report it with the file {report}"
+
+
+def _say_usage(error: typer.BadParameter) -> int:
+    """A wrong word on the command line in one sentence; a group without a command shows its help."""
+    told = error.format_message().strip().removesuffix(".").replace("Value error, ", "")
+    if not told:  # the help stands there already
+        return WRONG_INPUT
+    return _say(f"{told}; see `{error.ctx.command_path if error.ctx else 'labcal'} --help`", WRONG_INPUT)
 
 
 def _say(sentence: str, code: int) -> int:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
-from labcal.model.effects import Fitted, Scene, load
+from labcal.model.effects import Fitted, Scene, load_shipped
 from labcal.model.effects.following import behind
 from labcal.model.wary import outliers, saturated
 
@@ -50,7 +50,7 @@ class Applied:
 def needed_columns(calibration: Calibration) -> tuple[str, ...]:
     """Columns beside the reading without which the calibration's effects cannot be computed."""
     names = dict.fromkeys(name for record in calibration.effects for name in record.channels)
-    for effect in map(load, calibration.effects):
+    for effect in map(load_shipped, calibration.effects):
         if effect.family.bound_to_run or remembers(effect):
             names["t_s"] = None
         if remembers(effect):
@@ -69,7 +69,8 @@ def apply(calibration: Calibration, readings: Readings) -> Applied:
     """B = K m − k − Σ e_i of the sensor's effects, for every row (contract: calibration, `apply`).
 
     u_nT is the root mean square over the components of: covariance of K and k, noise of the reading through K, each
-    effect's parameters, and what is left out. Raises InputError where a needed column is missing.
+    effect's parameters, and what is left out. Raises InputError where a needed column is missing, or an effect of
+    the file is not whole.
     """
     have = {*readings.channels, *(n for n in ("t_s", "segment", "mode") if getattr(readings, n) is not None)}
     for name in needed_columns(calibration):
@@ -127,7 +128,7 @@ def _effect(
     calibration: Calibration, record: EffectRecord, readings: Readings, field_nT: Array, flags: dict[str, Mask]
 ) -> tuple[Array, Array]:
     """One effect and its variance (n, 3) each; where it cannot be known it is nought, and its size is uncertainty."""
-    effect = load(record)
+    effect = load_shipped(record)
     usable: Mask = np.asarray(np.isfinite(field_nT).all(axis=1))
     for name in record.channels:
         missing = ~np.isfinite(readings.channels[name])
@@ -140,17 +141,18 @@ def _effect(
         usable = usable & inside
         flags["time"] |= ~inside
     if effect.family.id == "offset-mode" and readings.mode is not None:
-        usable = usable & (readings.mode != "")
+        unknown = ~np.isin(readings.mode, _known_modes(calibration, record))
+        usable = usable & ~unknown
+        flags["mode"] |= unknown
     value, variance = np.zeros_like(field_nT), np.zeros_like(field_nT)
     if usable.any():
         columns = effect.form.columns(_scene(calibration, readings, field_nT, usable))
         value[usable] = columns @ effect.beta
         u = {p.name: p.u for p in record.parameters}
         variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.form.parameters])
-    variance[~usable] = _size(calibration, effect, value[usable])
+    variance[~usable] = _size(calibration, record, effect, value[usable])
     if effect.family.id == "lag" and readings.t_s is not None:
-        lag = next(p.value for p in record.parameters if p.name == "lag_s")
-        beyond = _out_of_reach(readings, lag)
+        beyond = _out_of_reach(readings, float(effect.beta[0]))
         flags["rate"] |= beyond
         variance[beyond] += value[beyond] ** 2
     return value, variance
@@ -168,13 +170,27 @@ def _scene(calibration: Calibration, readings: Readings, field_nT: Array, rows: 
     return Scene(t_s[rows], segment[rows], field_nT[rows], channels, mode, axes)
 
 
-def _size(calibration: Calibration, effect: Fitted, seen: Array) -> Array:
-    """Mean square (3,) of an effect that a row goes without: over the run's span, else over the rows that have it."""
+def _known_modes(calibration: Calibration, record: EffectRecord) -> list[str]:
+    """Modes that have an offset of their own, and the one that k belongs to; that may be "", a row without a mode."""
+    own = [p.name.split(" ", 1)[1] for p in record.parameters if " " in p.name]
+    base = [mode for mode in calibration.validity.modes if mode not in own]
+    return [*own, *(base or [""])]
+
+
+def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Array) -> Array:
+    """Mean square (3,) of an effect that a row goes without: over the run's span, its modes, or the rows that have it.
+
+    Never less than what the run's held-out residual lost by it: the recording may not show it at all.
+    """
     if effect.family.bound_to_run:
         times = np.linspace(*calibration.span_s, 200)
         there = Scene(times, np.zeros(200, dtype=np.intp), np.zeros((200, 3)))
         return np.asarray(np.mean(effect.predict(there) ** 2, axis=0))
-    return np.asarray(np.mean(seen**2, axis=0)) if len(seen) else np.zeros(3)
+    if effect.family.id == "offset-mode":
+        return np.asarray(np.mean(effect.beta.reshape(-1, 3) ** 2, axis=0))
+    before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0
+    lost = max(before**2 - after**2, 0.0) / (3 if calibration.frame_known else 1)
+    return np.asarray(np.maximum(np.mean(seen**2, axis=0) if len(seen) else 0.0, np.full(3, lost)))
 
 
 def _out_of_reach(readings: Readings, lag_s: float) -> Mask:

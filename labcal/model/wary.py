@@ -38,9 +38,11 @@ def saturated(calibration: Calibration, reading: Array) -> Mask:
     out = np.zeros(len(reading), dtype=bool)
     for record in calibration.findings:
         for limit in record.parameters if record.effect == "saturation" else ():
-            side, _, name = limit.name.partition("_")
-            values = reading[:, "xyz".index(name)]
-            out |= values >= limit.value if side == "upper" else values <= limit.value
+            for axis, name in enumerate("xyz"):
+                if limit.name == f"upper_{name}":
+                    out |= reading[:, axis] >= limit.value
+                if limit.name == f"lower_{name}":
+                    out |= reading[:, axis] <= limit.value
     for axis in range(3):
         out |= _plateau(reading, axis)
     return out

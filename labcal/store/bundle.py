@@ -118,6 +118,7 @@ def _from_zip(path: Path) -> Bundle:
 def _members(archive: zipfile.ZipFile, path: Path) -> dict[str, zipfile.ZipInfo]:
     """The two files, at the top or together in one folder. Refuses paths that climb out, links and doubles."""
     found: dict[str, zipfile.ZipInfo] = {}
+    folders: set[PurePosixPath] = set()
     for member in archive.infolist():
         name = PurePosixPath(member.filename.replace("\\", "/"))
         if name.is_absolute() or ".." in name.parts or ":" in member.filename:
@@ -128,9 +129,12 @@ def _members(archive: zipfile.ZipFile, path: Path) -> dict[str, zipfile.ZipInfo]
             if name.name in found:
                 raise InputError(f"the zip has two files called {name.name}", file=path)
             found[name.name] = member
+            folders.add(name.parent)
     for required in LARGEST:
         if required not in found:
             raise InputError(f"the bundle has no {required}", file=path)
+    if len(folders) > 1:
+        raise InputError(f"{RUN_JSON} and {SAMPLES_CSV} lie in different folders of the zip", file=path)
     return found
 
 

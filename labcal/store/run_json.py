@@ -13,6 +13,7 @@ import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
+from labcal.plain import made_plain, plain
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
 from labcal.store.table import decode
@@ -69,9 +70,22 @@ def _iso_8601(text: str) -> str:
     return text
 
 
-Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
-RunId = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\x00-\x20\x7f/\\][^\x00-\x1f\x7f/\\]*$")]
-Mode = Annotated[str, Field(max_length=100, pattern=r"^[^\x00-\x1f\x7f]*$")]
+def _one_line(text: str) -> str:
+    if "\n" in text or "\t" in text:
+        raise ValueError("expected one line without tabs")
+    return plain(text)
+
+
+def _no_path(name: str) -> str:
+    if "/" in name or "\\" in name or name[0] == " ":
+        raise ValueError(f"a run id has no slash in it and begins with no blank, found {name!r}")
+    return name
+
+
+Text = Annotated[str, Field(max_length=10_000), AfterValidator(plain)]
+Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_one_line)]
+RunId = Annotated[Name, AfterValidator(_no_path)]
+Mode = Annotated[str, Field(max_length=100), AfterValidator(_one_line)]
 Utc = Annotated[str, AfterValidator(_iso_8601)]
 Axis = Annotated[Vector, AfterValidator(_unit_axis)]
 Rotation = Annotated[Matrix, AfterValidator(_rotation)]
@@ -99,8 +113,8 @@ class _Part(BaseModel):
 class DutPart(_Part):
     """The device under test."""
 
-    serial: str
-    model: str = ""
+    serial: Text
+    model: Text = ""
     unit: Literal["nT", "count"]
     nominal_nT_per_unit: float = Field(gt=0)
     noise_nT: Spread | None = None
@@ -110,7 +124,7 @@ class ReferencePart(_Part):
     """The reference sensor and what is stated about it."""
 
     kind: Literal["vector", "scalar", "none"]
-    serial: str = ""
+    serial: Text = ""
     noise_nT: Spread | None = None
     place: Literal["dut", "remote", "computed"] | None = None
     position_m: Vector | None = None
@@ -118,7 +132,7 @@ class ReferencePart(_Part):
     u_offset_nT: Spread | None = None
     u_align_deg: Spread | None = None
     u_time_s: Spread | None = None
-    calibration: str | None = None
+    calibration: Text | None = None
 
 
 class SegmentPart(_Part):
@@ -131,8 +145,8 @@ class SegmentPart(_Part):
     body_from_cage: Rotation | None = None
     reference_frame: Literal["cage", "body"] = "cage"
     mode: Mode | None = None
-    note: str = ""
-    mounting: str | None = None
+    note: Text = ""
+    mounting: Text | None = None
     angle_noise_deg: Spread | None = None
     u_axis_body_deg: Spread | None = None
     u_axis_cage_deg: Spread | None = None
@@ -151,7 +165,7 @@ class SegmentPart(_Part):
 class ChannelPart(_Part):
     """What a housekeeping column means."""
 
-    unit: str
+    unit: Text
     quantity: Quantity
     role: Role = "dut"
 
@@ -171,7 +185,7 @@ class RunJson(_Part):
     run_id: RunId
     started_utc: Utc
     simulated: bool
-    operator: str = ""
+    operator: Text = ""
     dut: DutPart
     reference: ReferencePart
     segments: tuple[SegmentPart, ...] = Field(min_length=1)
@@ -204,7 +218,10 @@ def read_run_json(data: bytes, *, file: object) -> RunJson:
 
 
 def write_run_json(run: Run) -> bytes:
-    """The header of `run` as run.json: fixed order, only what is stated, UTF-8 with LF."""
+    """The header of `run` as run.json: fixed order, only what is stated, UTF-8 with LF; it reads back.
+
+    What an instrument or a person put in and no text may hold (`labcal.plain`) is marked, never lost the run for.
+    """
     header = {
         "format": FORMAT,
         "run_id": run.run_id,
@@ -216,7 +233,7 @@ def write_run_json(run: Run) -> bytes:
         "segments": [_stated(segment) for segment in run.segments],
         "channels": {c.name: {"unit": c.unit, "quantity": c.quantity, "role": c.role} for c in run.channels},
     }
-    return (json.dumps(header, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    return (json.dumps(made_plain(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
 def _stated(part: Dut | Reference | Segment) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
+from labcal.plain import plain
 from labcal.record import Channel, Dut, Reference, Run
 from labcal.store.run_json import FIXED_COLUMNS, RunJson
 from labcal.store.table import Table, read_table, require_increasing
@@ -87,9 +88,13 @@ def _row_mode(table: Table) -> NDArray[np.str_] | None:
     if "mode" not in table.texts:
         return None
     cells = table.texts["mode"]
-    if any(len(mode) > LONGEST_MODE for mode in set(cells)):
-        row = next(i for i, cell in enumerate(cells) if len(cell) > LONGEST_MODE)
-        raise table.fault(f"expected a power mode of at most {LONGEST_MODE} letters", row, "mode")
+    for mode in sorted(set(cells)):
+        if len(mode) > LONGEST_MODE:
+            raise table.fault(f"expected a power mode of at most {LONGEST_MODE} letters", cells.index(mode), "mode")
+        try:
+            plain(mode)
+        except ValueError as error:
+            raise table.fault(str(error), cells.index(mode), "mode") from None
     return np.array(cells, dtype=np.str_)
 
 

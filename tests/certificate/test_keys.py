@@ -172,3 +172,36 @@ def test_a_damaged_revocation_list_is_not_passed_over(home: Path):
     (home / "keys" / "revoked_keys").write_text("# lost\nssh-ed25519 ???\n")
     with pytest.raises(InputError, match="line 2"):
         keys.revoked(home)
+
+
+def test_a_lost_key_is_revoked_and_another_made(home: Path):
+    first = keys.new_key(home, "ada", "forgotten")
+    with pytest.raises(InputError, match="labcal keys revoke ada"):
+        keys.new_key(home, "ada", "new")
+    keys.revoke(home, "ada")
+    second = keys.new_key(home, "ada", "new")
+    assert public_key_blob(keys.open_key(home, "ada", "new").public_key()) == second.key
+    assert first.key in keys.revoked(home)
+    assert second.key not in keys.revoked(home)
+    assert [signer.key for signer in keys.trusted(home)] == [first.key, second.key]
+
+
+def test_capitals_make_no_second_person(home: Path, tmp_path: Path, key: Ed25519PrivateKey):
+    keys.new_key(home, "ada", "pw")
+    with pytest.raises(InputError, match="capitals alone"):
+        keys.new_key(home, "Ada", "pw")
+    (tmp_path / "list").write_text(line_of("ADA", key))
+    with pytest.raises(InputError, match="capitals alone"):
+        keys.trust(home, tmp_path / "list")
+
+
+def test_a_list_of_nobody_is_refused_even_where_others_are_trusted(home: Path, tmp_path: Path):
+    keys.new_key(home, "ada", "pw")
+    (tmp_path / "list").write_text("# nobody\n")
+    with pytest.raises(InputError, match="nobody's key"):
+        keys.trust(home, tmp_path / "list")
+
+
+def test_a_passphrase_may_hold_bytes_that_are_no_text(home: Path):
+    keys.new_key(home, "ada", "p\udcffw")
+    keys.open_key(home, "ada", "p\udcffw")

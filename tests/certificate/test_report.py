@@ -215,3 +215,9 @@ def test_the_command_writes_both_forms(draft: Path, tmp_path: Path, capsys: pyte
     draft.write_bytes(b"{}")
     assert _run(["report", str(draft), "--out", str(tmp_path / "s.html")]) == 2
     assert not (tmp_path / "s.html").exists()
+
+
+def test_a_segment_may_be_called_anything_and_readings_may_be_nothing(run: Run):
+    named = tuple(replace(s, id=id_) for s, id_ in zip(run.segments, ("$\\frac{$", "测" * 100), strict=True))
+    strange = replace(run, segments=named, reading=np.zeros_like(run.reading))
+    assert "$\\frac{$" in html(run_page(strange, "ab" * 32, Fit("ml", False, why_not="nothing moves")))

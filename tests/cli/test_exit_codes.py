@@ -58,3 +58,16 @@ def raiser(fault):
         raise fault
 
     return call
+
+
+@pytest.mark.parametrize("words", [["fit"], ["export", "r", "--format", "xml", "--out", "x"], ["show", "r", "--nope"]])
+def test_a_wrong_word_is_one_sentence_that_says_where_help_is(words, capsys):
+    assert cli._run(words) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert f"`labcal {words[0]} --help`" in said
+
+
+def test_a_run_id_that_is_no_text_is_a_sentence(capsys):
+    assert cli._run(["show", "\udcff"]) == 2
+    assert "no UTF-8" in capsys.readouterr().err

@@ -166,3 +166,26 @@ def test_unknown_methods_and_channels_are_refused(shared: Path, capsys: pytest.C
     assert all(name in said for name in METHODS)
     assert _run(["fit", run, "--channels", "nothing"]) == 2
     assert "hk01" in capsys.readouterr().err
+
+
+def test_a_recording_is_never_replaced_by_what_is_corrected(shared: Path, calibration: Path, tmp_path: Path) -> None:
+    recording = tmp_path / "in.csv"
+    recording.write_text("dut_x,dut_y,dut_z,t_s\n20000,0,0,2026-11-21T08:00:00\n")
+    before = recording.read_bytes()
+    assert _run(["apply", str(calibration), str(recording), "--out", str(recording)]) == 2
+    assert recording.read_bytes() == before
+    assert _run(["apply", str(calibration), str(recording), "--out", str(tmp_path / "no_t_s_needed.csv")]) == 0
+
+
+def test_a_crafted_effect_is_refused_with_the_file_and_its_place(
+    shared: Path, calibration: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    stated = json.loads(calibration.read_text())
+    parameters = [{"name": f"c_{a}", "value": 1, "u": 0, "unit": "nT"} for a in "xy"]
+    lag = {"effect": "offset-step", "channels": [], "reference_value": {}, "belongs_to": "sensor"}
+    stated["effects"] = [lag | {"parameters": [*parameters, {**parameters[0], "name": "t_step_s"}]}]
+    calibration.write_text(json.dumps(stated))
+    fresh, out = shared / PRACTICE / "fresh/samples.csv", tmp_path / "out.csv"
+    assert _run(["apply", str(calibration), str(fresh), "--out", str(out)]) == 2
+    assert f"{calibration}: effects[0]: the effect offset-step is not whole" in capsys.readouterr().err
+    assert not out.exists()

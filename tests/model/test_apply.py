@@ -200,3 +200,28 @@ def test_counts_take_the_noise_through_the_scale() -> None:
     found = apply(cal, Readings(readings().reading / 13.0))
     assert np.allclose(found.field_nT, FIELD, atol=1e-8)
     assert found.u_nT == pytest.approx(NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3))
+
+
+def test_a_channel_that_a_recording_does_not_have_at_all_costs_what_the_effect_once_brought() -> None:
+    found = effect("offset-current", ("i_eps",), {"i_eps": 0.0}, c_x=(500, 0), c_y=(0, 0), c_z=(0, 0))
+    cal = calibration(replace(found, holdout_rms_before_nT=173.5, holdout_rms_after_nT=17.3))
+    empty = apply(cal, readings(channels={"i_eps": np.full(len(FIELD), np.nan)}))
+    assert empty.u_nT.min() > np.sqrt((173.5**2 - 17.3**2) / 3)
+
+
+def test_a_row_whose_mode_is_unknown_goes_without_that_offset_and_says_so() -> None:
+    values = {f"c_{a} full": (300.0, 1.0) for a in "xyz"}
+    cal = calibration(effect("offset-mode", **values), validity=Validity((0.0, 1e5), modes=("full", "nominal")))
+    modes = np.array(["nominal", "full", "safe", ""] * (len(FIELD) // 4))
+    found = apply(cal, readings(mode=modes))
+    assert np.allclose((found.field_nT - FIELD)[:4, 0], [0, -300, 0, 0])
+    assert found.flags[:4] == ("", "", "mode", "mode")
+    assert found.u_nT[[2, 3]].min() > 300 > 20 > found.u_nT[[0, 1]].max()
+
+
+def test_where_k_belongs_to_rows_without_a_mode_they_are_known() -> None:
+    values = {f"c_{a} full": (300.0, 1.0) for a in "xyz"}
+    cal = calibration(effect("offset-mode", **values), validity=Validity((0.0, 1e5), modes=("full",)))
+    found = apply(cal, readings(mode=np.full(len(FIELD), "")))
+    assert set(found.flags) == {""}
+    assert found.u_nT.max() < 20

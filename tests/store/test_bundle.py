@@ -142,7 +142,11 @@ def test_a_wrong_table_is_refused_in_words(bundle, rows: str | bytes, says: str)
     [
         ("format", "labcal-run/2", "labcal-run/1"),
         ("run_id", ..., "missing"),
-        ("run_id", "../up", "pattern"),
+        ("run_id", "../up", "no slash"),
+        ("run_id", " a", "begins with no blank"),
+        ("operator", "\x1b[2Jdemo", r"control character U\+001B"),
+        ("dut.serial", "SN\u202e1", r"control character U\+202E"),
+        ("segments.0.id", "a\tb", "one line"),
         ("started_utc", "yesterday", "ISO 8601"),
         ("simulated", "yes", "boolean"),
         ("dut.unit", "gauss", "'nT' or 'count'"),
@@ -385,3 +389,23 @@ def test_all_shared_bundles_read_and_repeat(shared: Path) -> None:
         again = bundle_of(run).run()
         np.testing.assert_array_equal(again.reading, run.reading)
         assert again.segments == run.segments
+
+
+def test_what_an_instrument_put_into_a_header_does_not_lose_the_run(bundle) -> None:
+    run = replace(read_bundle(bundle()), operator="Ada\x1b[2J")
+    assert bundle_of(run).run().operator == "Ada\ufffd[2J"
+
+
+def test_the_two_files_of_a_zip_lie_together(bundle, tmp_path: Path) -> None:
+    folder = bundle()
+    members = [(f"{name[0]}/{name}", (folder / name).read_bytes()) for name in ("run.json", "samples.csv")]
+    with pytest.raises(InputError, match="different folders"):
+        read_bundle(zip_of(tmp_path / "b.zip", members))
+
+
+def test_a_power_mode_that_acts_on_a_terminal_is_refused_with_its_line(bundle, sample_rows: str) -> None:
+    lines = sample_rows.splitlines()
+    rows = [f"{lines[0]},mode", f"{lines[1]},on", f"{lines[2]},\x1b[2J", *(f"{line},on" for line in lines[3:])]
+    with pytest.raises(InputError, match="control character") as caught:
+        read_bundle(bundle(rows="\n".join(rows) + "\n"))
+    assert caught.value.line == 3

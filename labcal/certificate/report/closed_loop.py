@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from labcal.certificate.report.calibration import effect_tables, headline_of, name_of
 from labcal.certificate.report.figures import segment_bounds, thin
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
-from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence
+from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence, short
 from labcal.certificate.report.unstated import not_stated
 from labcal.loop.result import ClosedLoop, ResidualTest, Verdict
 from labcal.model import EffectRecord
@@ -168,7 +168,7 @@ def _draw_by_segment(figure: FigureBase, result: ClosedLoop, run: Run) -> None:
         axes.bar(places + shift, rms, 0.38, color=colour, label=name)
     axes.axhline(result.noise_floor_nT, color=AXES[0], lw=1, ls="--", label="noise floor")
     many = len(there) > 6
-    names = [run.segments[i].id for i in there]
+    names = [short(run.segments[i].id) for i in there]
     axes.set_xticks(places, names, rotation=30 if many else 0, ha="right" if many else "center")
     axes.set(ylabel="rms (nT)")
     axes.grid(axis="x", visible=False)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.certificate.report.style import AXES, LINE, MUTED, TEXT, ink
+from labcal.certificate.report.style import AXES, LINE, MUTED, TEXT, ink, short
 from labcal.geometry import unit
 from labcal.record import Run
 
@@ -21,8 +21,8 @@ NEAR_DEG = 20.0  # a direction counts as covered when the field pointed this nea
 
 
 def coverage(field: Array) -> float:
-    """Share of the sphere's directions within NEAR_DEG of a measured one; `field` (n, 3), NaN rows left out."""
-    seen = unit(field[np.isfinite(field).all(axis=1)])
+    """Share of the sphere's directions within NEAR_DEG of a measured one; `field` (n, 3), NaN and zero left out."""
+    seen = _directions(field)
     directions = _even_directions(600)
     nearest = np.max(directions @ seen[:: max(1, len(seen) // 3000)].T, axis=1) if len(seen) else np.zeros(1)
     return float(np.mean(nearest >= np.cos(np.radians(NEAR_DEG))))
@@ -32,10 +32,11 @@ def draw_sphere(figure: FigureBase, run: Run, field: Array) -> None:
     """Directions of `field` (n, 3) in B on an equal-area map of the sphere, one colour and mark a segment."""
     axes = figure.add_subplot(projection="hammer")
     for index, segment in enumerate(run.segments):
-        b = unit(_thinned(field[run.rows(index)]))
+        b = _directions(field[run.rows(index)])
+        b = b[thin(len(b))]
         colour, marker = ink(index)
         longitude, latitude = np.arctan2(b[:, 1], b[:, 0]), np.arcsin(np.clip(b[:, 2], -1, 1))
-        axes.scatter(longitude, latitude, s=5, c=colour, marker=marker, lw=0, label=segment.id, rasterized=True)
+        axes.scatter(longitude, latitude, s=5, c=colour, marker=marker, lw=0, label=short(segment.id), rasterized=True)
     for name, place in {
         "+x": (0, 0),
         "+y": (np.pi / 2, 0),
@@ -98,7 +99,7 @@ def draw_by_segment(figure: FigureBase, run: Run, residual: Array, noise_nT: flo
     axes.bar(places, rms, color=AXES[2], width=0.62)
     axes.set_xticks(
         places,
-        [s.id for s in run.segments],
+        [short(s.id) for s in run.segments],
         rotation=30 if len(rms) > 6 else 0,
         ha="right" if len(rms) > 6 else "center",
     )
@@ -130,9 +131,10 @@ def _even_directions(count: int) -> Array:
     return np.column_stack([r * np.cos(turn), r * np.sin(turn), z])
 
 
-def _thinned(values: Array) -> Array:
-    finite = values[np.isfinite(values).all(axis=1)]
-    return finite[thin(len(finite))]
+def _directions(field: Array) -> Array:
+    """Unit vectors (m, 3) of those rows (n, 3) that have a direction."""
+    length = np.linalg.norm(field, axis=1)
+    return unit(field[np.isfinite(length) & (length > 0)])
 
 
 def _rms(values: Array) -> float:

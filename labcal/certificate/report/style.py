@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -14,6 +15,7 @@ INKS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#5760
 MARKERS = "o^sDvP<>"
 WIDTH_IN = 7.0
 NOTHING = "–"
+LONGEST_LABEL = 24
 
 _RC: Any = {
     "font.family": "DejaVu Sans",
@@ -38,16 +40,26 @@ _RC: Any = {
     "lines.linewidth": 1.0,
     "svg.hashsalt": "labcal",
     "pdf.fonttype": 42,
+    "text.parse_math": False,  # a dollar in somebody's segment id is a dollar
 }
 
 
 @contextmanager
 def plot_style() -> Iterator[None]:
-    """Draw in the house's style; the same input gives the same bytes."""
+    """Draw in the house's style; the same input gives the same bytes.
+
+    A letter that the font lacks is drawn as an empty box, without a word on stderr.
+    """
     from matplotlib import rc_context
 
-    with rc_context(_RC):
+    with rc_context(_RC), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
         yield
+
+
+def short(name: str) -> str:
+    """`name` as it fits beside a drawing: its first LONGEST_LABEL letters."""
+    return name if len(name) <= LONGEST_LABEL else f"{name[: LONGEST_LABEL - 1]}…"
 
 
 def ink(index: int) -> tuple[str, str]:

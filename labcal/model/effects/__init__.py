@@ -6,6 +6,6 @@ parameters are left open and `columns` gives d e / d parameter. A `Family` is al
 """
 
 from labcal.model.effects.protocol import Family, Fitted, Form, Scene, Shape
-from labcal.model.effects.registry import families, family, load
+from labcal.model.effects.registry import families, family, load, load_shipped
 
-__all__ = ["Family", "Fitted", "Form", "Scene", "Shape", "families", "family", "load"]
+__all__ = ["Family", "Fitted", "Form", "Scene", "Shape", "families", "family", "load", "load_shipped"]

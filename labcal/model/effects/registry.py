@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from importlib.metadata import entry_points
 
@@ -9,7 +10,11 @@ import numpy as np
 
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord
-from labcal.model.effects.protocol import Family, Fitted
+from labcal.model.effects.protocol import Family, Fitted, Scene
+
+TRIED = 8  # rows that a shipped effect is tried on
+RESERVED = frozenset({"t_s", "segment", "mode", "dut_x", "dut_y", "dut_z"})  # columns that are no channel
+OF_AN_AXIS = re.compile(r"_([xyz])(?: |\Z)")
 
 
 @cache
@@ -38,3 +43,46 @@ def load(record: EffectRecord) -> Fitted:
     form = kind.restore(record)
     values = {p.name: p.value for p in record.parameters}
     return Fitted(kind, form, np.array([values[name] for name, _ in form.parameters]))
+
+
+def load_shipped(record: EffectRecord) -> Fitted:
+    """The sensor's effect that a calibration file ships, tried on a few rows. Raises InputError where it is not whole.
+
+    A file may come from anywhere: its parameters must be those that the effect's own formula has, in their order,
+    and its channels must state where they count from.
+    """
+    fault = f"the effect {record.effect} is not whole"
+    loaded = load(record)
+    if loaded.family.belongs_to != "sensor":
+        raise InputError(f"the effect {record.effect} is the {loaded.family.belongs_to}'s, never the sensor's")
+    if set(record.channels) != set(record.reference_value) or RESERVED & set(record.channels):
+        raise InputError(f"{fault}: each channel needs its reference value, and a name of its own")
+    names = [p.name for p in record.parameters]
+    if len(set(names)) < len(names) or not _in_order(names):
+        raise InputError(f"{fault}: its parameters are there twice, or not in the order x, y, z")
+    try:
+        with np.errstate(all="ignore"):
+            columns = loaded.form.columns(_few_rows(record))
+    except InputError:
+        raise
+    except Exception as error:  # the formulas, other packages' too, may stumble over names and counts in many ways
+        raise InputError(f"{fault}: its parameters are not those of its formula") from error
+    if columns.shape != (TRIED, 3, len(loaded.beta)) or not np.isfinite(columns).all():
+        raise InputError(f"{fault}: its {len(names)} parameters are not those of its formula, or give no numbers")
+    return loaded
+
+
+def _in_order(names: list[str]) -> bool:
+    """Whether each three parameters of the axes, as c_x, c_y, c_z, stand in this order."""
+    axes = [found[1] for name in names if (found := OF_AN_AXIS.search(name))]
+    threes = [axes[i : i + 3] for i in range(0, len(axes), 3)]
+    return all(three == ["x", "y", "z"] for three in threes if sorted(three) == ["x", "y", "z"])
+
+
+def _few_rows(record: EffectRecord) -> Scene:
+    """Rows about an hour long in a turning field, each channel at its reference value and beside it."""
+    t = np.linspace(0.0, 3600.0, TRIED)
+    turn = np.linspace(0.0, 2.0, TRIED)
+    field = 30e3 * np.column_stack([np.cos(turn), np.sin(turn), np.cos(2 * turn)])
+    channels = {name: record.reference_value[name] + turn for name in record.channels}
+    return Scene(t, np.zeros(TRIED, dtype=np.intp), field, channels, np.full(TRIED, "", dtype=np.str_))

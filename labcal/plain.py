@@ -1,0 +1,25 @@
+"""Text that is shown to people as it stands: nothing in it commands a terminal or turns the direction of reading."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+# What a terminal obeys, what turns the direction of reading, and what XML or UTF-8 cannot write.
+_ACTS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]")
+
+
+def plain(text: str) -> str:
+    """`text` itself. Raises ValueError where it holds a character that acts; a tab and a line end do not."""
+    if found := _ACTS.search(text):
+        raise ValueError(f"holds the control character U+{ord(found[0]):04X}")
+    return text
+
+
+def made_plain(value: Any) -> Any:
+    """`value` (JSON) with U+FFFD in place of every character in its texts that acts."""
+    if isinstance(value, str):
+        return _ACTS.sub("\ufffd", value)
+    if isinstance(value, dict):
+        return {made_plain(key): made_plain(item) for key, item in value.items()}
+    return [made_plain(item) for item in value] if isinstance(value, list | tuple) else value
