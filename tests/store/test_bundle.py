@@ -404,8 +404,10 @@ def test_the_two_files_of_a_zip_lie_together(bundle, tmp_path: Path) -> None:
 
 
 def test_a_power_mode_that_acts_on_a_terminal_is_refused_with_its_line(bundle, sample_rows: str) -> None:
-    lines = sample_rows.splitlines()
-    rows = [f"{lines[0]},mode", f"{lines[1]},on", f"{lines[2]},\x1b[2J", *(f"{line},on" for line in lines[3:])]
+    header, first, second, *rest = sample_rows.splitlines()
+    place = header.split(",").index("mode")
+    cells = second.split(",")
+    cells[place] = "\x1b[2J"
     with pytest.raises(InputError, match="control character") as caught:
-        read_bundle(bundle(rows="\n".join(rows) + "\n"))
-    assert caught.value.line == 3
+        read_bundle(bundle(rows="\n".join([header, first, ",".join(cells), *rest, ""])))
+    assert (caught.value.line, caught.value.column) == (3, "mode")
