@@ -12,6 +12,7 @@ import socket
 import struct
 import sys
 import time
+from contextlib import suppress
 from types import SimpleNamespace
 
 import numpy as np
@@ -59,7 +60,8 @@ def main() -> None:
         due = int(now * KHZ)
         if sent < due:
             lines = [f"{k / KHZ:.3f},{k},0.25,-0.25\n" for k in range(sent, due)]
-            text.sendall("".join(lines).encode())
+            with suppress(ConnectionError):  # who listened has gone
+                text.sendall("".join(lines).encode())
             for number in range(sent, due):
                 udp.sendto(packet(number, number / KHZ), to)
             sent = due

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import dataclasses
 import inspect
+import os
+import pty
 import re
+import sys
+import tty
+from contextlib import closing
 from datetime import UTC, datetime
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -13,9 +19,9 @@ from typing import Any, get_type_hints
 import numpy as np
 import pytest
 
-from labcal.bench.clock import VirtualClock
+from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.instrument import quantity
-from labcal.bench.links import EmulatedLink
+from labcal.bench.links import EmulatedLink, WiredLink, open_link
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.roles import (
     CoilSupply,
@@ -269,3 +275,36 @@ def test_a_stage_made_safe_comes_to_rest_on_its_way(stage: Rig) -> None:
     stage.wait(4.0)
     assert not stage.driver.moving()
     assert 0.5 < stage.driver.angle_deg() < 80.0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+def test_no_dangerous_message_reaches_a_real_line() -> None:
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    os.set_blocking(master, False)
+    for name, entry in DRIVERS.items():
+        driver = entry.load()
+        modbus = get_type_hints(driver.__init__)["link"] is ModbusLink
+        scheme = "modbus-rtu" if modbus else "serial"
+        with closing(open_link(f"{scheme}://{os.ttyname(slave)}", RealClock())) as link:
+            link.never.add(driver.never, FORBIDDEN[name][0][0] if modbus else None)
+            for message in FORBIDDEN[name]:
+                with pytest.raises(InstrumentError, match="never sent"):
+                    link.send(message)
+    with pytest.raises(BlockingIOError):
+        os.read(master, 1)
+    os.close(slave)
+    os.close(master)
+
+
+def test_only_the_send_of_a_link_puts_bytes_on_a_line_and_it_asks_the_list_first() -> None:
+    for path in Path(inspect.getfile(Rig)).parents[2].joinpath("drivers").rglob("*.py"):
+        names = {
+            n.name for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Import) for n in node.names
+        }
+        assert not names & {"os", "socket", "serial", "subprocess", "pymodbus", "ctypes"}, path
+    for link in (WiredLink, EmulatedLink):
+        source = inspect.getsource(link)
+        send = inspect.getsource(link.send)
+        assert send.index("never.check") < min(send.find(way) for way in (".write(", ".take(") if way in send)
+        assert sum(source.count(way) for way in (".write(", ".take(", "sendall", "sendto")) == 1

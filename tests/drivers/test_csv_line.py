@@ -11,27 +11,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from listening import Sender
 
 from drivers.csv_line import CsvLine, Settings
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.links import EmulatedLink, open_link
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block
-
-
-class Sender:
-    """Puts given pieces on the line at given times."""
-
-    def __init__(self, pieces: list[tuple[float, bytes]]) -> None:
-        self.pieces = pieces
-
-    def take(self, t_s: float, data: bytes) -> None:
-        raise AssertionError("nothing may be sent to a DUT that is only listened to")
-
-    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
-        due = [p for p in self.pieces if p[0] <= until_s]
-        self.pieces = self.pieces[len(due) :]
-        return due
 
 
 def heard(pieces: list[tuple[float, bytes]], **settings: object) -> tuple[list[Block], CsvLine]:
