@@ -28,6 +28,7 @@ class Found:
     function: Callable[..., Procedure]
     parameters: tuple[ParameterSpec, ...]
     source: Path
+    own: bool = False  # a file of one's own, not an installed procedure
 
     @property
     def title(self) -> str:
@@ -90,7 +91,7 @@ def _from_file(path: Path) -> Found:
     if not path.is_file():
         raise InputError("there is no such file", file=path)
     function = _function_in(_imported(path), path)
-    return Found(path.stem.replace("_", "-"), function, parameters_of(function), path.resolve())
+    return Found(path.stem.replace("_", "-"), function, parameters_of(function), path.resolve(), own=True)
 
 
 def _imported(path: Path) -> ModuleType:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import secrets
 import tomllib
+import traceback
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +17,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.parameters import settings
 from labcal.bench.roles import Identity
 from labcal.bench.steps import Resume
-from labcal.errors import InputError, LimitNotMet
+from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.header import ChannelSpec
 from labcal.record.stream import Block, Event, Item, Measurement, Step
@@ -26,6 +28,7 @@ from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
 
 RESUMED, INTERRUPTED = "resumed", "interrupted"
+KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
 
@@ -147,10 +150,22 @@ def _drive(
 ) -> Outcome:
     seen = _Seen(tell)
     drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, offset_s)
-    ending = drive.run(procedure.function(bench, **values))
+    ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)
     return Outcome(writer.run_id, *_written(writer, ending), tuple(seen.failed.values()), seen.at_rest)
+
+
+def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
+    """A mistake in a procedure of one's own is told with its line, as any other wrong input."""
+    if not procedure.own or ending.fault is None or isinstance(ending.fault, KNOWN):
+        return ending
+    frames = traceback.extract_tb(ending.fault.__traceback__)
+    lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == procedure.source]
+    if not lines:
+        return ending
+    told = InputError(f"{type(ending.fault).__name__}: {ending.fault}", file=procedure.source, line=lines[-1])
+    return Ending(f"failed: {told}", told)
 
 
 @dataclass

@@ -32,6 +32,11 @@ def test_ones_own_procedure_in_twenty_lines_runs_and_its_last_line_is_the_run_id
     assert '"name": "z at step 3"' in done.stderr
     shown = labcal("show", done.stdout.strip())
     assert "my-test" in shown.stdout
+    path.write_text(OWN.replace("top_nT * step", "top_nT * stp"), encoding="utf-8")
+    wrong = labcal("run", str(path), "--bench", bench, "--yes")
+    assert wrong.returncode == 2
+    assert "my_test.py, line 18: NameError: name 'stp' is not defined" in wrong.stderr
+    assert "labcal's own" not in wrong.stderr
     refused = labcal("run", str(path), "--bench", bench, "--yes", "--set", "top_nT=99000")
     assert (refused.returncode, refused.stdout) == (2, "")
     assert "top_nT = 99000.0 is refused: expected a number from 1000 to 60000 nT" in refused.stderr
