@@ -105,18 +105,25 @@ class Studio:
         """A whole preflight, with pictures on the way; returns its run id."""
         run = self.desk.run
         self.desk.start("preflight", {})
-        asked = 0
+        live = False
         while True:
-            self.wait(lambda: run.state in ("asking", "ended"))
+            self.wait(lambda: run.state in ("asking", "ended") or self.in_the_middle_of("z"))
             if run.state == "ended":
                 return run.run_id
-            asked += 1
-            if asked == 1:
-                self.shoot("run-prompt", "Run")
-            run.answer(run.prompt.choices[0])
-            if asked == 7:
-                self.wait(lambda: run.state == "ended" or run.coverage() > 0.6)
+            if run.state == "asking":
+                if run.prompt.key == "mount-y":
+                    self.shoot("run-prompt", "Run")
+                run.answer(run.prompt.choices[0])
+            elif not live:
                 self.shoot("run-live", "Run")
+                live = True
+            else:
+                self.live(0.1)
+
+    def in_the_middle_of(self, axis: str) -> bool:
+        """Whether a turn about this body axis is more than half done."""
+        run = self.desk.run
+        return bool(run.segment) and run.segment.startswith(axis) and run.coverage() > 0.6
 
     def study(self, run: str) -> None:
         """Fits and the loop, drawn."""

@@ -2,52 +2,47 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout
 
-from labcal.gui.run_vm import AXIS_LOOKS, RunViewModel
-from labcal.gui.theme import GRID, STATES
+from labcal.gui.run_vm import RunViewModel
+from labcal.gui.theme import GRID, STATES, Theme
 from labcal.gui.widgets import label, named, set_state
+
+NOT_YET = ("○", "")
 
 
 class AxisLights(QFrame):
     """In sight also while a question is open: what is red here is redone before the DUT is dismounted."""
 
-    def __init__(self) -> None:
+    def __init__(self, theme: Theme) -> None:
         super().__init__()
         named(self, "card")
-        grid = QGridLayout(self)
-        grid.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
-        grid.setHorizontalSpacing(3 * GRID)
+        self._theme = theme
+        row = QHBoxLayout(self)
+        row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
+        row.setSpacing(3 * GRID)
         self.worst: dict[str, QLabel] = {}
-        self.looks: dict[str, dict[str, QLabel]] = {}
-        for column, axis in enumerate("xyz"):
-            self._add(grid, 2 * column, axis)
-            grid.setColumnStretch(2 * column + 1, 1)
-
-    def _add(self, grid: QGridLayout, column: int, axis: str) -> None:
-        self.worst[axis] = label("", "title")
-        grid.addWidget(self.worst[axis], 0, column)
-        row = QWidget()
-        inner = QGridLayout(row)
-        inner.setContentsMargins(0, 0, 0, 0)
-        inner.setHorizontalSpacing(GRID)
-        self.looks[axis] = {look: label("", "caption") for look in AXIS_LOOKS}
-        for n, one in enumerate(self.looks[axis].values()):
-            inner.addWidget(one, n // 3, n % 3)
-        grid.addWidget(row, 0, column + 1)
+        self.looks: dict[str, QLabel] = {}
+        for axis in "xyz":
+            self.worst[axis], self.looks[axis] = label("", "title"), label("", "caption", wrap=True)
+            self.looks[axis].setTextFormat(Qt.TextFormat.RichText)
+            column = QVBoxLayout()
+            column.setSpacing(0)
+            column.addWidget(self.worst[axis])
+            column.addWidget(self.looks[axis])
+            row.addLayout(column, 1)
 
     def show_run(self, run: RunViewModel) -> None:
         """Write what is known of each axis."""
         for axis, worst in self.worst.items():
             verdict = run.axis_light(axis)
-            shape, state = STATES.get(verdict, ("○", ""))
+            shape, state = STATES.get(verdict, NOT_YET)
             worst.setText(f"{axis.upper()}  {shape} {verdict}".strip())
             set_state(worst, state)
-            for look, found in run.axis_looks(axis).items():
-                self._show_look(self.looks[axis][look], self.tr(look), found)
+            looks = run.axis_looks(axis).items()
+            self.looks[axis].setText("&nbsp; ".join(self._look(self.tr(look), found) for look, found in looks))
 
-    def _show_look(self, shown: QLabel, look: str, verdict: str) -> None:
-        shape, state = STATES.get(verdict, ("○", ""))
-        shown.setText(f"{shape} {look}")
-        shown.setToolTip(f"{look}: {verdict or self.tr('not measured yet')}")
-        set_state(shown, state)
+    def _look(self, look: str, verdict: str) -> str:
+        shape, state = STATES.get(verdict, NOT_YET)
+        return f'<span style="color: {getattr(self._theme, state or "muted")}">{shape}&nbsp;{look}</span>'

@@ -21,7 +21,7 @@ Corner = tuple[float, float, float]
 FLAT = (("from above", (0.0, 90.0)), ("from the side", (0.0, 0.0)))  # turn and tilt of the eye [deg]
 SPACE_SHARE = 0.5  # of the width
 STEP_DEG = 5.0  # a key turns the cage by
-NAMED_PX, LEAST_PX = 26.0, 6.0  # an arrow shorter than these has no name, is not drawn
+NAMED_PX, LEAST_PX = 26.0, 6.0  # an axis shorter than these has no name, an arrow is not drawn
 HALF_GAP = 0.54  # of a square coil pair's half side: Helmholtz spacing 0.5445 of the side
 
 
@@ -45,13 +45,18 @@ def coils() -> list[tuple[int, list[Corner]]]:
     return found
 
 
+def vector_colours(theme: Theme) -> tuple[str, str, str]:
+    """Of the applied, the ambient and the reference field."""
+    return theme.accent, theme.muted, theme.axis_x
+
+
 class CageView(QWidget):
     """Vectors in the cage's frame, all to one scale; what is not known is not drawn. Drag, or arrow keys, turn it."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self._vectors: list[tuple[str, str, Triple]] = []
+        self._vectors: list[tuple[str, Triple]] = []
         self._eye = [-28.0, 22.0]
         self._dragged_from: QPointF | None = None
         self.setMinimumHeight(220)
@@ -62,9 +67,8 @@ class CageView(QWidget):
 
     def show_vectors(self, applied: Triple | None, ambient: Triple | None, reference: Triple | None) -> None:
         """Fields [nT] in the cage's frame."""
-        named = ((self.tr("applied"), self._theme.accent, applied), (self.tr("ambient"), self._theme.muted, ambient),
-                 (self.tr("reference"), self._theme.axis_x, reference))  # fmt: skip
-        self._vectors = [(name, colour, vector) for name, colour, vector in named if vector is not None]
+        known = zip(vector_colours(self._theme), (applied, ambient, reference), strict=True)
+        self._vectors = [(colour, vector) for colour, vector in known if vector is not None]
         self.update()
 
     def turn(self, by_deg: float, tilt_deg: float) -> None:
@@ -112,9 +116,9 @@ class CageView(QWidget):
 
         self._paint_coils(painter, at, eye)
         self._paint_axes(painter, at)
-        longest = max((hypot(*vector) for _, _, vector in self._vectors), default=0.0) or 1.0
-        for name, colour, vector in self._vectors:
-            self._arrow(painter, centre, at(0.95 * np.asarray(vector) / longest), colour, name)
+        longest = max((hypot(*vector) for _, vector in self._vectors), default=0.0) or 1.0
+        for colour, vector in self._vectors:
+            self._arrow(painter, centre, at(0.95 * np.asarray(vector) / longest), colour)
 
     def _paint_coils(self, painter: QPainter, at: object, eye: Array) -> None:
         assert callable(at)
@@ -135,9 +139,8 @@ class CageView(QWidget):
             painter.setPen(QColor(colour))
             painter.drawText(QRectF(beyond.x() - 10, beyond.y() - 10, 20, 20), Qt.AlignmentFlag.AlignCenter, name)
 
-    def _arrow(self, painter: QPainter, start: QPointF, tip: QPointF, colour: str, name: str) -> None:
-        length = hypot(tip.x() - start.x(), tip.y() - start.y())
-        if length < LEAST_PX:
+    def _arrow(self, painter: QPainter, start: QPointF, tip: QPointF, colour: str) -> None:
+        if hypot(tip.x() - start.x(), tip.y() - start.y()) < LEAST_PX:
             return
         painter.setPen(QPen(QColor(colour), 2.4))
         painter.setBrush(QColor(colour))
@@ -145,11 +148,3 @@ class CageView(QWidget):
         angle = atan2(tip.y() - start.y(), tip.x() - start.x())
         wings = [QPointF(tip.x() - 10 * cos(angle + s), tip.y() - 10 * sin(angle + s)) for s in (0.4, -0.4)]
         painter.drawPolygon([tip, *wings])
-        if length >= NAMED_PX:
-            self._name(painter, tip, angle, name)
-
-    def _name(self, painter: QPainter, tip: QPointF, angle: float, name: str) -> None:
-        size = painter.fontMetrics().size(0, name)
-        x = tip.x() + 10 * cos(angle) - size.width() * (1 - cos(angle)) / 2
-        y = tip.y() + 10 * sin(angle) - size.height() * (1 - sin(angle)) / 2
-        painter.drawText(QRectF(x, y, size.width() + 2, size.height()), Qt.AlignmentFlag.AlignCenter, name)

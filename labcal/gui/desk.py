@@ -158,7 +158,8 @@ class Desk(QObject):
         if run.state == "idle":
             return
         rows = run.reference.rows()[-20:]
-        measured = tuple(float(v) for v in rows[:, 1:].mean(axis=0)) if len(rows) else None
+        now = run.alive and len(rows) > 0  # after a run, what was measured last is not the field now
+        measured = tuple(float(v) for v in rows[:, 1:].mean(axis=0)) if now else None
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused")}
         if run.segment is not None:
             waits["running"] = self.tr("hands off, measuring")

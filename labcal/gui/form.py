@@ -76,7 +76,7 @@ class Form(QWidget):
         field.setAccessibleName(spec.help or spec.name)
         field.setFixedWidth(24 * GRID)
         name.setBuddy(field)
-        complaint = label("", "caption")
+        complaint = label("", "caption", wrap=True)
         self._fields[spec.name], self._complaints[spec.name] = field, complaint
         grid.addWidget(name, row, 0)
         grid.addWidget(field, row, 1)

@@ -79,6 +79,8 @@ class Loci(QWidget):
         self._views: list[list[tuple[pg.PlotCurveItem, pg.PlotCurveItem]]] = []
         for right, up in VIEWS:
             widget = plot(theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
+            for side in ("bottom", "left"):  # directions need no figures; the room goes to the sphere
+                widget.getPlotItem().getAxis(side).setStyle(showValues=False, tickLength=0)
             widget.setAspectLocked(True)
             widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
             widget.plot(np.cos(circle), np.sin(circle), pen=pg.mkPen(theme.muted))

@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QLineEdit, QPus
 from labcal.gui.drawing import Mounting
 from labcal.gui.hold import HoldButton
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label
+from labcal.gui.widgets import Card, button, label, named
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
-LARGEST_PT, SMALLEST_PT = 34, 13  # the words are as large as their place allows, to be read from the cage
+LARGEST_PT, SMALLEST_PT = 30, 13  # the words are as large as their place allows, to be read from the cage
 HOLD_KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)
 WORDS = {
     "done": "Done",
@@ -95,6 +95,7 @@ class PromptCard(Card):
         keys = iter(HOLD_KEYS)
         for choice in prompt.choices:
             made = self._button(choice, next(keys, HOLD_KEYS[-1]) if acting(prompt, choice) else None)
+            named(made, "primary" if choice == prompt.choices[0] else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
             self._buttons.addWidget(made)

@@ -34,7 +34,12 @@ class Scanner(QObject):
 
     def hear(self, watched: QWidget, event: QKeyEvent) -> bool:
         """Hold characters back until it is known who types."""
-        if self._replaying or event.type() != QEvent.Type.KeyPress or not self._counts(event):
+        if self._replaying:
+            return False
+        if event.type() == QEvent.Type.KeyRelease and any(event.key() == kept.key() for _, kept in self._kept):
+            self._kept.append((watched, event.clone()))  # a release never comes before its press
+            return True
+        if event.type() != QEvent.Type.KeyPress or not self._counts(event):
             return False
         if watched is not (QApplication.focusWidget() or watched.window()):
             return False
@@ -56,7 +61,8 @@ class Scanner(QObject):
         """Decide about what is held: a scan, or keys of a person."""
         kept, self._kept = self._kept, []
         self._wait.stop()
-        text = "".join(event.text() for _, event in kept if event.key() not in ENTER)
+        struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
+        text = "".join(event.text() for event in struck if event.key() not in ENTER)
         if len(text) >= SHORTEST:
             self.scanned.emit(text.strip())
             return

@@ -21,6 +21,7 @@ from labcal.gui.theme import DARK, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.widgets import named
 from labcal.gui.wire import Fault
 
+AHEAD_MS = 400
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
 
@@ -103,6 +104,13 @@ class Window(Frame):
         desk.run.changed.connect(self._lock)
         QShortcut(QKeySequence("F11"), self, self.toggle_wall)
 
+    def build_ahead(self) -> None:
+        """Build the next page that nobody has seen, and again a moment later: none is to be built during a run."""
+        waiting = [later for later in self.later.values() if later.page is None]
+        if waiting and not self.desk.run.alive:
+            waiting[0].made()
+            QTimer.singleShot(AHEAD_MS, self, self.build_ahead)
+
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
         return self.later[name].made()
@@ -176,6 +184,7 @@ def open_window(bench: str | None) -> Window:
     desk = Desk()
     window = Window(desk)
     window.show()
+    QTimer.singleShot(AHEAD_MS, window, window.build_ahead)
     chosen = bench or str(desk.settings.value("bench", "") or "")
     if chosen and (bench or Path(chosen).is_file()):
         QTimer.singleShot(0, desk, lambda: desk.open_bench(chosen))

@@ -9,6 +9,7 @@ from labcal.gui.desk import Desk
 from labcal.gui.theme import LIGHT
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
+KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
 PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a slow computer does not
 
 
@@ -40,6 +41,11 @@ class Deaf(QObject):
         self.asked = [one for one in self.asked if one[0] != do]
         for _, then, _, _ in mine:
             then(result)
+
+
+@pytest.fixture(scope="session")
+def kept_windows():
+    return KEPT
 
 
 @pytest.fixture
@@ -75,6 +81,7 @@ def deaf_window(tmp_path_factory, qapp):
         window.open_page("Run")
         window.page("Run")
         window.desk.clerk.answer("procedures", procedures(None))
+        KEPT.append(window)
         yield window
         window.close()
 
@@ -113,6 +120,7 @@ def alive(tmp_path_factory, qapp):
         window.home = str(home)
         window.show()
         window.desk.open_bench(str(BENCH))
+        KEPT.append(window)
         yield window
         window.close()
 

@@ -13,7 +13,7 @@ SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "n
 
 
 @pytest.fixture(scope="module")
-def lab(tmp_path_factory, qapp):
+def lab(tmp_path_factory, qapp, kept_windows):
     """A window whose store has one short preflight; the tests below go on from one another's work."""
     from labcal import session
     from labcal.bench.clock import VirtualClock
@@ -31,6 +31,7 @@ def lab(tmp_path_factory, qapp):
         window.desk.open_bench(str(BENCH))
         window.desk.who(dut="EM-07", operator="J. Doe")
         window.home = str(home)
+        kept_windows.append(window)
         yield window
         window.close()
 

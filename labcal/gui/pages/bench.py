@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from math import hypot
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
-from labcal.gui.cage_view import CageView
+from labcal.gui.cage_view import CageView, vector_colours
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
-from labcal.gui.lab_vm import LabState, Triple
+from labcal.gui.lab_vm import Triple
 from labcal.gui.measurement_table import Table
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
@@ -38,7 +39,6 @@ class BenchPage(QWidget):
         column.addWidget(self._instruments_card(), 3)
         column.addWidget(self._cage_card(), 2)
         desk.bench_changed.connect(self._bench_known)
-        desk.lab.changed.connect(self._show_cage)
         self._readings = QTimer(self, interval=READINGS_MS)
         self._readings.timeout.connect(self._show_readings)
         self._bench_known()
@@ -128,7 +128,7 @@ class BenchPage(QWidget):
 
     def _bench_known(self) -> None:
         self._show()
-        self._show_cage(self._desk.lab.state)
+        self._show_readings()
 
     def _show(self) -> None:
         facts = self._desk.facts
@@ -157,35 +157,45 @@ class BenchPage(QWidget):
             self.table.set_cell(row, 5, self.tr("✓ answers"), colour=self._theme.good)
 
     def _show_readings(self) -> None:
-        """What each instrument sent last, with the seconds since."""
-        run = self._desk.run
+        """What each instrument sent last; the coils' currents as they were read back."""
+        run, coils = self._desk.run, self._desk.lab.state.coil_A
         for row in range(self.table.rowCount()):
-            role, name = self.table.text(row, 0), self.table.text(row, 1)
-            source = "cage" if role.startswith("coil") else name
-            said = run.reading.get(source)
-            words = "–" if said is None else reading_words(role, *said)
-            age = f"{run.silent_s(source):.1f} s" if said is not None else self.tr("nothing in this session")
-            self.table.set_cell(row, 4, words, tip=self.tr("{0} before the newest of all: {1}").format(age, words))
+            role, said = self.table.text(row, 0), run.reading.get(self.table.text(row, 1))
+            words, age = "–", self.tr("nothing in this session")
+            if role.startswith("coil") and coils is not None:
+                words, age = f"{number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
+            elif said is not None:
+                silent = run.silent_s(self.table.text(row, 1))
+                words, age = reading_words(role, said[1]), self.tr("{0:.1f} s before the newest of all").format(silent)
+            self.table.set_cell(row, 4, words, tip=f"{words}   ({age})")
+        self._show_cage()
 
-    def _show_cage(self, state: LabState) -> None:
-        cage = self._desk.facts.get("cage")
-        applied: Triple | None = None
-        if cage and state.coil_A is not None:
-            x, y, z = np.asarray(cage["matrix"]) @ np.asarray(state.coil_A)
-            applied = float(x), float(y), float(z)
-        total = state.field_measured_nT
-        ambient = None
-        if applied is not None and total is not None:
-            ambient = (total[0] - applied[0], total[1] - applied[1], total[2] - applied[2])
-        self.cage.show_vectors(applied, ambient, total)
-        if cage:
-            limits = cage["limits"]
-            most = ", ".join(f"{one:g}" for one in limits["current_A"])
-            words = self.tr("Limits\n{0} A (x, y, z)\n{1} nT at the centre").format(
-                most, number(limits["field_nT"], 0, signed=False)
-            )
-            seen = self.tr("Nothing measured yet: vectors appear with a run.") if total is None else ""
-            self.cage_words.setText(f"{words}\n\n{seen}")
+    def _show_cage(self) -> None:
+        """The field's parts as they were last recorded together: currents, and what the reference saw with them."""
+        facts, run = self._desk.facts, self._desk.run
+        if not facts:
+            return
+        applied = last_applied(run.reading.get("cage"), facts["cage"]["matrix"])
+        name = next((n for n, one in facts["instruments"].items() if one["role"] == "reference"), "")
+        reference = last_vector(run.reading.get(name))
+        ambient: Triple | None = None
+        if applied is not None and reference is not None:
+            ambient = (reference[0] - applied[0], reference[1] - applied[1], reference[2] - applied[2])
+        self.cage.show_vectors(applied, ambient, reference)
+        self.cage_words.setText(self._legend((applied, ambient, reference)) + self._limits(facts["cage"]["limits"]))
+
+    def _legend(self, vectors: tuple[Triple | None, ...]) -> str:
+        names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
+        lines = []
+        for name, colour, vector in zip(names, vector_colours(self._theme), vectors, strict=True):
+            size = self.tr("not measured yet") if vector is None else f"{number(hypot(*vector), 0, signed=False)} nT"
+            lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
+        return "<br>".join(lines)
+
+    def _limits(self, limits: dict[str, Any]) -> str:
+        most = ", ".join(f"{one:g}" for one in limits["current_A"])
+        field = number(limits["field_nT"], 0, signed=False)
+        return self.tr("<br><br>at most {0} A (x, y, z)<br>at most {1} nT").format(most, field)
 
 
 def desk_simulated(desk: Desk) -> None:
@@ -193,10 +203,24 @@ def desk_simulated(desk: Desk) -> None:
     desk.ask("simulated_bench", desk.open_bench)
 
 
-def reading_words(role: str, columns: tuple[str, ...], values: Any) -> str:
-    """The last sample of an instrument, short: a coil's own current, else every value."""
-    if role.startswith("coil"):
-        at = columns.index(f"i_coil_{role[-1]}") if f"i_coil_{role[-1]}" in columns else 0
-        return f"{number(float(values[at]), 3)} A"
+def reading_words(role: str, values: Any) -> str:
+    """The last sample of an instrument, short."""
     unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
     return "  ".join(number(float(value), 1) for value in values[:3]) + unit
+
+
+def last_vector(said: tuple[tuple[str, ...], Any] | None) -> Triple | None:
+    """The field that a vector reference sent last."""
+    if said is None or len(said[1]) < 3:
+        return None
+    x, y, z = (float(v) for v in said[1][:3])
+    return x, y, z
+
+
+def last_applied(said: tuple[tuple[str, ...], Any] | None, matrix_nT_per_A: Any) -> Triple | None:
+    """The field that the currents recorded last make."""
+    if said is None:
+        return None
+    currents = [float(said[1][said[0].index(f"i_coil_{axis}")]) for axis in "xyz"]
+    x, y, z = np.asarray(matrix_nT_per_A) @ currents
+    return float(x), float(y), float(z)

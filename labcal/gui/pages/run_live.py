@@ -75,7 +75,7 @@ class Live(QWidget):
         self.steps = QListWidget()
         self.steps.setAccessibleName(self.tr("Steps"))
         self.note = QLineEdit()
-        self.note.setPlaceholderText(self.tr("Note for the record, Enter"))
+        self.note.setPlaceholderText(self.tr("Note, Enter"))
         self.note.setToolTip(self.tr('Put a remark with its time into the record: "lift moved"'))
         self.note.returnPressed.connect(self._note)
         for widget in (self.title, self.progress, self.left):
@@ -118,7 +118,7 @@ class Live(QWidget):
         column = QVBoxLayout(holder)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
-        self.lights = AxisLights()
+        self.lights = AxisLights(self._theme)
         column.addWidget(self.fault)
         column.addWidget(self.lights)
         column.addWidget(self.middle, 1)

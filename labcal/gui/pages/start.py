@@ -64,7 +64,7 @@ class StartPage(QWidget):
 
     def _hello_card(self) -> Card:
         card = Card()
-        self.date, self.question = label(f"{datetime.now(UTC):%A, %d %B %Y}", "large"), label("", wrap=True)
+        self.date, self.question = label(f"{datetime.now(UTC):%A, %d %B}", "large"), label("", wrap=True)
         self.morning = button(
             self.tr("Morning check"),
             self.tr("Zero and axes, about 3 minutes; you are asked before anything is energised"),
@@ -149,14 +149,18 @@ class StartPage(QWidget):
 
     def _show_cage_check(self, said: dict[str, Any]) -> None:
         """What the last cage-calibration found, and how long ago."""
-        shape, state = STATES.get(said["verdict"], ("", ""))
-        days = (datetime.now(UTC) - datetime.fromisoformat(said["run"]["started_utc"].replace("Z", "+00:00"))).days
+        days = days_since(said["run"]["started_utc"])
         words = self.tr("Checked {0}, {1} days ago.").format(said["run"]["started_utc"][:10], days)
         if (worst := said["measurement"]) is not None:
             words += f"\n{worst['name']}: {number(worst['value'])} {worst['unit']} ({worst['limit']:g})"
+        self._say_cage(words, days, said["verdict"])
+
+    def _say_cage(self, words: str, days: int, verdict: str) -> None:
+        """It holds where the last look at it says so, and that is not too long ago."""
+        shape, state = STATES.get(verdict, ("", ""))
         if days > CAGE_DAYS:
             return self._say("cage", self.tr("▲ due"), words, "warning")
-        return self._say("cage", f"{shape} {said['verdict']}", words, state)
+        return self._say("cage", f"{shape} {self.tr('holds') if verdict == 'PASS' else verdict}", words, state)
 
     def _closing_known(self, said: dict[str, Any] | None) -> None:
         if said is None:
@@ -186,3 +190,8 @@ class StartPage(QWidget):
             )
             again.setEnabled(bool(self._desk.facts))
             self.interrupted.body.addWidget(again)
+
+
+def days_since(utc: str) -> int:
+    """Whole days since an ISO 8601 time."""
+    return (datetime.now(UTC) - datetime.fromisoformat(utc.replace("Z", "+00:00"))).days
