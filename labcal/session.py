@@ -174,7 +174,9 @@ def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: 
 
 
 def _is_path(run: str) -> bool:
-    return Path(run).exists() or "/" in run or "\\" in run or run.lower().endswith(".zip")
+    """A plain word is a run id, unless a bundle of that name lies right here."""
+    here = Path(run)
+    return "/" in run or "\\" in run or run.lower().endswith(".zip") or here.is_file() or (here / "run.json").is_file()
 
 
 def new_key(name: str, passphrase: str) -> Signer:

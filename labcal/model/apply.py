@@ -129,7 +129,26 @@ def _effect(
 ) -> tuple[Array, Array]:
     """One effect and its variance (n, 3) each; where it cannot be known it is nought, and its size is uncertainty."""
     effect = load_shipped(record)
-    usable: Mask = np.asarray(np.isfinite(field_nT).all(axis=1))
+    usable = np.isfinite(field_nT).all(axis=1) & _usable(calibration, record, effect, readings, flags)
+    value, variance = np.zeros_like(field_nT), np.zeros_like(field_nT)
+    if usable.any():
+        columns = effect.form.columns(_scene(calibration, readings, field_nT, usable))
+        value[usable] = columns @ effect.beta
+        u = {p.name: p.u for p in record.parameters}
+        variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.form.parameters])
+    variance[~usable] = _size(calibration, record, effect, value[usable])
+    if effect.family.id == "lag" and readings.t_s is not None:
+        beyond = _out_of_reach(readings, float(effect.beta[0]))
+        flags["rate"] |= beyond
+        variance[beyond] += value[beyond] ** 2
+    return value, variance
+
+
+def _usable(
+    calibration: Calibration, record: EffectRecord, effect: Fitted, readings: Readings, flags: dict[str, Mask]
+) -> Mask:
+    """Rows (n,) that have what the effect needs: its channels, the run's time, a mode it knows. Flags the others."""
+    usable: Mask = np.ones(len(readings), dtype=bool)
     for name in record.channels:
         missing = ~np.isfinite(readings.channels[name])
         usable = usable & ~missing
@@ -144,18 +163,7 @@ def _effect(
         unknown = ~np.isin(readings.mode, _known_modes(calibration, record))
         usable = usable & ~unknown
         flags["mode"] |= unknown
-    value, variance = np.zeros_like(field_nT), np.zeros_like(field_nT)
-    if usable.any():
-        columns = effect.form.columns(_scene(calibration, readings, field_nT, usable))
-        value[usable] = columns @ effect.beta
-        u = {p.name: p.u for p in record.parameters}
-        variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.form.parameters])
-    variance[~usable] = _size(calibration, record, effect, value[usable])
-    if effect.family.id == "lag" and readings.t_s is not None:
-        beyond = _out_of_reach(readings, float(effect.beta[0]))
-        flags["rate"] |= beyond
-        variance[beyond] += value[beyond] ** 2
-    return value, variance
+    return usable
 
 
 def _scene(calibration: Calibration, readings: Readings, field_nT: Array, rows: Mask) -> Scene:

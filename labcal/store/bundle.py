@@ -11,7 +11,7 @@ from hashlib import sha256
 from pathlib import Path, PurePosixPath
 
 from labcal.errors import InputError
-from labcal.files import write_bytes
+from labcal.files import replacing, write_bytes
 from labcal.record import Run
 from labcal.store.run_json import read_run_json, write_run_json
 from labcal.store.samples_csv import read_samples, write_samples
@@ -70,8 +70,9 @@ def save_bundle(bundle: Bundle, path: Path) -> None:
     if path.exists() and not path.is_dir():
         raise InputError("is a file; a bundle is a folder, or a name that ends in .zip", file=path)
     path.mkdir(parents=True, exist_ok=True)
-    write_bytes(path / SAMPLES_CSV, bundle.samples_csv)
-    write_bytes(path / RUN_JSON, bundle.run_json)
+    with replacing(path / SAMPLES_CSV) as samples, replacing(path / RUN_JSON) as header:
+        samples.write_bytes(bundle.samples_csv)
+        header.write_bytes(bundle.run_json)
 
 
 def write_bundle(run: Run, path: Path) -> None:

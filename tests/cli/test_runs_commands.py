@@ -78,3 +78,26 @@ def test_a_wrong_request_is_one_sentence_and_exit_2(
     assert "Traceback" not in told.err
     assert told.err.strip()
     assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_of_the_run_s_name_does_not_hide_the_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / RUN_ID).mkdir()
+    labcal(["import", str(GOLDEN)])
+    assert labcal(["show", RUN_ID]) == 0
+    assert labcal(["export", RUN_ID, "--format", "bundle", "--out", RUN_ID]) == 0
+    assert labcal(["show", RUN_ID]) == 0
+    assert "not in the store" in capsys.readouterr().out
+
+
+def test_an_export_that_fails_leaves_the_bundle_that_was_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "samples.csv").write_text("old")
+    (tmp_path / "run.json").mkdir()
+    assert labcal(["export", str(GOLDEN), "--format", "bundle", "--out", str(tmp_path)]) == 2
+    assert "run.json: is a folder" in capsys.readouterr().err
+    assert (tmp_path / "samples.csv").read_text() == "old"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["run.json", "samples.csv"]

@@ -3,14 +3,29 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+Wait = Callable[[Callable[[], bool]], None]
 GOLDEN = Path(__file__).parents[1] / "golden"
 Change = Callable[[dict[str, Any]], Any]
+
+
+@pytest.fixture(scope="session")
+def eventually() -> Wait:
+    """Wait until something is true; the minute is for one that never will be, not for a busy machine."""
+
+    def wait(true: Callable[[], bool]) -> None:
+        deadline = time.monotonic() + 60
+        while not true():
+            assert time.monotonic() < deadline, "it never came true"
+            time.sleep(0.02)
+
+    return wait
 
 
 @pytest.fixture(scope="session")

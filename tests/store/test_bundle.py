@@ -5,9 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import stat
 import time
-import zipfile
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -268,59 +266,6 @@ def test_run_sha256_is_the_digest_of_the_two_digests(bundle) -> None:
     assert bundle_sha256(load_bundle(folder)) == hashlib.sha256(digests.encode()).hexdigest()
 
 
-def zip_of(path: Path, members: list[tuple[Any, bytes]]) -> Path:
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in members:
-            archive.writestr(name, content)
-    return path
-
-
-def test_a_zipped_folder_is_a_bundle_too(bundle, tmp_path: Path) -> None:
-    folder = bundle()
-    members = [(f"run7/{name}", (folder / name).read_bytes()) for name in ("run.json", "samples.csv")]
-    assert read_bundle(zip_of(tmp_path / "b.zip", [*members, ("__MACOSX/._x", b"")])).run_id == "r1"
-
-
-@pytest.mark.parametrize("name", ["../run.json", "/run.json", "a/../../run.json", "..\\run.json", "C:\\run.json"])
-def test_a_zip_that_climbs_out_is_refused(bundle, tmp_path: Path, name: str) -> None:
-    folder = bundle()
-    good = [(part, (folder / part).read_bytes()) for part in ("run.json", "samples.csv")]
-    with pytest.raises(InputError, match="climbs out"):
-        read_bundle(zip_of(tmp_path / "b.zip", [*good, (name, b"{}")]))
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["b.zip", "bundle"]
-
-
-def test_zips_with_links_doubles_bombs_or_missing_files_are_refused(bundle, tmp_path: Path, monkeypatch) -> None:
-    folder, path = bundle(), tmp_path / "b.zip"
-    header, rows = (((part), (folder / part).read_bytes()) for part in ("run.json", "samples.csv"))
-    link = zipfile.ZipInfo("samples.csv")
-    link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
-    with pytest.raises(InputError, match="a link"):
-        read_bundle(zip_of(path, [header, (link, b"/etc/passwd")]))
-    with pytest.raises(InputError, match=r"no samples\.csv"):
-        read_bundle(zip_of(path, [header]))
-    with pytest.raises(InputError, match="two files"):
-        read_bundle(zip_of(path, [header, rows, ("a/samples.csv", b"")]))
-    monkeypatch.setattr("labcal.store.bundle.LARGEST", {"run.json": 1 << 20, "samples.csv": 1 << 20})
-    with pytest.raises(InputError, match="larger than"):
-        read_bundle(zip_of(path, [header, ("samples.csv", bytes(50 << 20))]))
-
-
-def test_every_damaged_zip_is_an_input_error(bundle, tmp_path: Path) -> None:
-    path = tmp_path / "b.zip"
-    write_bundle(read_bundle(bundle()), path)
-    good, rng = path.read_bytes(), np.random.default_rng(1)
-    for _ in range(300):
-        damaged = bytearray(good[: rng.integers(len(good) // 2, len(good) + 1)])
-        for place in rng.integers(0, len(damaged), 3):
-            damaged[place] = rng.integers(256)
-        path.write_bytes(damaged)
-        try:
-            read_bundle(path)
-        except InputError:
-            continue
-
-
 def test_what_is_no_bundle_at_all_is_refused(tmp_path: Path) -> None:
     for path in (tmp_path / "absent", tmp_path):
         with pytest.raises(InputError):
@@ -376,9 +321,9 @@ def test_a_hundred_thousand_rows_read_in_seconds(bundle, sample_rows: str) -> No
     line = sample_rows.splitlines()[1].split(",", 1)[1]
     rows = sample_rows.splitlines()[0] + "\n" + "".join(f"{i / 100},{line}\n" for i in range(100_000))
     path = bundle(rows=rows)
-    start = time.perf_counter()
+    start = time.process_time()
     assert len(read_bundle(path)) == 100_000
-    assert time.perf_counter() - start < 10  # about one on an idle machine
+    assert time.process_time() - start < 10  # about one, and its own, however busy the machine is
 
 
 def test_all_shared_bundles_read_and_repeat(shared: Path) -> None:
@@ -394,13 +339,6 @@ def test_all_shared_bundles_read_and_repeat(shared: Path) -> None:
 def test_what_an_instrument_put_into_a_header_does_not_lose_the_run(bundle) -> None:
     run = replace(read_bundle(bundle()), operator="Ada\x1b[2J")
     assert bundle_of(run).run().operator == "Ada\ufffd[2J"
-
-
-def test_the_two_files_of_a_zip_lie_together(bundle, tmp_path: Path) -> None:
-    folder = bundle()
-    members = [(f"{name[0]}/{name}", (folder / name).read_bytes()) for name in ("run.json", "samples.csv")]
-    with pytest.raises(InputError, match="different folders"):
-        read_bundle(zip_of(tmp_path / "b.zip", members))
 
 
 def test_a_power_mode_that_acts_on_a_terminal_is_refused_with_its_line(bundle, sample_rows: str) -> None:
