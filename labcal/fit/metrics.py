@@ -30,7 +30,7 @@ def scalar_residual(run: Run, found: Fit) -> Array:
 
 
 def reading_bias_nT(run: Run, affine: AffineMap) -> Array:
-    """The reading at zero field (3,), times the nominal nT per unit: K⁻¹ k (Crassidis et al. (1): b)."""
+    """The reading at zero field (3,), times the nominal nT per unit: K⁻¹ k."""
     return np.asarray(np.linalg.solve(affine.K, affine.k_nT) * run.dut.nominal_nT_per_unit)
 
 

@@ -17,7 +17,8 @@ class Fit:
     """One method's answer, or why it gives none (`ok` False, `why_not` a sentence, `affine` None).
 
     `covariance` (12, 12) orders K row by row, then k; where the frame is not known K is symmetric and the
-    covariance has rank 9. `bias_nT` and `D` are the seed paper's own parameters where the method has them.
+    covariance has rank 9. `bias_nT` and `D` are b and D of Crassidis, Lai & Harman 2003, (1), where the method has
+    them (then b is k); else `bias_nT` is the reading at zero field, K⁻¹ k.
     """
 
     method: str
