@@ -46,7 +46,7 @@ def step(
     """One update with nine states; see `live.Step`. R = σ²(x̂) is added to the innovation's variance, below (47)."""
     at = terms(x, reading, magnitude, noise, reference_noise)
     root, odd, even = spread(x, P, at)
-    mean, expected = moments_of(odd, even)
+    mean, expected = moments_of((odd, even))
     return update(x, P, at, root @ odd, expected + at.variance, mean)
 
 
@@ -58,8 +58,8 @@ def step_augmented(
     root, odd, even = spread(x, P, at)
     n = SPREAD * factor(noise)
     linear = np.array(at.u) @ n
-    square = np.add.reduce(n * ((EYE + x.take(OF_E)) @ n))
-    mean, expected = moments_of(np.concatenate([odd, 4 * linear]), np.concatenate([even, 2 * square]))
+    square = np.add.reduce(n * (n + x.take(OF_E) @ n))
+    mean, expected = moments_of((odd, even), (4 * linear, 2 * square))
     expected += 4 * (reference_noise * magnitude) ** 2
     return update(x, P, at, root @ odd, expected, mean - at.mean)
 
@@ -85,10 +85,11 @@ def spread(x: Array, P: Array, at: Terms) -> tuple[Array, Array, Array]:
     return root, 2 * SPREAD * (np.array(at.regressor) @ root) + (minus - plus), 2 * at.square - (plus + minus)
 
 
-def moments_of(odd: Array, even: Array) -> tuple[float, float]:
+def moments_of(*points: tuple[Array, Array]) -> tuple[float, float]:
     """Weighted mean and variance of ζ − ζ(0), (39), (42) and (44), from `spread`'s differences and rises."""
-    mean = WEIGHT * float(np.add.reduce(even))
-    return mean, WEIGHT / 2 * float(odd @ odd + even @ even) + (BETA - ALPHA**2) * mean * mean
+    mean = WEIGHT * sum(float(np.add.reduce(even)) for _, even in points)
+    square = sum(float(odd @ odd + even @ even) for odd, even in points)
+    return mean, WEIGHT / 2 * square + (BETA - ALPHA**2) * mean * mean
 
 
 def update(

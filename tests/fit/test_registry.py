@@ -1,6 +1,7 @@
 import made_up_runs as lab
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from labcal.errors import InputError
 from labcal.fit import METHODS, fit
@@ -37,6 +38,17 @@ def test_options_reach_the_method() -> None:
     one, other = (fit(run, "pso-scalar", holdout=False, options=short, seed=seed) for seed in (0, 3))
     assert one.covariance is None
     assert not np.array_equal(one.affine.K, other.affine.K)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_payload_that_spins_about_the_vertical_and_nods_a_little_is_calibrated_by_no_method(method: str) -> None:
+    """A quadric nearly flat along the spin fits its magnitudes to the noise, with gains of many times one."""
+    t = np.arange(1000) / 10
+    nod = np.radians(3.0) * np.column_stack([np.sin(2 * np.pi * t / 3.1), np.cos(2 * np.pi * t / 4.3)])
+    turns = Rotation.from_euler("ZYX", np.column_stack([2 * np.pi * t / 7, nod])).inv()
+    found = fit(lab.run_of(turns.apply([20e3, 0, 43e3]), 0, noise=30.0), method, holdout=False)
+    assert not found.ok
+    assert found.affine is None
 
 
 @pytest.mark.parametrize("method", METHODS)
