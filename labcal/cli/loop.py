@@ -15,6 +15,7 @@ from labcal.errors import InputError
 
 if TYPE_CHECKING:
     from labcal.loop import ClosedLoop
+    from labcal.runner.rehearsal import Rehearsal
 
 
 @app.command("close-loop", rich_help_panel="Calibration")
@@ -23,17 +24,24 @@ def close_loop(
     json_file: str | None = JSON,
     report: Path | None = typer.Option(None, metavar="FILE.html", help="Write the report for people (.html or .pdf)."),
     out: Path | None = typer.Option(None, metavar="CAL.json", help="Write the calibration with the effects found."),
-    measure: bool = typer.Option(False, "--measure", help="Run the procedure that tells rivals apart, on --bench."),
+    measure: bool = typer.Option(
+        False,
+        "--measure",
+        help="While causes are open, measure on --bench what tells them apart.",
+    ),
     bench: Path | None = typer.Option(None, help="The bench to measure on."),
+    yes: bool = typer.Option(False, "--yes", help="Agree to the plans; on a real bench prompts still need a person."),
+    seed: int | None = typer.Option(None, help="Of the simulated lab: that of the run."),
 ) -> int:
     """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
     from labcal import session
 
-    if measure and bench is None:
-        raise InputError("--measure needs a bench: say --bench FILE")
-    closed = session.close_loop(run, out, _progress, report=report)
-    if bench is not None and measure:
-        _measure(closed, bench)
+    if measure:
+        if bench is None:
+            raise InputError("--measure needs a bench: say --bench FILE")
+        closed = _measuring(run, bench, out, report, seed, sure=yes)
+    else:
+        closed = session.close_loop(run, out, _progress, report=report)
     if json_file is not None:
         write_json(closed.to_json(), json_file)
     if json_file != "-":
@@ -41,19 +49,24 @@ def close_loop(
     return DONE if closed.done else NEGATIVE
 
 
-def _measure(closed: ClosedLoop, bench: Path) -> None:
-    """Run what the loop proposes; its run id goes to stderr, for stdout belongs to the result."""
-    from labcal import session
+def _measuring(
+    run: str, bench: Path, out: Path | None, report: Path | None, seed: int | None, *, sure: bool
+) -> ClosedLoop:
+    """Plans and progress go to stderr, for stdout belongs to the result."""
+    from labcal.measuring import Talk, close_by_measuring
 
-    proposed = closed.next_experiment.procedure if closed.next_experiment is not None else None
-    if proposed is None:
-        print("no procedure is needed, or none is known that would tell more", file=sys.stderr)
-        return
+    def consent(plan: Rehearsal) -> bool:
+        print("\n".join(["The plan:", *(f"  {line}" for line in plan.lines())]), file=sys.stderr)
+        if sure or (plan.simulated and not sys.stdin.isatty()):
+            return True
+        if not sys.stdin.isatty():
+            raise InputError("nobody is there to agree to the plan: at a terminal, or with --yes")
+        return typer.confirm("Measure this now?", err=True)
+
     with shown("bar") as display:
-        answer = display.ask if sys.stdin.isatty() else None
-        outcome = session.run(proposed, bench, answer=answer, tell=display.tell)
-    print(f"{proposed}: {outcome.status}, run {outcome.run_id}", file=sys.stderr)
-    outcome.raise_fault()
+        answer = display.ask if sys.stdin.isatty() and not sure else None
+        talk = Talk(consent, answer, display.tell, _progress)
+        return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed)
 
 
 def _progress(step: str) -> None:
@@ -82,5 +95,7 @@ def _show(closed: ClosedLoop) -> None:
         console.print(effects)
     for remark in closed.remarks:
         console.print(remark, highlight=False)
+    for done in closed.rounds:
+        console.print(f"Measured: {done.procedure} (run {done.run_id}), then {done.verdict}.", highlight=False)
     if closed.next_experiment is not None:
         console.print(f"Next: {closed.next_experiment.do} ({closed.next_experiment.why}).", highlight=False)

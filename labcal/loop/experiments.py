@@ -64,7 +64,7 @@ def experiments() -> tuple[Experiment, ...]:
         Experiment("turn at half and at twice the rate, there and back, in one mounting", "rate-sweep", rates),
         Experiment("repeat the run unchanged", "repeat", repeat),
         Experiment("step the field up and down along one axis", "linearity", ladder),
-        Experiment("turn in two more coil fields, a third and twice as large", "dut-moment", other_fields),
+        Experiment("turn in two more coil fields, a third and twice as large", "rotate-axis", other_fields),
         Experiment("switch every load on and off at one attitude", "current-coupling", loads),
         Experiment("warm the device and let it cool in two fields", "temperature-drift", heated),
         Experiment("switch the power mode there and back at one attitude", None, modes),

@@ -29,6 +29,8 @@ OF_FIELD = 0.015  # of the field: a base that leaves less than one of them is no
 RUBBISH = 0.2  # of the field: what no sensor's effect leaves
 MENDED = 5.0  # times less has to be left with a mistake undone
 MENDED_BY_CLOCK = 3.0
+AT_FLOOR = 1.15  # times the noise floor: a base that leaves no more needs no larger one
+BY_MAP = 1.5  # times less has to be left by a whole map before its lack is the cause
 AS_GOOD = 1.1  # times the best that is left: no choice between them
 LEAST_S = 1.0  # of a clock's offset: less is a lag, and the effect of that name explains it
 OFFSETS_S = np.concatenate([np.arange(0.5, 10.1, 0.5), np.arange(12.0, 61.0, 2.0)])
@@ -48,11 +50,25 @@ def doubt(problem: Problem, level: Floor) -> Finding | None:
     """What is wrong with the data where a mistake in them explains a gross misfit; else None."""
     field = float(np.sqrt(np.mean(problem.seen.magnitude**2)))
     left = float(np.sqrt(np.mean(problem.length_nT(problem.residual_nT) ** 2)))
+    if left > AT_FLOOR * level.nT and (finding := _undetermined(problem, left)) is not None:
+        return finding
     if left < max(FAR * level.nT, OF_FIELD * field):
         return None
     run = _thinned(problem.run)
     declared, _ = _left(problem, run)
     return _frame(problem, run, declared) or _clock(problem, declared) or _rubbish(left, field)
+
+
+def _undetermined(problem: Problem, left: float) -> Finding | None:
+    """A map that this run does not determine, where a whole one would leave far less than the base that it does."""
+    if problem.base == "affine" or problem.kind != "vector":
+        return None
+    whole, _ = _left(problem, _thinned(problem.run))
+    if whole * BY_MAP > left:
+        return None
+    text = f"This run does not determine the whole map ({problem.base} alone): too few axes or fields are excited"
+    change = f"a whole map would leave {whole:.0f} instead of {left:.0f} nT, and be anyone's guess"
+    return Finding("excitation", "data", f"{text}; {change}. Turn about the other body axes too.")
 
 
 def turned_axes(problem: Problem) -> Finding | None:

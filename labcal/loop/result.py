@@ -89,6 +89,15 @@ class Finding:
     says: str
 
 
+@dataclass(frozen=True, slots=True)
+class Round:
+    """A run that the loop asked for, and the verdict with its rows added."""
+
+    procedure: str
+    run_id: str
+    verdict: Verdict
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Pictures:
     """Residuals for the report, over the rows used (n,)."""
@@ -125,6 +134,7 @@ class ClosedLoop:
     tests: Mapping[str, tuple[ResidualTest, ...]] = field(default_factory=dict)  # before, after
     shape: Shape | None = None  # of what is left, where structure is left
     twins: tuple[Twins, ...] = ()  # of the accepted effects
+    rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
 
     @property
@@ -169,6 +179,7 @@ class ClosedLoop:
             "tests": {when: [asdict(test) for test in tests] for when, tests in self.tests.items()},
             "shape": None if self.shape is None else asdict(self.shape),
             "twins": [asdict(pair) for pair in self.twins],
+            "rounds": [asdict(one) for one in self.rounds],
         }
 
 

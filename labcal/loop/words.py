@@ -36,10 +36,16 @@ def in_doubt(finding: Finding) -> dict[str, Any]:
     return {
         "verdict": "unexplained",
         "summary": f"{finding.says} No effect was searched in such data.",
-        "next_experiment": NextExperiment(finding.says, "put the bundle or the wiring right, and close the loop again"),
+        "next_experiment": _mending(finding),
         "findings": (finding,),
         "remarks": (finding.says,),
     }
+
+
+def _mending(finding: Finding) -> NextExperiment:
+    if finding.kind == "excitation":
+        return NextExperiment(finding.says, "turn about all three body axes, in two fields at least", "preflight")
+    return NextExperiment(finding.says, "put the bundle or the wiring right, and close the loop again")
 
 
 def why(step: HeldOut, own: Weighed) -> str:

@@ -35,6 +35,18 @@ def test_one_axis_alone_names_no_effect(making: ModuleType, tmp_path: Path, clos
     assert result["accepted"] == []
 
 
+def test_one_axis_of_a_sensor_that_is_not_square_says_what_is_not_excited(
+    making: ModuleType, tmp_path: Path, closed_loop: Closed
+) -> None:
+    rows, segments = making.recorded(axes="z", seconds=90)
+    rows = {name: values[rows["segment"] == segments[0]["id"]] for name, values in rows.items()}
+    rows["dut"] = rows["dut"] @ np.array([[1.0, 0.01, -0.02], [0.015, 0.98, 0.01], [0.0, 0.02, 1.03]])
+    code, result, _ = closed_loop(making.written(tmp_path, rows, segments[:1]))
+    assert (code, result["verdict"], result["accepted"]) == (1, "unexplained", [])
+    assert "does not determine the whole map" in result["summary"]
+    assert result["next_experiment"]["procedure"] == "preflight"
+
+
 def test_constant_and_empty_channels_name_no_effect(making: ModuleType, tmp_path: Path, closed_loop: Closed) -> None:
     rows, segments = making.recorded()
     rows["temp"][:], rows["i_load"][:] = 20.0, np.nan

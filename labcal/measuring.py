@@ -1,0 +1,112 @@
+"""The loop closes on the instruments: rehearse what is proposed, ask once, measure, add the new run, decide again."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from labcal import session
+from labcal.bench.clock import Clock, VirtualClock
+from labcal.bench.config import read_config
+from labcal.errors import InputError
+from labcal.loop import ClosedLoop, Round
+from labcal.record import Run
+from labcal.record.join import GAP_S, joined
+from labcal.record.stream import Item
+from labcal.runner import Answer, find, procedures
+from labcal.runner.rehearsal import Rehearsal, rehearsed
+from labcal.store import Store, write_bundle
+
+ROUNDS = 3
+ALWAYS_TELLS = "repeat"  # what is proposed where nothing better records anything
+Consent = Callable[[Rehearsal], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Talk:
+    """How the rounds speak with people: may this plan run, who answers prompts, who hears items and progress."""
+
+    consent: Consent
+    answer: Answer | None = None
+    tell: Callable[[Item], None] = lambda item: None
+    progress: Callable[[str], None] = lambda text: None
+
+
+def close_by_measuring(
+    run: str, bench: Path, talk: Talk, *, out: Path | None = None, report: Path | None = None, seed: int | None = None
+) -> ClosedLoop:
+    """Close the loop on `run`; while it is open, measure what is proposed on `bench`, three rounds at most.
+
+    Each new run is kept in the store, and so is the run of all rows together, which the result is about. `seed` is
+    the simulated lab's. Raises InputError where the bench holds another DUT, and what an instrument or limit raises.
+    """
+    _refuse_another_dut(run, bench)
+    closed = session.close_loop(run, out, talk.progress, report=report)
+    rounds: list[Round] = []
+    while not closed.done and len(rounds) < ROUNDS:
+        plan = _plan(closed, bench, {r.procedure for r in rounds}, seed)
+        if plan is None or not talk.consent(plan):
+            break
+        run, new = _measured(plan, run, bench, talk, seed)
+        closed = session.close_loop(run, out, talk.progress, report=report)
+        rounds.append(Round(plan.procedure, new, closed.verdict))
+    return replace(closed, rounds=tuple(rounds))
+
+
+def _refuse_another_dut(run: str, bench: Path) -> None:
+    held, wanted = read_config(bench).dut.serial, session.load_run(run).dut.serial
+    if held != wanted:
+        raise InputError(f"the bench holds {held}, the run is of {wanted}: nothing was moved", file=bench)
+
+
+def _plan(closed: ClosedLoop, bench: Path, done: set[str], seed: int | None) -> Rehearsal | None:
+    """The first experiment proposed, not done yet, that this bench can do and that records rows for the loop."""
+    for name in _proposed(closed):
+        if name in procedures() and name not in done:
+            plan = rehearsed(bench, find(name), {}, seed)
+            if plan.segments:
+                return plan
+    return None
+
+
+def _proposed(closed: ClosedLoop) -> Iterator[str]:
+    if closed.next_experiment is not None:
+        named = (closed.next_experiment.procedure, *(r.procedure for r in closed.next_experiment.ranking))
+        yield from dict.fromkeys(name for name in (*named, ALWAYS_TELLS) if name)
+
+
+def _measured(plan: Rehearsal, run: str, bench: Path, talk: Talk, seed: int | None) -> tuple[str, str]:
+    """The id of the run of all rows so far and the new ones, and that of the new run."""
+    before = session.load_run(run)
+    clock = _going_on(before) if plan.simulated else None
+    outcome = session.run(plan.procedure, bench, answer=talk.answer, clock=clock, seed=seed, tell=talk.tell)
+    if outcome.fault is not None:
+        raise outcome.fault
+    try:
+        both = joined([before, session.load_run(outcome.run_id)], f"{before.run_id}+{outcome.run_id}")
+    except ValueError as error:
+        raise InputError(str(error)) from None
+    with tempfile.TemporaryDirectory() as folder, Store.open() as store:
+        write_bundle(both, Path(folder) / "both")
+        store.add_bundle(Path(folder) / "both")
+    return both.run_id, outcome.run_id
+
+
+def _going_on(run: Run) -> Clock:
+    """A virtual clock that goes on a minute after `run`: what a simulated DUT does by the time, it goes on doing."""
+    clock = VirtualClock(_start(run))
+    clock.wait_until(float(np.ptp(run.t_s)) + GAP_S)
+    return clock
+
+
+def _start(run: Run) -> datetime:
+    try:
+        start = datetime.fromisoformat(run.started_utc)
+    except ValueError:
+        return datetime.now(UTC)
+    return start if start.tzinfo else start.replace(tzinfo=UTC)

@@ -1,0 +1,96 @@
+"""A procedure rehearsed on the simulated lab before anything real moves: what it will do, and for how long."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Mapping
+from contextlib import closing
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from labcal.bench.bench import open_bench
+from labcal.bench.clock import VirtualClock
+from labcal.bench.config import read_config
+from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened
+from labcal.runner.catalogue import Found
+from labcal.runner.prompts import first_choice
+from labcal.runner.run import run_procedure
+from labcal.store import Store
+
+LINK = re.compile(r'^(\s*link\s*=\s*)"[^"]*"', re.MULTILINE)
+TURNING_DEG = 1.0  # between two readings of the platform: less is rest
+
+
+@dataclass
+class Rehearsal:
+    """What a procedure does, as rehearsed with its settings."""
+
+    procedure: str
+    title: str
+    simulated: bool = False  # the bench itself: all its links are emulated
+    segments: int = 0  # recorded for a calibration
+    seconds: float = 0.0  # of lab time, a person's steps not counted
+    field_nT: float = 0.0  # the largest at the DUT
+    rate_deg_per_s: float = 0.0
+    angles_deg: tuple[float, float] | None = None
+    temperature_C: tuple[float, float] | None = None  # that the DUT's limits allow
+    person: list[str] = field(default_factory=list)  # what a person is asked to do, mounting and switching included
+    _last: tuple[float, float] | None = field(default=None, repr=False)
+
+    def see(self, item: Item) -> None:
+        """Take one item of the rehearsal into account."""
+        if isinstance(item, Event) and "field_nT" in item.data and item.kind == "set-point":
+            self.field_nT = max(self.field_nT, float(np.linalg.norm(item.data["field_nT"])))
+        elif isinstance(item, SegmentOpened):
+            self.segments += 1
+        elif isinstance(item, Prompt) and item.acts:
+            self.person.append(item.text)
+        elif isinstance(item, Block) and item.stream == "angle":
+            for t, angle in zip(item.t_s.tolist(), item.values[:, 0].tolist(), strict=True):
+                self._turned(t, angle)
+
+    def _turned(self, t_s: float, angle_deg: float) -> None:
+        low, high = self.angles_deg or (angle_deg, angle_deg)
+        self.angles_deg = min(low, angle_deg), max(high, angle_deg)
+        if self._last is not None and t_s > self._last[0]:
+            rate = abs(angle_deg - self._last[1]) / (t_s - self._last[0])
+            self.rate_deg_per_s = max(self.rate_deg_per_s, rate)
+        self._last = t_s, angle_deg
+
+    def lines(self) -> list[str]:
+        """The plan in words, one line each."""
+        low, high = self.angles_deg or (0.0, 0.0)
+        turns = f"turns between {low:.0f} and {high:.0f}°, at up to {self.rate_deg_per_s:.1f} °/s"
+        limits = self.temperature_C
+        said = [
+            f"{self.procedure}: {self.title}",
+            f"largest field at the DUT {self.field_nT / 1000:.1f} µT",
+            turns if high - low > TURNING_DEG else "the platform rests",
+            f"DUT kept within {limits[0]:g} to {limits[1]:g} °C" if limits else "no temperature limits are stated",
+            f"about {self.seconds / 60:.0f} min, without a person's steps",
+        ]
+        return [*said, *(f"a person: {text}" for text in dict.fromkeys(self.person))]
+
+
+def rehearsed(bench: Path, procedure: Found, given: Mapping[str, str], seed: int | None = None) -> Rehearsal:
+    """Run `procedure` on the simulated twin of `bench`, whatever its links are, and return what it did.
+
+    Raises what the procedure raises: a plan beyond a limit fails here, before anything real is touched.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / "bench.toml"
+        copy.write_text(LINK.sub(r'\1"emulated://"', bench.read_text(encoding="utf-8")), encoding="utf-8")
+        clock = VirtualClock(datetime.now(UTC))
+        with closing(open_bench(copy, clock=clock, seed=seed)) as lab, Store.open(Path(folder) / "r.sqlite") as store:
+            limits = lab.config.dut.limits.temperature_C
+            found = Rehearsal(procedure.name, procedure.title, read_config(bench).simulated, temperature_C=limits)
+            begun = clock.now()
+            outcome = run_procedure(lab, procedure, given, store=store, answer=first_choice, tell=found.see)
+            found.seconds = clock.now() - begun
+    if outcome.fault is not None:
+        raise outcome.fault
+    return found

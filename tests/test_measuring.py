@@ -1,0 +1,92 @@
+"""The loop closes on the instruments: the plan first, one question, three rounds at most."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from labcal import cli, measuring, session
+from labcal.demo import simulated_bench
+from labcal.errors import InputError
+from labcal.measuring import Talk, close_by_measuring
+from labcal.runner import find
+from labcal.runner.rehearsal import Rehearsal, rehearsed
+
+SEED = 3
+
+
+@pytest.fixture
+def one_axis() -> str:
+    """A run that turns about one axis in one field alone: it does not determine the map."""
+    outcome = session.run("reverse", simulated_bench(), seed=SEED)
+    assert outcome.fault is None
+    return outcome.run_id
+
+
+def test_a_rehearsal_says_what_a_procedure_will_do() -> None:
+    plan = rehearsed(simulated_bench(), find("reverse"), {"magnitude_nT": "30000", "rate_deg_per_s": "12"}, SEED)
+    assert plan.field_nT == pytest.approx(30000, abs=1)
+    assert plan.rate_deg_per_s == pytest.approx(12, rel=0.2)
+    assert plan.angles_deg == pytest.approx((0, 360), abs=1)
+    assert (plan.segments, plan.simulated) == (2, True)
+    assert any("Mount the DUT" in text for text in plan.person)
+    said = "\n".join(plan.lines())
+    assert all(word in said for word in ("30.0 µT", "360°", "-20 to 60 °C", "min"))
+
+
+def test_a_rehearsal_beyond_a_limit_fails_before_anything_moves() -> None:
+    with pytest.raises(InputError, match="limit"):
+        rehearsed(simulated_bench(), find("reverse"), {"rate_deg_per_s": "25"}, SEED)
+
+
+def test_without_consent_nothing_is_measured(one_axis: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measuring, "_proposed", lambda closed: ["ambient", "reverse", "repeat"])
+    plans: list[Rehearsal] = []
+    before = len(session.runs())
+
+    def refuse(plan: Rehearsal) -> bool:
+        plans.append(plan)
+        return False
+
+    closed = close_by_measuring(one_axis, simulated_bench(), Talk(refuse), seed=SEED)
+    assert [plan.procedure for plan in plans] == ["reverse"]  # ambient records nothing that a loop could use
+    assert (closed.rounds, len(session.runs())) == ((), before)
+
+
+def test_a_bench_that_holds_another_dut_is_refused(one_axis: str, tmp_path: Path) -> None:
+    other = tmp_path / "other.toml"
+    other.write_text(simulated_bench().read_text().replace("SIM-0001", "SIM-0002"))
+    with pytest.raises(InputError, match="SIM-0002"):
+        close_by_measuring(one_axis, other, Talk(lambda plan: True), seed=SEED)
+
+
+def test_what_is_measured_is_added_and_kept_three_rounds_at_most(
+    one_axis: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(measuring, "_proposed", lambda closed: iter(["reverse"]))
+    closed = close_by_measuring(one_axis, simulated_bench(), Talk(lambda plan: True), seed=SEED)
+    assert [(r.procedure, r.verdict) for r in closed.rounds] == [("reverse", closed.verdict)]
+    both = session.load_run(closed.run_id)
+    assert closed.run_id == f"{one_axis}+{closed.rounds[0].run_id}"
+    assert len(both) == sum(len(session.load_run(run)) for run in (one_axis, closed.rounds[0].run_id))
+    assert [s.id[-2:] == "#2" for s in both.segments] == [False, False, True, True]
+
+
+def test_measure_without_a_bench_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli._run(["close-loop", "nothing", "--measure"]) == 2
+    assert "--bench" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_an_open_run_is_closed_by_what_the_bench_measures(
+    one_axis: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "cal.json"
+    given = ["close-loop", one_axis, "--measure", "--bench", str(simulated_bench()), "--seed", str(SEED), "--yes"]
+    assert cli._run([*given, "--out", str(out)]) == 0
+    said = capsys.readouterr()
+    assert said.err.count("The plan:") == said.out.count("Measured: ") >= 1
+    calibration = session.load_calibration(out)
+    assert one_axis in calibration.run_id
+    assert calibration.run_sha256 == session.run_bundle(calibration.run_id).sha256
