@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.observations import SCALAR
+from labcal.loop import working_range
 from labcal.loop.correlation import follows_itself
 from labcal.loop.decide import Cause
 from labcal.loop.evidence import AT_FLOOR, Contender, Evidence, search_of, weighed, without_outliers
@@ -94,7 +95,8 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
     verdict = _verdict(found, aside, len(problem))
     accepted = [*_of_the_data(aside, problem, verdict, found.far), *_records(found, after)]
-    affine, noticed = problem.affine, findings(run, problem, found.level)
+    affine, unsupported = problem.affine, working_range.unsupported(run, found.accepted, after)
+    noticed = (*findings(run, problem, found.level), *working_range.findings(run, found.accepted, after))
     tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
     left = describe(problem, rows) if verdict in ("unexplained", "partly-explained") else None
     return ClosedLoop(
@@ -118,6 +120,7 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         findings=noticed,
         tests=tests,
         shape=left,
+        unsupported=frozenset(found.accepted[i].family.id for i in unsupported),
         twins=twins(found),
         remarks=(tested(tests["after"]), *(finding.says for finding in noticed)),
         pictures=pictured(before.problem, after.problem),

@@ -22,7 +22,7 @@ BY_SHAPE = {  # do, procedure
     "telegraph": ("switch every load and mode on and off at one attitude, and look for the two levels",
                   "current-coupling"),
     "random-walk": ("record for an hour at rest: a wander of the sensor goes on, one of the rig does not", "repeat"),
-    "wander": ("turn at half and at twice the rate: what follows the angle or the field repeats, the rest is time's",
+    "wander": ("turn at half and at twice the rate: what belongs to angle or field comes again",
                "rate-sweep"),
     "noise": ("record at rest with the coils off: the noise that remains is the sensor's own", "ambient"),
 }  # fmt: skip

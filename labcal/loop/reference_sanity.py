@@ -31,6 +31,7 @@ MENDED = 5.0  # times less has to be left with a mistake undone
 MENDED_BY_CLOCK = 3.0
 AT_FLOOR = 1.15  # times the noise floor: a base that leaves no more needs no larger one
 BY_MAP = 1.5  # times less has to be left by a whole map before its lack is the cause
+FLAT = 0.2  # of the largest gain: a smaller one is no axis of a magnetometer
 AS_GOOD = 1.1  # times the best that is left: no choice between them
 LEAST_S = 1.0  # of a clock's offset: less is a lag, and the effect of that name explains it
 OFFSETS_S = np.concatenate([np.arange(0.5, 10.1, 0.5), np.arange(12.0, 61.0, 2.0)])
@@ -50,13 +51,14 @@ def doubt(problem: Problem, level: Floor) -> Finding | None:
     """What is wrong with the data where a mistake in them explains a gross misfit; else None."""
     field = float(np.sqrt(np.mean(problem.seen.magnitude**2)))
     left = float(np.sqrt(np.mean(problem.length_nT(problem.residual_nT) ** 2)))
-    if left > AT_FLOOR * level.nT and (finding := _undetermined(problem, left)) is not None:
-        return finding
-    if left < max(FAR * level.nT, OF_FIELD * field):
+    if left < AT_FLOOR * level.nT:
         return None
-    run = _thinned(problem.run)
+    run, gross = _thinned(problem.run), max(FAR * level.nT, OF_FIELD * field)
     declared, _ = _left(problem, run)
-    return _frame(problem, run, declared) or _clock(problem, declared) or _rubbish(left, field)
+    if min(left, declared) < gross:
+        return _undetermined(problem, left)
+    mistake = _frame(problem, run, declared) or _clock(problem, declared)
+    return mistake or _undetermined(problem, left) or _rubbish(left, field)
 
 
 def _undetermined(problem: Problem, left: float) -> Finding | None:
@@ -103,6 +105,7 @@ def _frame(problem: Problem, run: Run, declared: float) -> Finding | None:
     if run.reference_vector is None:
         return None
     tried = [(mistake, *_left(problem, mistake.mended)) for mistake in [*_frames(run), *_senses(run), *_axes(run)]]
+    tried = [(mistake, left, K) for mistake, left, K in tried if _is_a_map(K)]
     least = min((left for _, left, _ in tried), default=np.inf)
     if least * MENDED > declared:
         return None
@@ -140,6 +143,12 @@ def signed_permutations() -> list[Array]:
     """The 48 matrices that exchange and flip axes."""
     orders, signs = itertools.permutations(range(3)), list(itertools.product((1.0, -1.0), repeat=3))
     return [np.diag(sign) @ np.eye(3)[list(order)] for order in orders for sign in signs]
+
+
+def _is_a_map(K: Array) -> bool:
+    """Whether every axis is seen: a map that flattens the readings fits any constant."""
+    sizes = np.linalg.svd(K, compute_uv=False)
+    return bool(sizes[2] > FLAT * sizes[0])
 
 
 def _upright(mistake: Mistake, K: Array) -> Mistake:

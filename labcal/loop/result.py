@@ -133,6 +133,7 @@ class ClosedLoop:
     findings: tuple[Finding, ...] = ()
     tests: Mapping[str, tuple[ResidualTest, ...]] = field(default_factory=dict)  # before, after
     shape: Shape | None = None  # of what is left, where structure is left
+    unsupported: frozenset[str] = frozenset()  # accepted effects of the sensor that are not shipped
     twins: tuple[Twins, ...] = ()  # of the accepted effects
     rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
@@ -150,7 +151,7 @@ class ClosedLoop:
             affine=self.affine,
             covariance=self.covariance,
             frame_known=self.frame_known,
-            effects=self.accepted,
+            effects=tuple(e for e in self.accepted if e.effect not in self.unsupported),
             noise_nT=self.noise_nT,
         )
 

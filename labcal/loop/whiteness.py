@@ -59,10 +59,9 @@ def white(problem: Problem, y: Array) -> ResidualTest:
         q = ljung_box(part)
         p = float(chi2.sf(q, LAGS * part.shape[1]))
         name = problem.run.segments[int(problem.scene.segment[rows][0])].id
-        chance = LAGS * part.shape[1] / len(part)
-        worst = min(worst, (p, q, name, (q / len(part) - chance) / part.shape[1]))
+        worst = min(worst, (p, q, name, memory(part)))
     p, q, name = min(1.0, looks * worst[0]), worst[1], worst[2]
-    share = max(worst[3], 0.0)
+    share = worst[3]
     passes = p >= CHANCE or share < MATERIAL
     says = "white from row to row" if passes else f"follows itself from row to row, most in segment {name}"
     return ResidualTest("whiteness", name, q, p, share, passes, says)
@@ -75,6 +74,13 @@ def ljung_box(y: Array) -> float:
     lags = np.arange(1, LAGS + 1)
     r = np.array([np.sum(y[k:] * y[:-k], axis=0) / power for k in lags])
     return float(np.sum(n * (n + 2) * r**2 / (n - lags)[:, None]))
+
+
+def memory(y: Array) -> float:
+    """The share of the square of y (n, q) that the row before foretells: its largest squared correlation."""
+    y = y - y.mean(axis=0)
+    power = float(np.sum(y**2))
+    return max((float(np.sum(y[k:] * y[:-k])) / power) ** 2 for k in range(1, LAGS + 1)) if power else 0.0
 
 
 def independent(problem: Problem, y: Array) -> Iterator[ResidualTest]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from labcal.loop.decide import MATERIAL
 from labcal.loop.holdout import HeldOut
 from labcal.loop.result import Finding, NextExperiment, ResidualTest, Shape, Verdict
 from labcal.loop.search import NAMED, Candidate, Weighed
@@ -60,7 +61,10 @@ def why_not(w: Weighed) -> str:
         return f"no better than chance or a slow wander: evidence {w.weight:.1f}, {NAMED:.0f} needed"
     if w.weight < NAMED:
         return f"too little evidence: {w.weight:.1f}, {NAMED:.0f} needed"
-    return f"takes {100 * w.drop:.1f} % of the noise's square off the residual: not worth its parameters"
+    taken = f"takes {100 * w.drop:.1f} % of the noise's square off the residual"
+    if w.drop < MATERIAL:
+        return f"{taken}: not worth its parameters"
+    return f"{taken} in sample, but is a detail of what is accepted or does not hold on blocks it was not fitted to"
 
 
 def tested(tests: Sequence[ResidualTest]) -> str:

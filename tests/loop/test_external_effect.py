@@ -3,29 +3,17 @@
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from labcal import session
-from labcal.model.effects import Family, Form, Scene, families
-from labcal.model.effects.regressors import on_each_axis, per_axis
-from labcal.record import Run
+from labcal.model.effects import families
 
 PERIOD_S = 37.0  # of the pump
-
-
-def kernel(form: Form, scene: Scene) -> np.ndarray:
-    """A pump that runs for the first fifth of every period."""
-    return on_each_axis((np.mod(scene.t_s, PERIOD_S) < 0.2 * PERIOD_S).astype(float))
-
-
-def candidates(run: Run) -> list[Form]:
-    return [Form(kernel, per_axis("c", "nT"))]
-
-
-PUMP = Family("pump", "sensor", kernel, candidates, experiment="switch the pump off", bound_to_run=True)
 
 
 def _write_run(folder: Path) -> None:
@@ -56,14 +44,27 @@ def _write_run(folder: Path) -> None:
 
 
 @pytest.fixture
-def pump_installed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As if another package's entry point of labcal.effects named PUMP."""
-    import labcal.loop.search
-    import labcal.model.effects.registry as registry
+def pump_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """The package that docs/closed-loop.md shows, as an installer leaves it: its module and its entry point."""
+    page = (Path(__file__).parents[2] / "docs" / "closed-loop.md").read_text(encoding="utf-8")
+    source, declared = (re.findall(f"```{kind}\n(.*?)```", page, re.DOTALL)[0] for kind in ("python", "toml"))
+    points = re.search(r'(\w+) = "([\w.]+:\w+)"', declared)
+    assert points is not None
+    site = tmp_path / "site"
+    _put(site / "pump" / "__init__.py", "")
+    _put(site / "pump" / "effect.py", source)
+    _put(site / "pump-1.0.dist-info" / "METADATA", "Metadata-Version: 2.1\nName: pump\nVersion: 1.0\n")
+    _put(site / "pump-1.0.dist-info" / "entry_points.txt", f"[labcal.effects]\n{points[1]} = {points[2]}\n")
+    monkeypatch.syspath_prepend(site)
+    families.cache_clear()
+    yield
+    monkeypatch.undo()
+    families.cache_clear()
 
-    more = (*families(), PUMP)
-    for module in (labcal.loop.search, registry):
-        monkeypatch.setattr(module, "families", lambda: more)
+
+def _put(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
 
 
 def test_without_the_effect_the_run_is_unexplained(tmp_path: Path) -> None:

@@ -27,6 +27,7 @@ TONES: dict[Verdict, Tone] = {
     "ambiguous": "warning",
     "unexplained": "bad",
 }
+ENLARGED = 5.0  # times smaller than before: what is left gets a scale of its own
 KINDS = {"vector": "length of the residual vector", "scalar": "residual of the magnitude"}
 
 
@@ -94,14 +95,14 @@ def _tests(result: ClosedLoop) -> Table | None:
     rows = []
     for test in result.tests.get("after", ()):
         earlier = before.get((test.test, test.of)) or next((b for k, b in before.items() if k[0] == test.test), test)
-        rows.append((sentence(TESTS[test.test]), test.of, _verdict_of(earlier), _verdict_of(test)))
+        rows.append((TESTS[test.test], test.of, _verdict_of(earlier), _verdict_of(test)))
     return Table(("Test", "Of", "Before", "After"), tuple(rows)) if rows else None
 
 
 TESTS = {
-    "whiteness": "white from row to row (Ljung-Box)",
-    "independence": "independence (cross-correlation)",
-    "lack-of-fit": "lack of fit against repeats (F)",
+    "whiteness": "White from row to row (Ljung-Box)",
+    "independence": "Independence (cross-correlation)",
+    "lack-of-fit": "Lack of fit against repeats (F)",
 }
 
 
@@ -110,7 +111,7 @@ def _verdict_of(test: ResidualTest) -> str:
 
 
 def _twins(result: ClosedLoop) -> list[Block]:
-    rows = tuple((sentence(pair.one), pair.other, pair.separated_by) for pair in result.twins)
+    rows = tuple((pair.one, pair.other, pair.separated_by) for pair in result.twins)
     return [Table(("This", "and this", "are told apart by"), rows)] if rows else []
 
 
@@ -131,28 +132,34 @@ def _rejected_row(e: EffectRecord) -> tuple[str, ...]:
 
 
 def _pictures(result: ClosedLoop, run: Run) -> list[Block]:
-    over_time = (
-        "Both on one scale; x vermilion, y green, z blue." if result.residual_kind == "vector" else "On one scale."
-    )
+    over_time = "x vermilion, y green, z blue." if result.residual_kind == "vector" else "The magnitude."
     return [
-        Plot(lambda figure: _draw_over_time(figure, result), 3.0, over_time),
+        Plot(lambda figure: draw_over_time(figure, result), 4.0, over_time),
         Plot(lambda figure: _draw_by_segment(figure, result, run), 2.0, "Rms in each segment, in sample."),
     ]
 
 
-def _draw_over_time(figure: FigureBase, result: ClosedLoop) -> None:
-    pictures, panels = result.pictures, figure.subplots(2, 1, sharex=True, sharey=True)
+def draw_over_time(figure: FigureBase, result: ClosedLoop) -> None:
+    """The residual before and after on one scale, and after on its own where it is much smaller."""
+    pictures = result.pictures
+    shown = [("before", pictures.before_nT, _limit(pictures.before_nT))]
+    shown.append(("after, on the same scale", pictures.after_nT, shown[0][2]))
+    if _limit(pictures.after_nT) * ENLARGED < shown[0][2]:
+        shown.append(("after, enlarged", pictures.after_nT, _limit(pictures.after_nT)))
+    panels = figure.subplots(len(shown), 1, sharex=True)
     t, rows = pictures.t_s - pictures.t_s[0], thin(len(pictures.t_s))
     colours = AXES if pictures.before_nT.shape[1] == 3 else AXES[2:]
-    for panel, name, residual in zip(panels, ("before", "after"), (pictures.before_nT, pictures.after_nT), strict=True):
+    for panel, (name, residual, limit) in zip(panels, shown, strict=True):
         for values, colour in zip(residual.T, colours, strict=True):
             panel.plot(t[rows], values[rows], ".", ms=1.8, color=colour, rasterized=True)
-        panel.set(ylabel="residual (nT)")
+        panel.set(ylabel="residual (nT)", ylim=(-limit, limit))
         panel.set_title(name)
         segment_bounds(panel, pictures.t_s, pictures.segment)
-    limit = 1.1 * float(np.nanquantile(np.abs(pictures.before_nT), 0.999))
-    panels[0].set_ylim(-(limit or 1.0), limit or 1.0)
-    panels[1].set(xlabel="time (s)")
+    panels[-1].set(xlabel="time (s)")
+
+
+def _limit(residual: Array) -> float:
+    return 1.1 * float(np.nanquantile(np.abs(residual), 0.999)) or 1.0
 
 
 def _draw_by_segment(figure: FigureBase, result: ClosedLoop, run: Run) -> None:
