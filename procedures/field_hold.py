@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
+from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
@@ -12,12 +13,13 @@ from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
 from labcal.bench.samples import samples
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measure_ambient, measured, ready, rest
-from labcal.errors import InputError
+from labcal.errors import InputError, InstrumentError
 from labcal.record.stream import Event
 
 NEEDS, LASTS_MIN = "a vector reference", 3
 
 Array = NDArray[np.float64]
+STUCK_NT = 200.0
 
 
 def field_hold(
@@ -51,14 +53,20 @@ def field_hold(
 def _held(
     bench: Bench, target: Array, rounds: int, period_s: float, gain: float, dead_nT: float, limit_nT: float
 ) -> Work[None]:
-    """An integrator alone: it starts from the ambient field as it was assumed, so the hand-over moves nothing."""
-    errors: list[Array] = []
+    """An integrator alone: it starts from the ambient field as it was assumed, so the hand-over moves nothing.
+
+    It does not run after a reading that stands still while the coils move.
+    """
+    errors, frozen = list[Array](), Frozen(bench.reference.name)
     for number in range(rounds):
-        error = yield from _error(bench, target, f"held-{number + 1}", period_s)
+        readings = yield from _readings(bench, f"held-{number + 1}", period_s)
+        frozen.see(readings)
+        error = readings.mean(axis=0) - target
         errors.append(error)
         if np.linalg.norm(error) > dead_nT:
             bench.cage.ambient_nT = bench.cage.ambient_nT + gain * error
             yield from energise(bench, target)
+            frozen.moved_nT += gain * float(np.linalg.norm(error))
     settled = np.array(errors[rounds // 4 :])
     rms = float(np.sqrt(np.mean(np.sum(settled**2, axis=1))))
     yield from measured(bench, "rms error while held", rms, rms / np.sqrt(2 * len(settled)), "nT", limit_nT)
@@ -66,6 +74,32 @@ def _held(
     yield Event(bench.clock.now(), "ambient", "the ambient field as tracked", {"ambient_nT": ambient})
 
 
+@dataclass
+class Frozen:
+    """Notices a reference that shows the same while the coils have moved the field by `STUCK_NT`."""
+
+    name: str
+    moved_nT: float = 0.0  # since the reading changed last
+    _last: Array | None = None
+
+    def see(self, readings: Array) -> None:
+        """Take in the readings (n, 3) of one round. Raises InstrumentError (stuck)."""
+        if self._last is None or np.any(readings != self._last):
+            self.moved_nT = 0.0
+        if self.moved_nT > STUCK_NT:
+            raise InstrumentError(
+                f"{self.name}: the coils have moved the field by {self.moved_nT:.0f} nT and the reading not at all.",
+                fault="stuck",
+                remedy="Coils go to zero; switch the sensor off and on, and look at its range.",
+            )
+        self._last = readings[-1]
+
+
 def _error(bench: Bench, target: Array, name: str, seconds: float) -> Work[Array]:
+    readings = yield from _readings(bench, name, seconds)
+    return np.asarray(readings.mean(axis=0) - target)
+
+
+def _readings(bench: Bench, name: str, seconds: float) -> Work[Array]:
     blocks = yield from rest(bench, name, seconds)
-    return np.asarray(samples(blocks, "reference").mean - target)
+    return samples(blocks, "reference").values

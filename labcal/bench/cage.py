@@ -55,6 +55,7 @@ class Cage:
         self.flowing_A: Array = np.zeros(3)  # signed, as last read
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self._closed = False
+        self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
         self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
         limits = config.limits
@@ -79,22 +80,30 @@ class Cage:
         """
         target = np.asarray(i_A, dtype=float)
         self._refuse_beyond_limits(target)
+        self._held_A = None
         self._close_outputs()
         if confirm_signs:
             self._confirm_signs(target)
         self._ramp(target)
         self._wait(self._clock.now() + self._settle_s)
-        self._confirm(target)
+        self._held_A = target
+        self.currents_A()
 
     def field_nT(self) -> Array:
         """The field (3,) in C that the measured currents make, ambient included."""
         return np.asarray(self.matrix_nT_per_A @ self.currents_A() + self.ambient_nT)
 
     def currents_A(self) -> Array:
-        """Measured signed currents (3,). Raises InstrumentError (limit reached) where a winding has had enough."""
+        """Measured signed currents (3,).
+
+        Raises InstrumentError: "limit reached" where a winding has had enough, "tripped" or "wrong mode" where another
+        current flows than is held.
+        """
         currents = np.array([supply.measure_current() for supply in self.supplies.values()])
         self._windings.see(currents, self._clock.now())
         self.flowing_A = currents
+        if self._held_A is not None:
+            self._confirm(self._held_A, currents)
         return currents
 
     def set_points_A(self) -> Array:
@@ -106,7 +115,7 @@ class Cage:
 
         A failure of one axis does not skip the others; the first failure is raised at the end.
         """
-        self._closed = False
+        self._closed, self._held_A = False, None
         self._signs.forget()
         ended = self._guardian("the session is done with it") if self._guardian else self._to_zero()
         self.abrupt |= {end.axis for end in ended if end.abrupt}
@@ -148,14 +157,22 @@ class Cage:
         self._wait(self._clock.now() + self._settle_s)
         return self._signs.see()
 
-    def _confirm(self, target: Array) -> None:
-        for axis, supply, wanted, flows in zip(AXES, self.supplies.values(), target, self.currents_A(), strict=True):
-            if not abs(flows - wanted) <= max(supply.zero_current_A, FOLLOWS * abs(wanted)):
+    def _confirm(self, held: Array, currents: Array) -> None:
+        for axis, supply, wanted, flows in zip(AXES, self.supplies.values(), held, currents, strict=True):
+            if abs(flows - wanted) <= max(supply.zero_current_A, FOLLOWS * abs(wanted)):
+                continue
+            if abs(flows) < supply.zero_current_A:
                 raise InstrumentError(
-                    f"coil {axis}: {wanted:.4g} A was set and {flows:.4g} A flows.",
-                    fault="wrong mode",
-                    remedy="Is the winding whole, does the voltage suffice, has the supply tripped? Set the coils off.",
+                    f"coil {axis}: {wanted:.4g} A was set and nothing flows.",
+                    fault="tripped",
+                    remedy="Its output has gone off by itself, or the winding is open. Set the coils off, look at its "
+                    "panel, and find out why before it is cleared.",
                 )
+            raise InstrumentError(
+                f"coil {axis}: {wanted:.4g} A was set and {flows:.4g} A flows.",
+                fault="wrong mode",
+                remedy="Is the winding whole, does the voltage suffice? Set the coils off.",
+            )
 
     def _ramp(self, target: Array) -> None:
         start = self.set_points_A()

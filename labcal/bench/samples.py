@@ -70,7 +70,11 @@ def samples(blocks: Iterable[Block], stream: Stream, column: str | None = None) 
     """
     found = [b for b in blocks if b.stream == stream and (column is None or column in b.columns) and len(b)]
     if not found:
-        raise InstrumentError(f"no samples came from {column or stream}.", fault="silent", remedy="Check its plug.")
+        raise InstrumentError(
+            f"no samples came from {column or stream}.",
+            fault="silent",
+            remedy="Coils go to zero; look at its power and its cable.",
+        )
     columns = (column,) if column else found[0].columns
     places = [[b.columns.index(c) for c in columns] for b in found]
     t = np.concatenate([b.t_s for b in found])

@@ -81,6 +81,28 @@ def test_contacts_never_move_under_current(bench: Bench) -> None:
     assert all(coil.hot_switches == [] for coil in lab.coils.values())
 
 
+def test_no_output_opens_under_current(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened_at: list[float] = []
+    for coil in lab_of(bench).coils.values():
+        drive = coil.drive
+
+        def watched(
+            t_s: float, current_A: float, voltage_V: float, on: bool, coil: Any = coil, drive: Any = drive
+        ) -> bool:
+            if not on:
+                opened_at.append(abs(coil.current.now(t_s)))
+            return bool(drive(t_s, current_A, voltage_V, on))
+
+        monkeypatch.setattr(coil, "drive", watched)
+    rng = np.random.default_rng(3)
+    for turn in range(12):
+        bench.cage.set_currents(rng.uniform(-1.1, 1.1, 3))
+        if turn % 4 == 3:
+            bench.cage.zero()
+    assert len(opened_at) > 20
+    assert max(opened_at) < 0.005
+
+
 def test_contacts_that_stay_where_they_are_end_with_an_open_output(
     bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
