@@ -13,8 +13,8 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 from labcal.errors import InputError
 
 AXES = ("x", "y", "z")
-Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
-Finite = Annotated[float, Field(allow_inf_nan=False)]
+Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
+Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
 Vector = tuple[Finite, Finite, Finite]
 Matrix = tuple[Vector, Vector, Vector]
 RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut"]
@@ -56,7 +56,7 @@ class CageConfig(_Table):
     matrix_nT_per_A: Matrix | None = None  # columns are the coil axes in C
     calibration: str | None = None  # a cage calibration file, from the folder of bench.toml
     limits: CageLimits
-    settle_s: Annotated[float, Field(ge=0)] = 0.2  # after a ramp, before the field is believed
+    settle_s: Annotated[float, Field(ge=0, le=60, strict=True)] = 0.2  # after a ramp, before the field is believed
 
     @model_validator(mode="after")
     def _one_of_two(self) -> Self:
@@ -199,8 +199,10 @@ def read_config(path: Path) -> BenchConfig:
         table = tomllib.loads(text)
     except UnicodeDecodeError as error:
         raise InputError("is not UTF-8 text", file=path) from error
-    except tomllib.TOMLDecodeError as error:
+    except ValueError as error:  # TOMLDecodeError, and numbers of thousands of digits
         raise InputError(f"is not TOML: {error}", file=path) from error
+    except RecursionError as error:
+        raise InputError("is not a bench: it is nested too deeply", file=path) from error
     try:
         return BenchConfig.model_validate(table)
     except ValidationError as error:

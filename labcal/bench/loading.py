@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass, field, fields
@@ -27,6 +28,7 @@ from labcal.bench.roles import CoilSupply, DutStream, Instrument, PolarityRelay
 from labcal.errors import InputError, LimitError
 
 DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"
+ZERO_IS = 0.25  # of the current limit, at most: what is read back below it counts as zero
 T = TypeVar("T")
 
 if TYPE_CHECKING:
@@ -60,7 +62,25 @@ class Loader:
         entry, hints = self.config.instruments[name], get_type_hints(driver.__init__)
         if entry.role.split("-")[0] not in driver.roles:
             self.refuse(f"{entry.driver} cannot be the {entry.role}", ("instruments", name, "role"))
-        return driver, hints, self.settings(name, hints["settings"])
+        settings = self.settings(name, hints["settings"])
+        self._refuse_unsafe(name, entry, settings)
+        return driver, hints, settings
+
+    def _refuse_unsafe(self, name: str, entry: InstrumentConfig, settings: Any) -> None:
+        """Numbers that are none, and a supply's own statements that would make coils safe by words alone."""
+        where = ("instruments", name, "settings")
+        for f in fields(settings):
+            value = getattr(settings, f.name)
+            if isinstance(value, float) and not math.isfinite(value):
+                self.refuse("must be a finite number", (*where, f.name))
+        if not entry.role.startswith("coil-"):
+            return
+        most_A = self.config.cage.limits.current_A[AXES.index(entry.role[-1])]
+        if not 0 < getattr(settings, "zero_current_A", ZERO_IS * most_A) <= ZERO_IS * most_A:
+            self.refuse(f"zero is above 0 A and at most {ZERO_IS * most_A:g} A, a quarter of current_A",
+                        (*where, "zero_current_A"))  # fmt: skip
+        if not getattr(settings, "ramp_A_per_s", 1.0) > 0:
+            self.refuse("must be above 0 A/s", (*where, "ramp_A_per_s"))
 
     def settings(self, name: str, kind: type[T]) -> T:
         """The instrument's settings as its driver's own `Settings`. Raises InputError naming file, line and key."""

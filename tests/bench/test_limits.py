@@ -143,6 +143,24 @@ def test_a_limit_that_nothing_tells_is_refused_when_the_bench_is_loaded(
     assert caught.value.line is not None
 
 
+@pytest.mark.parametrize(
+    ("stated", "says"),
+    [
+        ("zero_current_A = 100.0", r"at most 0\.625 A"),
+        ("zero_current_A = -1.0", "zero is above 0 A"),
+        ("zero_current_A = nan", "finite"),
+        ("ramp_A_per_s = 0.0", "above 0 A/s"),
+        ("max_current_A = inf", "finite"),
+    ],
+)
+def test_no_supply_is_made_safe_by_words_alone(tmp_path: Path, stated: str, says: str) -> None:
+    role = 'role = "coil-x"'
+    path = bench_file(tmp_path, (role, f"{role}\nsettings = {{ {stated} }}"))
+    with pytest.raises(InputError, match=says) as caught:
+        session.coils_off(path)
+    assert caught.value.line is not None
+
+
 def test_a_field_beyond_the_limit_that_nobody_meant_is_seen_by_the_reference(
     bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -202,6 +202,6 @@ def found(urls: Iterable[str]) -> Connection | None:
     """A connection to the guardian that holds any of these ports; None where there is none (yet)."""
     for url in urls:
         if "address" in (card := ports.holder(url) or {}):
-            with suppress(FileNotFoundError, ConnectionRefusedError, socket.timeout):
+            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
                 return Connection(card)
     return None

@@ -100,6 +100,8 @@ class Server:
         caller.socket.settimeout(None)
         while (line := lines.readline(LINE_BYTES)).endswith(b"\n"):
             message = json.loads(line)
+            if not isinstance(message, dict):
+                return
             caller.heard_s = time.monotonic()
             if "order" in message:
                 caller.room.acquire()
@@ -123,7 +125,9 @@ class Server:
         if order == "status":
             return {"energised": self._guardian.energised, "unresolved": sorted(self._guardian.unresolved)}
         if order == "zero":
-            ended = self._guardian.zero(what["why"], by_session=caller is self.session)
+            ended = self._guardian.zero(
+                str(what.get("why", f"{caller.who} said so")), by_session=caller is self.session
+            )
             return [zero_message(end) for end in ended]
         if order in FOR_THE_SESSION and caller is not self.session:
             raise InstrumentError("only the session that drives this bench sets currents.", fault="forbidden")

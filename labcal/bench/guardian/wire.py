@@ -32,7 +32,7 @@ def listen() -> tuple[socket.socket, Card]:
     listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     listener.bind(str(path))
     path.chmod(0o600)
-    listener.listen(8)
+    listener.listen(64)
     return listener, card | {"address": str(path)}
 
 

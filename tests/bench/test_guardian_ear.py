@@ -1,0 +1,145 @@
+"""What the guardian hears: nothing that is said keeps it from hearing the next, and only its session sets currents."""
+
+from __future__ import annotations
+
+import json
+import select
+import socket
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from labcal.bench.guardian import wire
+from labcal.bench.guardian.server import CALLERS, LINE_BYTES, Server
+
+BENCH = "f" * 64
+LONG_S = 60.0
+
+
+class Coils:
+    """Takes orders and keeps them."""
+
+    def __init__(self) -> None:
+        self.coils: dict[str, Any] = {}
+        self.unresolved: dict[str, Any] = {}
+        self.energised, self.heard = False, list[tuple[Any, ...]]()
+
+    def zero(self, why: str, *, by_session: bool = False) -> list[Any]:
+        self.heard.append(("zero", why, by_session))
+        return []
+
+    def set_current(self, axis: str, current_A: float) -> None:
+        self.heard.append((axis, current_A))
+
+    def facts(self) -> dict[str, Any]:
+        return {}
+
+    def ignore(self, *_: Any, **__: Any) -> None: ...
+
+    identify = reopen = modbus = set_point = measure_current = output = ignore
+
+
+class Ear:
+    """A guardian that listens, without supplies."""
+
+    def __init__(self) -> None:
+        self.coils = Coils()
+        self.listener, self.card = wire.listen()
+        self.server = Server(self.coils, self.listener, self.card["token"], BENCH)  # type: ignore[arg-type]
+        self.server.ready.set()
+        self.server.start()
+
+    def call(self, first: bytes | None = None) -> socket.socket:
+        """A caller; it says the token, or `first`."""
+        caller = wire.connect(self.card, LONG_S)
+        caller.sendall(wire.packed({"token": self.card["token"]}) if first is None else first)
+        return caller
+
+    def asked(self, *messages: Any) -> list[Any]:
+        """What a new caller is answered."""
+        with self.call() as caller:
+            return [told(caller, message) for message in messages]
+
+
+def told(caller: socket.socket, message: Any) -> Any:
+    caller.sendall(json.dumps(message).encode() + b"\n")
+    return json.loads(caller.makefile("rb").readline())
+
+
+def hung_up(caller: socket.socket) -> bool:
+    """Whether the guardian closes the line; what it answers before is read away."""
+    try:
+        while select.select([caller], [], [], LONG_S)[0]:
+            if not caller.recv(65536):
+                return True
+    except OSError:
+        return True
+    return False
+
+
+@pytest.fixture
+def ear() -> Iterator[Ear]:
+    ear = Ear()
+    yield ear
+    wire.unlisten(ear.listener, ear.card)
+
+
+@pytest.mark.parametrize(
+    "first",
+    [b"\n", b"5\n", b"[]\n", b'{"token": 1}\n', '{"token": "é"}\n'.encode(), b"[" * 60_000 + b"\n", b"\xff\xfe\n",
+     b"x" * (LINE_BYTES + 1)],
+    ids=range(8),
+)  # fmt: skip
+def test_who_does_not_know_the_token_is_hung_up_on(ear: Ear, first: bytes) -> None:
+    with ear.call(first) as caller:
+        assert hung_up(caller)
+    assert ear.asked({"order": "status"})[0]["value"] == {"energised": False, "unresolved": []}
+
+
+@pytest.mark.parametrize(
+    "line", [b"5\n", b"{\n", b"[" * 60_000 + b"\n", b"null\n", b'"order"\n', b"x" * (LINE_BYTES + 1)], ids=range(6)
+)
+def test_a_session_that_talks_nonsense_is_gone(ear: Ear, line: bytes) -> None:
+    with ear.call() as caller:
+        assert "value" in told(caller, {"order": "hello", "with": {"who": "session 1", "bench": BENCH}})
+        session = ear.server.session
+        caller.sendall(line)
+        assert hung_up(caller)
+    assert session is not None
+    assert session.gone
+
+
+@pytest.mark.parametrize(
+    "order",
+    [{"order": {}}, {"order": "__class__"}, {"order": "set_current"}, {"order": "set_current", "with": 5},
+     {"order": "set_current", "with": {"axis": "x", "current_A": "1"}}, {"order": "facts", "with": {"x": 1}},
+     {"order": "set_current", "with": {"axis": [1], "current_A": 1.0}}, {"order": "hello", "with": {}}],
+    ids=range(8),
+)  # fmt: skip
+def test_an_order_that_is_none_is_answered_with_an_error_and_the_next_is_heard(ear: Ear, order: Any) -> None:
+    with ear.call() as caller:
+        told(caller, {"order": "hello", "with": {"who": "session 1", "bench": BENCH}})
+        assert "error" in told(caller, order)
+        assert "value" in told(caller, {"order": "set_current", "with": {"axis": "x", "current_A": 0.5}})
+    assert ear.coils.heard == [("x", 0.5)]
+
+
+def test_only_the_session_sets_currents_and_anybody_says_zero(ear: Ear) -> None:
+    with ear.call() as caller:
+        told(caller, {"order": "hello", "with": {"who": "session 7", "bench": BENCH}})
+        for order in ("set_current", "output", "modbus", "reopen"):
+            (answer,) = ear.asked({"order": order, "with": {"axis": "x", "current_A": 0.5}})
+            assert answer["error"]["fault"] == "forbidden"
+        (second,) = ear.asked({"order": "hello", "with": {"who": "session 8", "bench": BENCH}})
+        assert second["error"]["what"] == "session 7 drives this bench."
+        ear.asked({"order": "zero"}, {"order": "zero", "with": {"why": "a person"}})
+    assert ear.coils.heard == [("zero", "a caller said so", False), ("zero", "a person", False)]
+
+
+def test_a_crowd_that_says_nothing_is_held_to_its_places(ear: Ear) -> None:
+    crowd = [ear.call(b"") for _ in range(CALLERS)]
+    with ear.call(b"") as one_more:
+        assert hung_up(one_more)
+    for caller in crowd:
+        caller.close()

@@ -1,0 +1,72 @@
+"""The window and its worker on supplies of real lines: both killed, and the guardian brings the coils to zero."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from served_lab import Served, at_zero, example, guardians, read_back_after, until
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform == "win32", reason="SIGKILL and ptys"),
+]
+IN_TIME_S = 2.0
+WINDOW = """
+import sys
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtWidgets import QApplication
+from labcal.gui.desk import Desk
+from labcal.gui.theme import LIGHT
+from labcal.gui.window import Window
+
+app = QApplication([])
+desk = Desk(QSettings(sys.argv[2], QSettings.Format.IniFormat))
+window = Window(desk, LIGHT)
+window.show()
+desk.open_bench(sys.argv[1])
+desk.who(operator="J. Doe")
+begun = []
+
+def look():
+    if desk.facts and not begun:
+        begun.append(True)
+        desk.start("field-hold", {"duration_s": "600"})
+    if desk.run.state == "asking":
+        print(desk.bench_worker.pid, flush=True)
+        desk.run.answer(desk.run.prompt.choices[0])
+    if desk.run.state == "ended":
+        sys.exit(desk.run.status)
+
+timer = QTimer()
+timer.timeout.connect(look)
+timer.start(50)
+app.exec()
+"""
+
+
+@pytest.fixture
+def lab(tmp_path, monkeypatch):
+    served = Served(tmp_path, monkeypatch, example())
+    yield served
+    served.close()
+
+
+@pytest.mark.parametrize("whom", ["the worker", "the window", "both"])
+def test_whoever_is_killed_the_coils_come_to_zero(lab, tmp_path, whom):
+    command = [sys.executable, "-c", WINDOW, str(lab.file), str(tmp_path / "window.ini")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as window:
+        worker = int(window.stdout.readline())
+        until(lambda: max(lab.currents().values()) > 0.5)
+        begun = time.monotonic()
+        for pid in {"the worker": (worker,), "the window": (window.pid,), "both": (window.pid, worker)}[whom]:
+            os.kill(pid, signal.SIGKILL)
+        until(lambda: at_zero(lab))
+        took_s = time.monotonic() - begun
+        until(lambda: read_back_after("a session begins"))
+        print(f"{whom}: zero after {took_s:.2f} s")
+        window.kill()
+    until(lambda: not guardians())
+    assert took_s < IN_TIME_S
