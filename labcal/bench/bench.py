@@ -229,8 +229,8 @@ class Bench:
             watch.see(blocks, now)
         for limit in self._limits:
             limit.see(readings[0], now)
-        if self._field_limit is not None:
-            self._field_limit.see(readings[1])
+        if self._field_limit is not None and self.cage.on:
+            self._field_limit.see(readings[1], float(np.linalg.norm(self.cage.ambient_nT)))
 
     def _field_seen(self) -> NDArray[np.float64] | None:
         """The mean (3,) of what the reference sends next, C; None where none streams that sees the coils."""

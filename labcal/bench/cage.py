@@ -54,7 +54,7 @@ class Cage:
         self._guardian = guardian
         self.flowing_A: Array = np.zeros(3)  # signed, as last read
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
-        self._closed = False
+        self.on = False  # outputs closed
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
         self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
@@ -115,7 +115,7 @@ class Cage:
 
         A failure of one axis does not skip the others; the first failure is raised at the end.
         """
-        self._closed, self._held_A = False, None
+        self.on, self._held_A = False, None
         self._signs.forget()
         ended = self._guardian("the session is done with it") if self._guardian else self._to_zero()
         self.abrupt |= {end.axis for end in ended if end.abrupt}
@@ -136,10 +136,10 @@ class Cage:
         return {axis: min(limit, self.supplies[axis].ramp_A_per_s) for axis, limit in limits}
 
     def _close_outputs(self) -> None:
-        for supply in self.supplies.values() if not self._closed else ():
+        for supply in self.supplies.values() if not self.on else ():
             supply.set_current(0.0)
             supply.output(True)
-        self._closed = True
+        self.on = True
 
     def _confirm_signs(self, target: Array) -> None:
         """Stop on the way where an axis has left zero behind its contacts, and see that its field has the sign."""

@@ -93,17 +93,20 @@ class TemperatureLimit:
 
 
 class FieldLimit:
-    """Raises InstrumentError where the reference, beside the DUT, sees more than `limit_nT` and `SEEN` allow."""
+    """Raises InstrumentError where the reference, beside the DUT, sees more than `limit_nT` and `SEEN` allow.
+
+    For while the coils are on: a field that is there without them is nobody's doing.
+    """
 
     def __init__(self, limit_nT: float) -> None:
         self._limit_nT = limit_nT
 
-    def see(self, blocks: list[Block]) -> None:
+    def see(self, blocks: list[Block], ambient_nT: float) -> None:
         """Look at the readings (n, 3) or (n, 1) [nT] of the reference that have come."""
         for block in blocks:
             if block.stream == "reference" and len(block):
                 seen = float(np.linalg.norm(block.values, axis=1).max())
-                if seen > SEEN * self._limit_nT:
+                if seen > SEEN * max(self._limit_nT, ambient_nT):
                     raise InstrumentError(
                         f"{block.source}: a field of {seen:.0f} nT is seen, the limit is {self._limit_nT:.0f} nT.",
                         fault="limit reached",

@@ -86,7 +86,8 @@ def test_a_temperature_that_has_a_limit_and_is_not_told_any_more_is_silent() -> 
 
 def test_a_field_seen_beyond_the_limit_is_a_limit_reached() -> None:
     limit = FieldLimit(100_000.0)
-    limit.see([reference(np.array([1.0]), np.array([[0.0, 0.0, -104_900.0]]))])
+    limit.see([reference(np.array([1.0]), np.array([[0.0, 0.0, -104_900.0]]))], 48_000.0)
     with pytest.raises(InstrumentError, match=r"105100 nT is seen, the limit is 100000 nT") as caught:
-        limit.see([reference(np.array([2.0]), np.array([[105_100.0, 0.0, 0.0]]))])
+        limit.see([reference(np.array([2.0]), np.array([[105_100.0, 0.0, 0.0]]))], 48_000.0)
     assert caught.value.fault == "limit reached"
+    FieldLimit(20_000.0).see([reference(np.array([1.0]), np.array([[0.0, 0.0, -48_500.0]]))], 48_000.0)
