@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QApplication
 
 ROOT = Path(__file__).parents[1]
 SIZE = 1360, 860
-METHODS = ("ml", "centered", "twostep", "ekf", "pso-axis", "pso-scalar")
+METHODS = ("ml", "centered", "twostep", "ekf", "foster-elkaim")
 NAMES = (
     "start",
     "bench",

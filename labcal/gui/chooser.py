@@ -26,7 +26,7 @@ class RunChooser(QComboBox):
     def __init__(self, desk: Desk) -> None:
         super().__init__()
         self._desk = desk
-        self.setMinimumWidth(300)
+        self.setMinimumWidth(370)
         self.setAccessibleName(self.tr("Run"))
         self.setToolTip(self.tr("The run to look at, the newest first"))
         self.setPlaceholderText(self.tr("Choose a run"))

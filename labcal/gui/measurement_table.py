@@ -29,7 +29,7 @@ def decimals_for(u: float, value: float) -> int:
 class Table(QTableWidget):
     """A read-only table with named columns; Ctrl+C copies what is selected, with tabs."""
 
-    def __init__(self, headings: tuple[str, ...], stretch: int | None = 0) -> None:
+    def __init__(self, headings: tuple[str, ...], stretch: int = 0) -> None:
         super().__init__(0, len(headings))
         self._headings: tuple[str, ...] = ()
         self.set_headings(headings)
@@ -44,8 +44,7 @@ class Table(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        if stretch is not None:
-            header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
 

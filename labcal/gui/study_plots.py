@@ -46,7 +46,8 @@ class Residuals(QWidget):
         for old in self._clouds:
             self.plot.removeItem(old)
         self._clouds = []
-        legend = self.plot.getPlotItem().legend or self.plot.addLegend(offset=(-8, 8), labelTextColor=self._theme.text)
+        ground = pg.mkBrush(faint(self._theme.surface, 225))
+        legend = self.plot.getPlotItem().legend or self.plot.addLegend(offset=(-8, 8), brush=ground)
         legend.clear()
         for name, colour, values in clouds:
             self._add(name, colour, x, values.reshape(len(values), -1))

@@ -38,6 +38,14 @@ def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
     return widget
 
 
+def set_primary(widget: QPushButton, primary: bool) -> None:
+    """Make a button the one thing to do, or one of several."""
+    if (name := "primary" if primary else "") != widget.objectName():
+        widget.setObjectName(name)
+        widget.style().unpolish(widget)
+        widget.style().polish(widget)
+
+
 def set_state(widget: QWidget, state: str) -> None:
     """Colour a label by state: good, warning, bad or ""."""
     if widget.property("state") != state:
@@ -62,6 +70,7 @@ class Card(QFrame):
         outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         outer.setSpacing(GRID)
         self.heading = label(title, "title")
+        self.heading.setMinimumWidth(1)  # a long name is cut off, it widens no window
         self.unit = label(unit, "caption")
         head = QHBoxLayout()
         head.addWidget(self.heading)

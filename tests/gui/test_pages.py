@@ -151,7 +151,7 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, lab):
     lab.open_page("Certificate")
     page = lab.page("Certificate")
     qtbot.waitUntil(lambda: page.list.count() == 1, timeout=LONG_MS)
-    page.approver.setText("A. Smith")
+    page.approver.setCurrentText("A. Smith")
     qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "A. Smith" in page.standing.text(), timeout=LONG_MS)
     page.signer.setCurrentText("jdoe@lab")

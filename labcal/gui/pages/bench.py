@@ -76,6 +76,9 @@ class BenchPage(QWidget):
         for widget in (simulated, choose, self.reconnect, self.check):
             row.addWidget(widget)
         self.table = Table(HEADINGS, stretch=5)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(3, header.ResizeMode.Interactive)
+        self.table.setColumnWidth(3, 26 * GRID)
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask")
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
@@ -86,7 +89,7 @@ class BenchPage(QWidget):
         card = Card(self.tr("The cage"), self.tr("all arrows to one scale"))
         self.cage, self.cage_words = CageView(self._theme), label("", wrap=True)
         row = QHBoxLayout()
-        row.addWidget(self.cage, 4)
+        row.addWidget(self.cage, 3)
         row.addWidget(self.cage_words, 1)
         card.body.addLayout(row, 1)
         return card
@@ -188,14 +191,14 @@ class BenchPage(QWidget):
         names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
         lines = []
         for name, colour, vector in zip(names, vector_colours(self._theme), vectors, strict=True):
-            size = self.tr("not measured yet") if vector is None else f"{number(hypot(*vector), 0, signed=False)} nT"
+            size = "–" if vector is None else f"{number(hypot(*vector), 0, signed=False)} nT"
             lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
         return "<br>".join(lines)
 
     def _limits(self, limits: dict[str, Any]) -> str:
-        most = ", ".join(f"{one:g}" for one in limits["current_A"])
+        most = " / ".join(f"{one:g}" for one in dict.fromkeys(limits["current_A"]))
         field = number(limits["field_nT"], 0, signed=False)
-        return self.tr("<br><br>at most {0} A (x, y, z)<br>at most {1} nT").format(most, field)
+        return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
 
 
 def desk_simulated(desk: Desk) -> None:

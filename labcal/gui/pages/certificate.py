@@ -124,10 +124,13 @@ class CertificatePage(QWidget):
         return card
 
     def _approve_row(self) -> QHBoxLayout:
-        self.approver = QLineEdit()
-        self.approver.setPlaceholderText(self.tr("Approver's name"))
-        self.approver.setToolTip(self.tr("Another person than the operator; must be written before anybody signs"))
-        self.approver.textChanged.connect(self._enable)
+        self.approver = QComboBox()
+        self.approver.setEditable(True)
+        self.approver.setPlaceholderText(self.tr("Approver, by the name of their key"))
+        self.approver.setToolTip(
+            self.tr("Another person than the operator, by the name that they sign under; written before anybody signs")
+        )
+        self.approver.currentTextChanged.connect(self._enable)
         self.approve = button(
             self.tr("Approve"),
             self.tr("Write this name into the draft. After the first signature nobody can be added."),
@@ -214,10 +217,11 @@ class CertificatePage(QWidget):
         return self.tr("▲ provisional") if one["provisional"] else self.tr("✓ signed")
 
     def _keys_known(self, names: list[str]) -> None:
-        typed = self.signer.currentText()
-        self.signer.clear()
-        self.signer.addItems(names)
-        self.signer.setCurrentText(typed if typed else (names[0] if names else ""))
+        for chooser, first in ((self.signer, names[0] if names else ""), (self.approver, "")):
+            typed = chooser.currentText()
+            chooser.clear()
+            chooser.addItems(names)
+            chooser.setCurrentText(typed or first)
         self._enable()
 
     def _show(self) -> None:
@@ -260,17 +264,22 @@ class CertificatePage(QWidget):
         one, name = self.chosen(), self.signer.currentText().strip()
         known = name in [self.signer.itemText(n) for n in range(self.signer.count())]
         words = bool(self.passphrase.text())
-        self.approve.setEnabled(one is not None and not one["signatures"] and bool(self.approver.text().strip()))
+        self.approve.setEnabled(one is not None and not one["signatures"] and bool(self.approver.currentText().strip()))
         self.sign.setEnabled(one is not None and known and words)
         self.new_key.setEnabled(bool(name) and not known and words)
         for widget in (self.report, self.export, self.apply):
             widget.setEnabled(one is not None)
-        self.next.setText(next_step(one, self._desk.lab.state.operator) if one else "")
+        step = next_step(one, self._desk.lab.state.operator) if one else ""
+        if name and not known:
+            step = self.tr("{0} has no key here: New key makes one under the passphrase that you type.").format(name)
+        elif known and not words and one is not None and not one["signatures"]:
+            step = self.tr("{0} To sign as {1}, type the passphrase.").format(step, name)
+        self.next.setText(step)
 
     def _approve(self) -> None:
         if (one := self.chosen()) is not None:
-            self._ask("approve", path=one["path"], name=self.approver.text().strip())
-            self.approver.clear()
+            self._ask("approve", path=one["path"], name=self.approver.currentText().strip())
+            self.approver.setCurrentText("")
 
     def _sign(self) -> None:
         if (one := self.chosen()) is not None:

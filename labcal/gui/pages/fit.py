@@ -15,7 +15,7 @@ from labcal.gui.fit_views import FitViews
 from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label
+from labcal.gui.widgets import Card, button, label, set_primary
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
@@ -73,7 +73,7 @@ class FitPage(QWidget):
         card = Card(self.tr("Methods side by side"), self.tr("value ± U, k=2; choose a column to see its pictures"))
         self.empty = label(self.tr("Choose a run above, then Fit."), "ask")
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.table = Table((self.tr("parameter"),), stretch=None)
+        self.table = Table((self.tr("parameter"),))
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
         card.body.addWidget(self.empty, 1)
@@ -112,6 +112,8 @@ class FitPage(QWidget):
         self.all.setEnabled(bool(study.methods) and not study.busy)
         self.draft.setEnabled(study.best() is not None)
         self.trace.setEnabled(bool(study.run) and not study.busy)
+        set_primary(self.fit, "ml" not in study.fits)
+        set_primary(self.trace, "ml" in study.fits)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
         self._show_fits()

@@ -16,7 +16,7 @@ from labcal.gui.numbers import number
 from labcal.gui.study_plots import Bars, Residuals
 from labcal.gui.study_vm import cause_name
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, set_state
+from labcal.gui.widgets import Card, button, label, set_primary, set_state
 from labcal.gui.wire import unpack
 
 WORDS = {
@@ -130,10 +130,14 @@ class LoopPage(QWidget):
         return card
 
     def _who_card(self) -> Card:
-        card = Card(self.tr("2  Who could have done it"), self.tr("choose one to see what it changes"))
+        card = Card(self.tr("2  Who could have done it"), self.tr("choose one"))
         self.bars = Bars(self._theme)
         self.others = Table((self.tr("cause"), self.tr("standing"), self.tr("why")), stretch=2)
         self.others.setAccessibleName(self.tr("Candidates; choose one to see what it alone would change"))
+        self.others.setToolTip(self.tr("Choose one to see what it alone would change"))
+        header = self.others.horizontalHeader()
+        header.setSectionResizeMode(0, header.ResizeMode.Interactive)
+        self.others.setColumnWidth(0, 20 * GRID)
         self.others.itemSelectionChanged.connect(self._picked)
         card.body.addWidget(self.bars, 1)
         card.body.addWidget(self.others, 1)
@@ -146,6 +150,9 @@ class LoopPage(QWidget):
         self.against.setToolTip(self.tr("What the residual is drawn against; the named cause first"))
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
+        self.change_why = label("", "caption", wrap=True)
+        self.change_why.hide()
+        card.body.addWidget(self.change_why)
         card.body.addWidget(self.against)
         card.body.addWidget(self.change, 1)
         return card
@@ -175,6 +182,8 @@ class LoopPage(QWidget):
         self.cancel.setVisible(study.busy)
         self.close_loop.setEnabled(bool(study.run) and not study.busy)
         self.sign.setEnabled(study.loop is not None)
+        set_primary(self.close_loop, study.loop is None)
+        set_primary(self.sign, study.loop is not None)
         self.story.setVisible(study.loop is not None)
         self.empty.setVisible(study.loop is None)
         if working:
@@ -192,9 +201,7 @@ class LoopPage(QWidget):
         before, after = loop["before"]["holdout_rms_nT"], loop["after"]["holdout_rms_nT"]
         self.before_after.setText(f"{number(before, signed=False)} → {number(after, signed=False)} nT")
         floor = number(loop["noise_floor_nT"], signed=False)
-        self.noise.setText(
-            self.tr("held-out rms, before → after; noise alone: {0} nT ({1})").format(floor, loop["noise_floor_source"])
-        )
+        self.noise.setText(self.tr("held-out rms; noise alone: {0} nT, {1}").format(floor, loop["noise_floor_source"]))
         self._show_candidates(loop)
         self._show_unknown(loop, remarks)
         self._fill_against(loop)
@@ -285,11 +292,14 @@ class LoopPage(QWidget):
         one = said if chosen is None else self._study.causes.get(cause(chosen[1]))
         title = self.tr("3  What changes if it is added") if chosen is None else f"3  + {cause(chosen[1])}"
         self.change_heading.setText(title)
+        self.change_why.setText("" if chosen is None else chosen[1].get("why", ""))
+        self.change_why.setVisible(chosen is not None)
         if one is None:
             self.change_words.setText(self.tr("computing …") if self._study.busy else "")
             return self.change.clear()
         before, after = unpack(one["before"]), unpack(one["after"])
         rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in (before, after))
-        self.change_words.setText(self.tr("rms {0} → {1} nT, all rows").format(*rms))
+        self.change_words.setText(" → ".join(rms) + " nT")
+        self.change_words.setToolTip(self.tr("Rms over all rows, before and after"))
         both = [(self.tr("before"), theme.axis_x, before), (self.tr("after"), theme.accent, after)]
         return self.change.show_residual(name, unpack(one["against"][name]), both, noise_nT)

@@ -1,0 +1,74 @@
+"""A person who has never seen the window: from an empty home to a signed file, by what is there to be clicked."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QPushButton
+
+from labcal.gui.desk import Desk
+from labcal.gui.theme import LIGHT
+from labcal.gui.window import Window
+
+SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}
+
+
+@pytest.mark.slow
+def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patience, kept_windows):
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
+    window = Window(Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    kept_windows.append(window)
+    window.show()
+
+    def click(widget):
+        qtbot.waitUntil(lambda: widget.isVisible() and widget.isEnabled(), timeout=patience)
+        qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
+
+    def primary(page):
+        """The one thing to do on a page."""
+        found = [b for b in page.findChildren(QPushButton) if b.objectName() == "primary" and b.isVisible()]
+        assert len(found) == 1, [b.text() for b in found]
+        return found[0]
+
+    try:
+        start = window.page("Start")
+        assert not start.calibrate.isEnabled()
+        click(start.simulated)
+        qtbot.waitUntil(lambda: bool(window.desk.facts), timeout=patience)
+        qtbot.keyClicks(window.top.operator, "J", delay=60)
+        qtbot.waitUntil(lambda: window.desk.lab.state.operator == "J", timeout=patience)
+        click(start.calibrate)
+        run, live = window.page("Run").choose, window.page("Run").live
+        qtbot.waitUntil(lambda: run.form is not None, timeout=patience)
+        for name, text in SHORT.items():
+            run.form.set_text(name, text)
+        run.pace.setCurrentText("at once")
+        click(run.start)
+        vm = window.desk.run
+        while True:
+            qtbot.waitUntil(lambda: vm.state in ("asking", "ended"), timeout=patience)
+            if vm.state == "ended":
+                break
+            click(live.prompt.choices[vm.prompt.choices[0]])
+        assert vm.status == "finished", vm.fault
+        click(live.fit)
+        study, fit = window.desk.study_vm, window.page("Fit")
+        qtbot.waitUntil(lambda: study.look is not None and bool(study.methods) and not study.busy, timeout=patience)
+        click(primary(fit))
+        qtbot.waitUntil(lambda: "ml" in study.fits, timeout=patience)
+        assert primary(fit).text() == "Trace the residual"
+        click(primary(fit))
+        qtbot.waitUntil(lambda: study.loop is not None, timeout=patience)
+        click(window.page("Loop").sign)
+        page = window.page("Certificate")
+        qtbot.waitUntil(lambda: page.list.count() == 1, timeout=patience)
+        assert "PROVISIONAL" in page.next.text()
+        page.signer.setCurrentText("jdoe@lab")
+        assert "has no key here" in page.next.text()
+        page.passphrase.setText("a long passphrase")
+        click(page.new_key)
+        click(page.sign)
+        qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=patience)
+        assert "Good to use as PROVISIONAL" in page.next.text()
+        page.verify(page.chosen()["path"])
+        qtbot.waitUntil(lambda: page.drop.words.text().startswith("✓"), timeout=patience)
+    finally:
+        window.close()
