@@ -22,14 +22,14 @@ from labcal.model.effects.regressors import stretches
 Array = NDArray[np.float64]
 AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
 SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
-REMAINS = 0.03  # of what all effects took away: as much left is an unnamed process, not a drift, a step or a mode
+REMAINS = 0.03  # of what all effects took away: as much left is an unnamed process, not a drift, a step or a mode,
+HARMONICS = 0.1  # and as much is no line with its harmonics
 SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
 SECOND_OF_NOISE = 0.25  # or this part of the noise's square
 AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
 CONTENDERS = 4  # rivals that are tried on held-out data
 RIVAL = 8.0  # nats: what comes closer does as well
 REFUSALS = 6  # causes refused on held-out data before the loop gives up
-SHORTLIST = 8  # causes that the folds choose from
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,9 +70,8 @@ def weighed(search: Search, level: Floor) -> Evidence:
             break
         refused.add(accepted[idle].cause)
         accepted, steps = accepted[:idle], steps[:idle]
-    shortlist = _shortlist(search, rankings)
     while True:
-        honest = held_out(shortlist, blocks, _choice(len(accepted), refused))
+        honest = held_out(search, blocks, _choice(len(accepted), refused))
         if not accepted or _carries(honest, level):
             break
         accepted, steps = accepted[:-1], steps[:-1]
@@ -103,28 +102,25 @@ def _idle(search: Search, accepted: Sequence[Candidate], steps: Sequence[HeldOut
     for i, step in enumerate(steps):
         if not (_helps(step) and _adds(steps[: i + 1], level)):
             return i
-    vague = [i for i, c in enumerate(accepted) if _vague(search, c)]
-    return vague[-1] if vague and _remains(steps, level) else None
+    for i, chosen in reversed(list(enumerate(accepted))):
+        share = HARMONICS if chosen.family.id == "periodic" else REMAINS
+        if _vague(search, chosen) and _remains(steps, level, share):
+            return i
+    return None
 
 
 def _vague(search: Search, chosen: Candidate) -> bool:
-    """Whether any slow process, or a jump at each change of segment, would have some of the effect's shape."""
+    """Whether any process in time, or a jump at each change of segment, would have some of the effect's shape."""
     if chosen.family.id == "offset-mode":
         mode, segment = search.whole.run.mode, search.whole.scene.segment
         return all(bool((mode[part] == mode[part][0]).all()) for part in stretches(segment))
-    return chosen.family.bound_to_run and chosen.family.id != "periodic"
+    return chosen.family.bound_to_run
 
 
-def _remains(steps: Sequence[HeldOut], level: Floor) -> bool:
-    """Whether what is left after all effects is a good part of what they took away, and more than noise."""
+def _remains(steps: Sequence[HeldOut], level: Floor, share: float) -> bool:
+    """Whether what is left after all effects is this share of what they took away, and more than noise."""
     before, after = steps[0].before, steps[-1].after
-    return after > AT_FLOOR * level.nT and after**2 - level.nT**2 > REMAINS * (before**2 - after**2)
-
-
-def _shortlist(search: Search, rankings: Sequence[Sequence[Weighed]]) -> Search:
-    """The search among the causes that came out best: what has no weight on all rows has none on four fifths."""
-    best = {w.candidate.cause for ranking in rankings for w in ranking[:SHORTLIST]}
-    return search.among([c for c in search.candidates if c.cause in best])
+    return after > AT_FLOOR * level.nT and after**2 - level.nT**2 > share * (before**2 - after**2)
 
 
 def _choice(most: int, refused: Collection[Cause]) -> Callable[[Search], Sequence[Candidate]]:

@@ -24,7 +24,7 @@ NAMED = 12.0  # nats of weight below which nothing is named: odds of 1.6e5 to on
 PEAKS = 3  # frequencies that a periodic effect is tried at
 SEEN = 1e-4  # of a column's square must be new to the base
 NOTHING = 1e-10  # of the largest eigenvalue: directions below carry no information
-CYCLES = 2.0  # a period must fit this often into a median segment
+CYCLES = 3.0  # a period must fit this often into a median segment: what a turn forth and back repeats, fits twice
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -39,9 +39,11 @@ def put_through(folder: Path) -> Row:
     wrong = np.linalg.norm(field - truth, axis=1)
     if closed.residual_kind == "scalar":
         wrong = np.linalg.norm(field, axis=1) - np.linalg.norm(truth, axis=1)
+    truth_json = json.loads((folder.parent / "truth" / f"{folder.name}.json").read_text())
+    knew = truth_json["knowing_magnitude_rms_nT" if closed.residual_kind == "scalar" else "knowing_rms_nT"]
     return {
         "run": folder.name,
-        "truth": json.loads((folder.parent / "truth" / f"{folder.name}.json").read_text()),
+        "truth": truth_json,
         "verdict": closed.verdict,
         "named": [e.effect for e in closed.accepted],
         "channels": [list(e.channels) for e in closed.accepted],
@@ -50,6 +52,7 @@ def put_through(folder: Path) -> Row:
         "before": closed.before.holdout_rms_nT,
         "after": closed.after.holdout_rms_nT,
         "fresh": float(np.sqrt(np.nanmean(wrong**2))),
+        "knew": knew,
         "seconds": seconds,
     }
 
@@ -95,7 +98,7 @@ def summary(rows: Sequence[Row]) -> str:
     single = [r for r in strong if len(r["truth"]["cause"]) == 1]
     nothing = [r for r in rows if not r["truth"]["cause"]]
     strange = [r for r in rows if set(r["truth"]["cause"]) & set(STRANGE)]
-    fresh = [r["fresh"] / r["truth"]["knowing_rms_nT"] for r in strong]
+    fresh = [r["fresh"] / r["knew"] for r in strong]
     claim = [r["after"] / r["fresh"] for r in strong if r["verdict"] == "explained"]
     lines = [
         "| what | rate (95 % interval) |",

@@ -187,13 +187,11 @@ def publish(out, index, seed, kinds, strength):
     inverse = np.linalg.inv(state["S"])
     knowing = (fresh_clean - offset) @ inverse.T
     truth_body = shift(fresh, -state["lag"]) if state["lag"] else fresh.body
-    knew = (
-        np.linalg.norm(knowing, axis=1) - np.linalg.norm(truth_body, axis=1)
-        if scalar
-        else np.linalg.norm(knowing - truth_body, axis=1)
-    )
+    knew = np.linalg.norm(knowing - truth_body, axis=1)
+    knew_size = np.linalg.norm(knowing, axis=1) - np.linalg.norm(truth_body, axis=1)
     truth_json = {"seed": seed, "cause": list(kinds), "strength": strength, "scalar": scalar, "no_angle": no_angle,
-             "channels": names, "knowing_rms_nT": float(np.sqrt(np.mean(knew**2))), "lag_s": state["lag"]}  # fmt: skip
+             "channels": names, "knowing_rms_nT": float(np.sqrt(np.mean(knew**2))),
+             "knowing_magnitude_rms_nT": float(np.sqrt(np.mean(knew_size**2))), "lag_s": state["lag"]}  # fmt: skip
     (out / "truth").mkdir(exist_ok=True)
     (out / "truth" / f"{name}.json").write_text(json.dumps(truth_json))
 
