@@ -21,9 +21,10 @@ from labcal.loop.proposal import next_experiment, twins
 from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
-from labcal.loop.search import Search, Weighed
+from labcal.loop.search import Search
 from labcal.loop.setaside import at_rail
 from labcal.loop.shape import describe
+from labcal.loop.surrogates import p_value
 from labcal.loop.whiteness import tests as residual_tests
 from labcal.loop.words import in_doubt, summary, tested, why, why_not
 from labcal.model import EffectRecord, Parameter
@@ -67,7 +68,7 @@ def doubted(run: Run, problem: Problem, level: Floor, stuck: int, finding: Findi
     search = Search(problem, [], rows, _lowest(run), rows)
     blocks = plan(problem, 0.0)
     honest = held_out(search, blocks, lambda part: ())
-    found = Evidence(search, (), (), (), honest, (), level, blocks, 0.0)
+    found = Evidence(search, (), (), (), honest, (), level, blocks, np.zeros(1), 0.0)
     base = refit(problem, [])
     return replace(_result(run, found, base, base, {"outliers": 0, "saturation": stuck}), **in_doubt(finding))
 
@@ -180,7 +181,7 @@ def _records(found: Evidence, after: Refit) -> list[EffectRecord]:
                 holdout_rms_before_nT=step.before,
                 holdout_rms_after_nT=step.after,
                 improvement_ci95_nT=(low, high),
-                p_value=_p_value(own.weighed, len(found.search.candidates)),
+                p_value=p_value(own.weighed, found.heaviest),
                 rivals=tuple(_rival(other) for other in others),
                 why=why(step, own.weighed),
             )
@@ -191,13 +192,6 @@ def _records(found: Evidence, after: Refit) -> list[EffectRecord]:
 def _rival(contender: Contender) -> Rival:
     form = contender.weighed.candidate.form
     return Rival(contender.weighed.candidate.family.id, form.channels, contender.after_nT)
-
-
-def _p_value(weighed: Weighed, tried: int) -> float:
-    """Chi-squared of the likelihood ratio, times the looks taken (Bonferroni)."""
-    from scipy.special import chdtrc
-
-    return float(min(1.0, tried * chdtrc(max(weighed.rank, 1), 2 * max(weighed.gain, 0.0))))
 
 
 def _of_the_data(aside: dict[str, int], problem: Problem, verdict: Verdict, far: float) -> list[EffectRecord]:
@@ -228,7 +222,7 @@ def _rejected(found: Evidence) -> list[EffectRecord]:
                     reference_value=dict(form.reference_value),
                     belongs_to=w.candidate.family.belongs_to,
                     parameters=(),
-                    p_value=_p_value(w, len(found.search.candidates)),
+                    p_value=p_value(w, found.heaviest),
                     why=why_not(w),
                 )
             )

@@ -17,6 +17,7 @@ from labcal.loop.problem import Problem
 from labcal.loop.refit import refit
 from labcal.loop.search import Candidate, Search, Weighed, expand
 from labcal.loop.setaside import farness, outliers
+from labcal.loop.surrogates import by_chance
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
@@ -52,6 +53,7 @@ class Evidence:
     steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
     level: Floor
     blocks: Plan
+    heaviest: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
     far: float  # how far the rows that were set aside typically lie, in standard deviations of the others
 
 
@@ -79,7 +81,8 @@ def weighed(search: Search, level: Floor) -> Evidence:
         honest = replace(honest, before_nT=held_out(bare, blocks, _always(())).before_nT)
     rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
     far = farness(search.everywhere(accepted)[0], search.good)
-    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks, far)
+    chance = by_chance(search, accepted)
+    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks, chance, far)
 
 
 def settled(search: Search) -> Search:
@@ -200,7 +203,7 @@ def _plainer(search: Search, blocks: Plan, accepted: list[Candidate]) -> list[Ca
         for look in _simpler(search, chosen, others):
             simple = [*accepted[:place], look, *accepted[place + 1 :]]
             richer = held_out(search, blocks, _always(accepted), simple)
-            if richer.before <= AS_GOOD * richer.after or not _helps(richer):
+            if richer.before <= AS_GOOD * richer.after:
                 accepted = simple
                 break
     return accepted

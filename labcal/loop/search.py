@@ -189,11 +189,15 @@ class Search:
     def weigh(self, candidate: Candidate, stage: Stage) -> Weighed:
         """The evidence for a candidate beside what the stage holds."""
         found, rank = stage.beside(self.moved(candidate))
-        size = rank + candidate.size - len(candidate.form.parameters)
         gain = found.log - stage.null.log
-        weight = gain - 0.5 * size * np.log(self.data) - np.log(candidate.looks)
+        weight = gain - self.price(candidate, rank)
         drop = (stage.null.rss - found.rss) / (self.data * self.rows_each)
-        return Weighed(candidate, gain, float(weight), drop, rank, found)
+        return Weighed(candidate, gain, weight, drop, rank, found)
+
+    def price(self, candidate: Candidate, rank: int) -> float:
+        """What a candidate has to gain before it weighs anything [nats], where `rank` of its columns are new."""
+        size = rank + candidate.size - len(candidate.form.parameters)
+        return float(0.5 * size * np.log(self.data) + np.log(candidate.looks))
 
     def rank(
         self, candidates: Iterable[Candidate], accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()
