@@ -19,12 +19,15 @@ import numpy as np
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.recursion import affine, clipped
 from labcal.model.effects.regressors import BODY, driving, per_axis, powered, stretches
-from labcal.record import Run
+from labcal.record import Run, offers
 
 THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
 SEVERAL_nT = (500.0, 1500.0, 4000.0, 12000.0)
 WIDTHS_nT = (1000.0, 4000.0)
 SATURATION_nT = (10000.0, 20000.0, 40000.0)
+OWN_NOISE = (
+    90.0  # standard deviations of a reading: a narrower loop, driven by the readings, would take off their noise
+)
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop
 
 
@@ -71,20 +74,29 @@ def _thresholds(form: Form) -> list[float]:
 
 def candidates(run: Run) -> list[Form]:
     """Dahl's loop, one stop, several, and a saturating loop about a curve; each along either axes."""
+    least = _narrowest(run)
+    thresholds, several, widths = (
+        tuple(r for r in grid if r >= least) for grid in (THRESHOLDS_nT, SEVERAL_nT, WIDTHS_nT)
+    )
     found = []
     for drive in ("", BODY):
-        width = Shape("w_nT", THRESHOLDS_nT[2], "nT", THRESHOLDS_nT)
-        threshold = Shape("r_nT", THRESHOLDS_nT[2], "nT", THRESHOLDS_nT)
-        bend = (Shape("r_nT", WIDTHS_nT[0], "nT", WIDTHS_nT), Shape("s_nT", SATURATION_nT[1], "nT", SATURATION_nT))
-        several = tuple(p for r in SEVERAL_nT for p in per_axis(f"{drive}c{r:.0f}", "1"))
-        bends = (p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k)))
-        found += [
-            Form(kernel, per_axis(f"{drive}c", "nT"), shape=(width,)),
-            Form(kernel, per_axis(f"{drive}c", "1"), shape=(threshold,)),
-            Form(kernel, several),
-            Form(kernel, (*per_axis(f"{drive}c", "nT"), *bends), shape=bend),
-        ]
+        units = [("nT", Shape("w_nT", 0.0, "nT", thresholds)), ("1", Shape("r_nT", 0.0, "nT", thresholds))]
+        found += [Form(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if thresholds]
+        if several:
+            found.append(Form(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
+        if widths:
+            shapes = (Shape("r_nT", 0.0, "nT", widths), Shape("s_nT", 0.0, "nT", SATURATION_nT))
+            bends = (p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k)))
+            found.append(Form(kernel, (*per_axis(f"{drive}c", "nT"), *bends), shape=shapes))
     return found
+
+
+def _narrowest(run: Run) -> float:
+    """The narrowest loop [nT] that may be tried: any where a reference drives it, else one far above the noise."""
+    if all(offers(run, segment) == "vector" for segment in run.segments):
+        return 0.0
+    typical = float(np.sqrt(np.nanmean(run.reading**2))) * run.dut.nominal_nT_per_unit
+    return OWN_NOISE * (run.dut.noise_nT or 1e-3 * typical)
 
 
 FAMILY = Family(
