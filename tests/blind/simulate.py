@@ -42,10 +42,10 @@ def left_by_base(scene, effect, S):
     return float(np.sqrt(np.sum(left**2) / n))
 
 
-def make_run(seed, kinds, strength):
+def make_run(seed, kinds, strength, as_scalar):
     """One run: scenes, readings, truth."""
     rng = np.random.default_rng(seed)
-    scalar = not set(kinds) & {*RIG, "lag", "reference-drift", "saturation"} and rng.random() < 0.12
+    scalar = as_scalar or (not set(kinds) & {*RIG, "lag", "reference-drift", "saturation"} and rng.random() < 0.12)
     no_angle = not scalar and not set(kinds) & {*RIG, "lag", "reference-drift"} and rng.random() < 0.05
     modes = ["nominal", "full-power"] if "offset-mode" in kinds or rng.random() < 0.3 else ["nominal"]
     run, fresh, end = record(
@@ -151,9 +151,9 @@ def segment_json(part, scalar, no_angle):
     return out
 
 
-def publish(out, index, seed, kinds, strength):
+def publish(out, index, seed, kinds, strength, as_scalar=False):
     """Write one run and its truth."""
-    rng, state, names, recordings, scalar, no_angle, near, offset = make_run(seed, kinds, strength)
+    rng, state, names, recordings, scalar, no_angle, near, offset = make_run(seed, kinds, strength, as_scalar)
     run, fresh, noise = state["run"], state["fresh"], state["noise"]
     (reading, reference, _), (fresh_reading, _, fresh_clean) = recordings
     spoil(rng, kinds, reading, noise, strength)
@@ -218,11 +218,18 @@ def menu(count, seed):
     return out[:count]
 
 
+SHORT = (
+    ((), 0.0), (("offset-current",), 2.0), (("axis-tilt",), 2.0), (("saturation",), 2.0), (("telegraph",), 10.0),
+    (("lag", "offset-current"), 2.0), (("offset-temperature",), 10.0, True),
+)  # fmt: skip
+
+
 def main(out, count, seed):
-    """Write the runs."""
-    for index, (kinds, strength) in enumerate(menu(count, seed)):
-        publish(Path(out), index, seed * 100000 + index, kinds, strength)
+    """Write `count` runs, or one of each class where `count` is `short`."""
+    runs = SHORT if count == "short" else menu(int(count), seed)
+    for index, run in enumerate(runs):
+        publish(Path(out), index, seed * 100000 + index, *run)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))
+    main(sys.argv[1], sys.argv[2], int(sys.argv[3]))
