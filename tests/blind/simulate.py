@@ -219,8 +219,8 @@ def menu(count, seed):
 
 
 SHORT = (
-    ((), 0.0), (("offset-current",), 2.0), (("axis-tilt",), 2.0), (("saturation",), 2.0), (("telegraph",), 10.0),
-    (("lag", "offset-current"), 2.0), (("offset-temperature",), 10.0, True),
+    ((), 0.0), (("axis-tilt",), 2.0), (("saturation",), 2.0), (("telegraph",), 10.0), (("lag", "offset-current"), 2.0),
+    (("offset-temperature",), 10.0, True),
 )  # fmt: skip
 
 

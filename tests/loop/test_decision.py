@@ -1,0 +1,138 @@
+"""The rules of the search and of the decision, one by one, on a plain run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.loop import evidence
+from labcal.loop.bins import binned, rows_in_a_bin
+from labcal.loop.close import prepared
+from labcal.loop.correlation import correlation_s, follows_itself
+from labcal.loop.decide import forward
+from labcal.loop.evidence import Evidence, search_of, weighed
+from labcal.loop.floor import Floor
+from labcal.loop.holdout import HeldOut
+from labcal.loop.problem import Problem
+from labcal.loop.search import Search, Weighed
+from labcal.loop.spectrum import Likelihood
+from labcal.loop.steps import drops, steps
+from labcal.loop.surrogates import by_chance, p_value
+
+Started = Callable[..., Problem]
+Added = Callable[[dict[str, np.ndarray]], np.ndarray]
+LEVEL = Floor(100.0, "declared", None)
+
+
+@pytest.fixture
+def started(making: ModuleType, tmp_path: Path) -> Started:
+    """The base fitted to a plain run with something added to its readings."""
+
+    def make(added: Added = lambda rows: np.zeros(3), seconds: float = 45.0) -> Problem:
+        rows, segments = making.recorded(seconds=seconds)
+        rows["dut"] = rows["dut"] + added(rows)
+        return prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
+
+    return make
+
+
+def _search(problem: Problem) -> Search:
+    return search_of(problem, 0.85)
+
+
+def _held(before: float, after: float) -> HeldOut:
+    rows = np.ones(40)
+    return HeldOut(np.arange(40), before * rows, after * rows)
+
+
+def test_bins_keep_white_noise_and_never_span_two_segments(started: Started) -> None:
+    problem = started(seconds=900.0)
+    fewer = binned(problem)
+    assert fewer.bins is not None
+    assert fewer.bins.count.max() == 2
+    assert abs(np.std(fewer.y) / np.std(problem.y) - 1) < 0.03
+    first, last = fewer.bins.start, fewer.bins.start + fewer.bins.count - 1
+    assert np.array_equal(problem.scene.segment[first], problem.scene.segment[last])
+    assert np.isclose(np.sum(fewer.y[:, 0] * np.sqrt(fewer.bins.count)), np.sum(problem.y[:, 0]))
+
+
+def test_rows_are_not_binned_where_a_fast_line_would_be_lost(started: Started) -> None:
+    fast = started(lambda rows: 30 * np.cos(2 * np.pi * 0.9 * rows["t_s"])[:, None] * np.ones(3), seconds=900.0)
+    assert rows_in_a_bin(fast) == 1
+
+
+def test_a_step_is_found_at_its_moment_and_its_drop_is_that_of_a_fit(started: Started) -> None:
+    problem = started(lambda rows: 60.0 * (rows["t_s"] > 190.3)[:, None] * np.ones(3))
+    search = _search(problem)
+    best = steps(search, ())[0]
+    assert abs(best.form.at("t_step_s") - 190.3) < 1.0
+    row = int(np.searchsorted(problem.scene.t_s, best.form.at("t_step_s")))
+    fell = np.sum(search.residual(()) ** 2) - np.sum(search.residual([best]) ** 2)
+    assert np.isclose(drops(search, ())[row], fell, rtol=1e-6)
+
+
+def test_a_white_residual_does_not_follow_itself_and_a_wandering_one_does(started: Started) -> None:
+    assert not follows_itself(_search(started()), ())
+    draw = np.random.default_rng(3)
+
+    def wander(rows: dict[str, np.ndarray]) -> np.ndarray:
+        steps_taken = draw.normal(0, 20, rows["dut"].shape)
+        for row in range(1, len(steps_taken)):
+            steps_taken[row] += np.exp(-0.5 / 5.0) * steps_taken[row - 1]
+        return steps_taken
+
+    search = _search(started(wander))
+    assert follows_itself(search, ())
+    assert 2.0 < correlation_s(search, ()) < 10.0
+
+
+@pytest.mark.parametrize(("after", "earns"), [(195.0, False), (150.0, True)])
+def test_a_second_effect_brings_a_quarter_of_the_noises_square_at_least(after: float, earns: bool) -> None:
+    assert evidence._adds([_held(1000, 200), _held(200, after)], LEVEL) is earns
+
+
+@pytest.mark.parametrize(("after", "too_much"), [(110.0, False), (180.0, False), (250.0, True)])
+def test_what_leaves_more_than_its_share_is_no_drift(after: float, too_much: bool) -> None:
+    assert evidence._remains([_held(1000, after)], LEVEL, evidence.REMAINS) is too_much
+
+
+def test_a_random_walk_is_given_no_name(started: Started) -> None:
+    walk = np.random.default_rng(8).normal(0, 25, (540, 3)).cumsum(axis=0)
+    search = _search(started(lambda rows: walk))
+    assert [c.family.id for c in weighed(search, Floor(36.0, "declared", None)).accepted] == []
+
+
+@pytest.fixture
+def loaded(started: Started) -> Evidence:
+    problem = started(lambda rows: rows["i_load"][:, None] * np.array([90.0, -60.0, 40.0]))
+    return weighed(_search(problem), Floor(36.0, "declared", None))
+
+
+def test_a_current_is_named_in_its_simplest_look(loaded: Evidence) -> None:
+    assert [(c.cause, len(c.form.parameters), c.form.shape) for c in loaded.accepted] == [
+        (("offset-current", ("i_load",)), 3, ())
+    ]
+
+
+def test_surrogates_make_a_found_cause_improbable_and_chance_probable(loaded: Evidence) -> None:
+    best = loaded.rankings[0][0]
+    assert p_value(best, loaded.heaviest) < 1e-6
+    assert p_value(loaded.rankings[-1][0], loaded.heaviest) > 0.01
+
+
+def test_the_tail_of_an_exponential_is_its_own(started: Started) -> None:
+    heaviest = np.sort(np.random.default_rng(2).exponential(2.0, 4000))
+    candidate = _search(started()).candidates[0]
+    far = Weighed(candidate, 0.0, 20.0, 0.0, 1, Likelihood(0.0, 1.0, 0, 1.0))
+    assert 0.6 < p_value(far, heaviest) / np.exp(-20.0 / 2.0) < 1.6
+
+
+def test_by_chance_nothing_comes_near_a_name(started: Started) -> None:
+    search = _search(started())
+    assert forward(search)[0] == []
+    assert by_chance(search, ()).max() < 8.0
