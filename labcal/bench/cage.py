@@ -12,13 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
 from labcal.bench.roles import CoilSupply
-from labcal.bench.sign import SignCheck
+from labcal.bench.sign import Probe, SignCheck
 from labcal.bench.watch import Windings
 from labcal.bench.zero import RAMP_STEP_S, AtZero, to_zero
 from labcal.errors import InstrumentError, LimitError
 
 Array = NDArray[np.float64]
 LONGEST_RAMP_DOWN_S = 1.5
+LOOK_AGAIN_S = (0.5, 2.0)
 FOLLOWS = 0.01  # of the set-point, between what was set and what flows
 
 
@@ -147,10 +148,21 @@ class Cage:
             if (before := self._seen_at(probe.before)) is None or (after := self._seen_at(probe.after)) is None:
                 return
             try:
-                self._signs.judge(probe, before, after)
+                self._judge(probe, before, after)
             except InstrumentError:
                 self.zero()
                 raise
+
+    def _judge(self, probe: Probe, before: Array, after: Array) -> None:
+        """Look again, and later, where the step is not seen: readings may come late, contacts do not."""
+        for later_s in LOOK_AGAIN_S:
+            with suppress(InstrumentError):
+                self._signs.judge(probe, before, after)
+                return
+            self._wait(self._clock.now() + later_s)
+            if (late := self._signs.see()) is not None:
+                after = late
+        self._signs.judge(probe, before, after)
 
     def _seen_at(self, i_A: Array) -> Array | None:
         self._ramp(i_A)
