@@ -93,7 +93,7 @@ def findings(run: Run, accepted: Sequence[Candidate], after: Refit) -> list[Find
             found.append(Finding("working-range", "sensor", said))
         loose = [p.name for p in parameters if p.u > 0 and abs(p.value) < 2 * p.u]
         if loose:
-            verb = "are" if len(loose) > 1 else "is"
+            verb = "are, one by one," if len(loose) > 1 else "is"
             text = (
                 f"Of {chosen.family.id}, {', '.join(loose)} {verb} not pinned down by this run (value below U, k = 2)."
             )
