@@ -15,7 +15,7 @@ DRAFT = "cage-calibration"  # the procedure, and the kind of the event that hold
 def approved_cage(header: RunHeader, status: str, items: Iterable[Item], name: str) -> CageCalibration:
     """The draft of a run, approved by `name`. Raises InputError where there is none, or none that may be approved."""
     if header.procedure != DRAFT or status != "finished":
-        raise InputError(f"run {header.run_id} is no finished cage-calibration: it is a {header.procedure}, {status}")
+        raise InputError(f"run {header.run_id} is no finished cage-calibration: it is of {header.procedure}, {status}")
     name = " ".join(name.split())
     if not name or name.casefold() == header.operator.strip().casefold():
         raise InputError("another person than the operator approves: --as NAME")

@@ -221,7 +221,7 @@ def _last_time(items: Sequence[Item]) -> float:
 
 def _refuse_another(bench: Bench, procedure: Found, header: RunHeader, dut_serial: str | None) -> None:
     if procedure.name != header.procedure:
-        raise InputError(f"run {header.run_id} is a {header.procedure}, not a {procedure.name}")
+        raise InputError(f"run {header.run_id} is of {header.procedure}, not of {procedure.name}")
     if not procedure.resumable:
         raise InputError(f"{procedure.name} cannot go on after an interruption: start it anew")
     if procedure.sha256 != header.source_sha256:

@@ -92,7 +92,7 @@ def test_a_draft_is_approved_by_another_person_and_only_within_its_limits(
     with pytest.raises(InputError, match="failed its limits: DUT: uncertainty of the matrix"):
         session.approve_cage(beyond, "R. Roe", out)
     other = session.run("ambient", bench_file(), {"duration_s": "10"}).run_id
-    with pytest.raises(InputError, match="is no finished cage-calibration: it is a ambient, finished"):
+    with pytest.raises(InputError, match="is no finished cage-calibration: it is of ambient, finished"):
         session.approve_cage(other, "R. Roe", out)
     assert not out.exists()
 

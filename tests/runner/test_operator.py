@@ -127,7 +127,7 @@ def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_int
     outcome = session.resume("R", bench, seed=2, answer=lambda prompt: "perhaps")
     assert (outcome.status, outcome.at_rest) == ("interrupted", "coils at zero")
     assert "'perhaps' is no answer" in str(outcome.fault)
-    with pytest.raises(InputError, match="run R is a preflight, not a ambient"):
+    with pytest.raises(InputError, match="run R is of preflight, not of ambient"):
         session.resume("R", bench, "ambient", seed=2)
     assert session.resume("R", bench, seed=2).status == "finished"
 
