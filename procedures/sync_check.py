@@ -96,12 +96,16 @@ def delay(stream: Samples, t_s: Array, level: Array) -> tuple[float, float]:
     seen = stream.between(t_s[0], t_s[-1])
     coarse = np.linspace(-1.0, 1.0, 41)
     near = coarse[np.argmin([_left_over(seen, t_s + d, level) for d in coarse])]
-    delays = near + np.linspace(-0.1, 0.1, 41)
+    delays = near + np.linspace(-0.15, 0.15, 61)
     sums = np.array([_left_over(seen, t_s + d, level) for d in delays])
-    best = int(np.clip(np.argmin(sums), 2, len(delays) - 3))
-    a, b, c = np.polyfit(delays[best - 2 : best + 3] - delays[best], sums[best - 2 : best + 3], 2)
-    variance = c / max(1, seen.values.size - 7)
-    return float(delays[best] - b / (2 * a)), float(np.sqrt(variance / abs(a)))
+    best = int(np.argmin(sums))
+    off = delays - delays[best]
+    bowl = np.abs(off) <= max(seen.period_s / 2, 0.01) + 1e-9  # narrower, noise decides its shape
+    a, b, c = np.polyfit(off[bowl], sums[bowl], 2)
+    variance = max(c, 0.0) / max(1, seen.values.size - 7)
+    return float(delays[best] + np.clip(-b / (2 * a), off[bowl].min(), off[bowl].max())), float(
+        np.sqrt(variance / abs(a))
+    )
 
 
 def _left_over(seen: Samples, t_s: Array, level: Array) -> float:
