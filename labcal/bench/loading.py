@@ -122,7 +122,10 @@ class Loader:
         from labcal.bench.links.modbus import modbus_link  # slow to import, and seldom needed
 
         if line.url not in self.masters:
-            self.masters[line.url] = modbus_link(line, self.clock)
+            try:
+                self.masters[line.url] = modbus_link(line, self.clock)
+            except InputError as error:
+                self.refuse(error.what, ("instruments", name, "link"))
         return self.masters[line.url]
 
     def close(self) -> None:

@@ -12,6 +12,7 @@ import threading
 import tty
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -22,8 +23,8 @@ from pymodbus.server import ModbusTcpServer
 from pymodbus.simulator import DataType, SimData, SimDevice
 
 from labcal.bench import open_bench
-from labcal.bench.clock import RealClock
-from labcal.bench.links import open_link
+from labcal.bench.clock import RealClock, VirtualClock
+from labcal.bench.links import EmulatedLink, Nobody, open_link
 from labcal.bench.links.modbus import ModbusLink, modbus_link
 from labcal.errors import InputError, InstrumentError
 
@@ -202,6 +203,17 @@ def test_a_late_reply_over_modbus_tcp_is_known_by_its_number() -> None:
         assert link.read_holding(1, 51, 1) == [51]
         link.close()
         line.join()
+
+
+@pytest.mark.parametrize(("options", "waited_s"), [("", 0.6), ("?timeout_ms=50", 0.05)])
+def test_how_long_a_modbus_reply_is_waited_for_is_the_links(options: str, waited_s: float) -> None:
+    clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    link = modbus_link(EmulatedLink(f"emulated://nobody{options}", Nobody(), clock), clock)
+    with pytest.raises(InstrumentError):
+        link.read_holding(1, 0, 1)
+    assert clock.now() == pytest.approx(waited_s + 0.5, abs=0.01)  # and half a second of quiet
+    with pytest.raises(InputError, match="timeout_ms=soon"):
+        modbus_link(EmulatedLink("emulated://nobody?timeout_ms=soon", Nobody(), clock), clock)
 
 
 # lost lines

@@ -20,7 +20,7 @@ from labcal.bench.links.ports import claim
 from labcal.bench.links.usbtmc import UsbtmcPort
 from labcal.errors import InputError, InstrumentError
 
-OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms", "echo")
+OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms", "timeout_ms", "echo")
 CONNECT_S = 3.0
 BUSY = (errno.EAGAIN, errno.EBUSY, errno.EADDRINUSE)
 DATAGRAM_BUFFER = 4 << 20  # what comes while nobody looks is lost beyond this (Linux caps it at rmem_max)
