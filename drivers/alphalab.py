@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from drivers.framing import alphalab
-from drivers.framing.mishaps import Mishaps
+from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.polling import Polls
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
@@ -109,11 +109,7 @@ class AlphaLab:
             self._link.flush()  # a slip must not shift the next frame
             return None
         if max(map(abs, xyz)) >= self.settings.full_scale_mG:
-            raise InstrumentError(
-                f"{self.name}: a reading at full scale.",
-                fault="overloaded",
-                remedy="Coils go to zero; lower the field.",
-            )
+            raise overloaded(self.name)
         return xyz, frame
 
     def _pairs(self, code: int) -> dict[str, str]:

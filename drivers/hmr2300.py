@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from drivers.framing.hmr2300 import Frames
-from drivers.framing.mishaps import Mishaps
+from drivers.framing.mishaps import Mishaps, overloaded
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
@@ -24,7 +24,10 @@ COLUMNS = ("ref_x", "ref_y", "ref_z")
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`rate` in samples per second. `set_reset`: alternate the bridge's polarity; calibrate in the mode used."""
+    """`rate` in samples per second. `set_reset`: alternate the bridge's polarity; calibrate in the mode used.
+
+    `invalid`: readings after the start that are dropped, for those after a pulse are not valid (data sheet, p. 10).
+    """
 
     id: int = 0
     format: Literal["ascii", "binary"] = "ascii"
@@ -32,6 +35,7 @@ class Settings:
     rate: int = 20
     baud: int = 9600
     set_reset: bool = True
+    invalid: int = 3
     timeout_s: float = 0.5
 
     def __post_init__(self) -> None:
@@ -89,7 +93,7 @@ class Hmr2300:
         ):
             self._ask("WE", "OK")
             self._ask(words, reply)
-        self._frames = Frames(self.name, binary=s.format == "binary")
+        self._frames = Frames(self.name, binary=s.format == "binary", skip=s.invalid)
         self._streaming, self._next_poll_s = True, self._clock.now()
         if s.mode == "continuous":
             self._link.send(f"*{s.id:02d}C\r".encode())
@@ -104,11 +108,7 @@ class Hmr2300:
             return []
         counts = np.array([c for _, c, _ in frames], dtype=float)
         if np.abs(counts).max() >= FULL_SCALE:
-            raise InstrumentError(
-                f"{self.name}: a reading at full scale.",
-                fault="overloaded",
-                remedy="Coils go to zero; lower the field.",
-            )
+            raise overloaded(self.name)
         raw = b"".join(frame for _, _, frame in frames)
         return [Block("reference", self.name, COLUMNS, np.array([t for t, _, _ in frames]), counts * NT_PER_COUNT, raw)]
 

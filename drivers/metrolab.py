@@ -7,13 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drivers.framing.mishaps import Mishaps
+from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.polling import Polls
 from drivers.framing.scpi import Scpi
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
-from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
 VALUE = re.compile(r" *([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?) *([A-Za-zµ]+) *")
@@ -81,11 +80,7 @@ class Metrolab:
             return []
         stamps, values, raw = np.array([g[0] for g in good]), np.array([g[1] for g in good]), [g[2] for g in good]
         if np.abs(values).max() >= self.settings.full_scale_nT:
-            raise InstrumentError(
-                f"{self.name}: a reading at full scale.",
-                fault="overloaded",
-                remedy="Coils go to zero; lower the field or widen the range.",
-            )
+            raise overloaded(self.name)
         return [Block("reference", self.name, ("ref_x", "ref_y", "ref_z"), stamps, values, "\n".join(raw).encode())]
 
     def events(self) -> list[Event]:

@@ -9,12 +9,11 @@ import numpy as np
 
 from drivers.framing.columns import NT, SECONDS, OwnClock
 from drivers.framing.listener import Listener, Pieces
-from drivers.framing.mishaps import Mishaps
+from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.text import Text, TextRows
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
-from labcal.errors import InstrumentError
 from labcal.record.stream import Block
 
 
@@ -78,10 +77,6 @@ class Parser:
             t = self._clock.tie(t, table[:, s.columns.index("t")] * SECONDS[s.t_unit])
         values = table[:, self._reading] * (s.scale * NT[s.unit])
         if np.abs(values).max() >= s.full_scale_nT:
-            raise InstrumentError(
-                f"{self._source}: a reading at full scale.",
-                fault="overloaded",
-                remedy="Coils go to zero; lower the field.",
-            )
+            raise overloaded(self._source)
         columns = tuple(f"ref_{axis}" for axis in s.axes)
         return [Block("reference", self._source, columns, t - s.delay_s, values, raw)]

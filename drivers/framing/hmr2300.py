@@ -19,10 +19,14 @@ Taken = tuple[Counts | None, bytes] | None  # counts of a frame (None where it i
 
 
 class Frames:
-    """Cuts stamped pieces into samples, in any cutting; `bad` collects when frames came that were no good."""
+    """Cuts stamped pieces into samples, in any cutting, and leaves the first `skip` out.
 
-    def __init__(self, name: str, *, binary: bool) -> None:
-        self._name, self._take = name, self._take_binary if binary else self._take_ascii
+    `bad` collects when frames came that were no good.
+    """
+
+    def __init__(self, name: str, *, binary: bool, skip: int = 0) -> None:
+        self._name, self._skip = name, skip
+        self._take = self._take_binary if binary else self._take_ascii
         self._rest, self._stamp, self._in_step = b"", 0.0, True
         self.bad: list[float] = []
 
@@ -40,7 +44,9 @@ class Frames:
                 else:
                     samples.append((self._stamp, counts, frame))
                 self._stamp = stamp
-        return samples
+        skipped = min(self._skip, len(samples))
+        self._skip -= skipped
+        return samples[skipped:]
 
     def _take_ascii(self) -> Taken:
         frame, end, rest = self._rest.partition(END)

@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Literal
 
+from labcal.errors import InstrumentError
 from labcal.record.stream import Event
 
 Kind = Literal["gap", "checksum", "bad frame", "overrun", "late", "restart"]
@@ -32,3 +33,9 @@ class Mishaps:
             Event(t, "stream", f"{self.source}: {kind}, {lost} lost", {"fault": kind, "times": times, "lost": lost})
             for kind, (t, times, lost) in new.items()
         ]
+
+
+def overloaded(source: str) -> InstrumentError:
+    """The error for a reading at the end of a sensor's range: a fault, not a value."""
+    remedy = "Coils go to zero; lower the field, or widen its range where it has another."
+    return InstrumentError(f"{source}: a reading at full scale.", fault="overloaded", remedy=remedy)

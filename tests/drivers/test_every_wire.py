@@ -146,7 +146,7 @@ WIRES: dict[str, Wire] = {
     ),
     "hmr2300": Wire(
         always(b"*00P\r", b"  1,500  - 1,234   15,000  \r"), polled, 10_000.0, b"  9,999  - 1,234   15,000  \r",
-        settings={"mode": "polled"}, before=started(), prepare=lambda d: d.start(),
+        settings={"mode": "polled", "invalid": 0}, before=started(), prepare=lambda d: d.start(),
         nonsense=(b"  1,50  - 1,234   15,000  \r", b"Re-enter\r", b" 11,5000  - 1,234   15,000  \r"), timeout_s=0.5,
     ),
     "alphalab": Wire(

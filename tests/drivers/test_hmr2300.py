@@ -28,7 +28,7 @@ def started(
 
 
 def reading(fmt: str, pieces: list[bytes]) -> np.ndarray:
-    with scripted(Hmr2300, [*started(fmt), (b"*00C\r", pieces)], format=fmt) as sensor:
+    with scripted(Hmr2300, [*started(fmt), (b"*00C\r", pieces)], format=fmt, invalid=0) as sensor:
         sensor.start()
         blocks = sensor.read_until(sensor._clock.now() + 1.0)
         return np.vstack([b.values for b in blocks]) / NT_PER_COUNT if blocks else np.empty((0, 3))
@@ -78,6 +78,14 @@ def test_without_write_enable_the_setting_fails() -> None:
         sensor.start()
 
 
+def test_the_first_three_readings_after_the_pulse_of_the_start_are_dropped() -> None:
+    frames = b"".join(bytes.fromhex(f"0001 000{k} 0003 0D") for k in range(5))
+    with scripted(Hmr2300, [*started("binary"), (b"*00C\r", [frames[:10], frames[10:]])], format="binary") as sensor:
+        sensor.start()
+        blocks = sensor.read_until(sensor._clock.now() + 1.0)
+    np.testing.assert_allclose(blocks[0].values[:, 1] / NT_PER_COUNT, [3, 4])
+
+
 @pytest.mark.parametrize(
     ("fmt", "baud", "rate"), [("ascii", 9600, 40), ("ascii", 19200, 60), ("binary", 9600, 123), ("ascii", 9600, 21)]
 )
@@ -89,7 +97,7 @@ def test_a_rate_that_the_line_cannot_carry_is_refused(fmt: str, baud: int, rate:
 def test_polled_asks_for_every_sample() -> None:
     frame = b"  0,001    0,002  - 0,003  \r"
     wire = [*started(), (b"*00P\r", frame), (b"*00P\r", frame)]
-    with scripted(Hmr2300, wire, mode="polled") as sensor:
+    with scripted(Hmr2300, wire, mode="polled", invalid=0) as sensor:
         sensor.start()
         blocks = sensor.read_until(sensor._clock.now() + 0.06)
     np.testing.assert_allclose(blocks[0].values / NT_PER_COUNT, [[1, 2, -3]] * 2)
