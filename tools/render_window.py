@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 
 ROOT = Path(__file__).parents[1]
@@ -38,12 +38,13 @@ NAMES = (
 )
 
 
-def small(image: QImage) -> QImage:
-    """The same picture in its own 256 most frequent colours: a third of the file."""
+def small(image: QImage, kept: list[int]) -> QImage:
+    """The same picture in 256 colours, a third of the file: those `kept` and its own most frequent ones."""
     whole = image.convertToFormat(QImage.Format.Format_RGB32)
     pixels = np.frombuffer(whole.constBits(), np.uint32).reshape(whole.height(), -1)
     colours, counts = np.unique(pixels, return_counts=True)
-    table = [int(colour) for colour in colours[np.argsort(counts)[::-1][:256]]]
+    frequent = [int(colour) for colour in colours[np.argsort(counts)[::-1]]]
+    table = list(dict.fromkeys(kept + frequent))[:256]
     return whole.convertToFormat(QImage.Format.Format_Indexed8, table, Qt.ImageConversionFlag.ThresholdDither)
 
 
@@ -94,7 +95,8 @@ class Studio:
             self.wait(lambda: not self.desk.clerk.busy)
             self.live(0.7)
             file = self.out / f"{name}-{theme.name}.png"
-            small(self.window.grab().toImage()).save(str(file))
+            kept = [QColor(getattr(theme, name)).rgb() for name in theme.__dataclass_fields__ if name != "name"]
+            small(self.window.grab().toImage(), kept).save(str(file))
             print(file.relative_to(ROOT) if file.is_relative_to(ROOT) else file, file.stat().st_size // 1024, "kB")
 
     def wants(self, *names: str) -> bool:

@@ -15,7 +15,7 @@ USABLE = ("finished", "imported", "stopped", "failed")
 def run_words(one: dict[str, Any]) -> str:
     """A run in one line: when, which DUT, what, how it ended."""
     when = one["started_utc"][:16].replace("T", " ")
-    return "  ·  ".join((when, one["dut_serial"], one["procedure"] or "bundle", one["status"].partition(":")[0]))
+    return " · ".join((when, one["dut_serial"], one["procedure"] or "bundle", one["status"].partition(":")[0]))
 
 
 class RunChooser(QComboBox):

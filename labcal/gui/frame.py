@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from labcal.gui.lab_vm import LabState, LabViewModel
 from labcal.gui.numbers import field, number
 from labcal.gui.theme import GRID
-from labcal.gui.widgets import Numbers, label, named, set_state
+from labcal.gui.widgets import Numbers, label, named, set_state, shrinking
 
 LIGHT_SHAPES = {"ok": ("✓", "good"), "waiting": ("…", ""), "fault": ("✕", "bad"), "absent": ("○", "")}
 UNITS = ("nT", "µT", "mG")
@@ -152,7 +152,7 @@ class Frame(QMainWindow):
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
-        self.message, self.waiting = label(), label()
+        self.message, self.waiting = shrinking(label()), label()
         self.hearers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self._rail_buttons = QButtonGroup(self)
         self._names = tuple(pages)
@@ -206,8 +206,7 @@ class Frame(QMainWindow):
         line = named(QFrame(), "statusline")
         row = QHBoxLayout(line)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
-        row.addWidget(self.message)
-        row.addStretch()
+        row.addWidget(self.message, 1)
         row.addWidget(self.waiting)
         return line
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QLineEdit, QPus
 from labcal.gui.drawing import Mounting
 from labcal.gui.hold import HoldButton
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, named
+from labcal.gui.widgets import Card, button, label, named, shrinking
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
@@ -40,7 +40,7 @@ class PromptCard(Card):
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
         self.text, self.hint, self.drawing = (
-            label("", "ask", wrap=True),
+            shrinking(label("", "ask", wrap=True)),
             label("", "caption", wrap=True),
             Mounting(theme),
         )

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
 FASTEST_TYPIST_S = 1 / 30  # between two characters
 SHORTEST = 4  # characters of a scan
@@ -34,7 +34,7 @@ class Scanner(QObject):
 
     def hear(self, watched: QWidget, event: QKeyEvent) -> bool:
         """Hold characters back until it is known who types."""
-        if self._replaying:
+        if self._replaying or self._of_another(watched.window()):
             return False
         if event.type() == QEvent.Type.KeyRelease and any(event.key() == kept.key() for _, kept in self._kept):
             self._kept.append((watched, event.clone()))  # a release never comes before its press
@@ -50,6 +50,10 @@ class Scanner(QObject):
         self._kept.append((watched, event.clone()))
         self._wait.start()
         return True
+
+    def _of_another(self, window: QWidget) -> bool:
+        """Whether these keys go to another main window; those of a dialog are ours."""
+        return isinstance(window, QMainWindow) and window is not self.parent()
 
     def _counts(self, event: QKeyEvent) -> bool:
         command = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)

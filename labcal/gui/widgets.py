@@ -29,6 +29,12 @@ def label(text: str = "", name: str = "", *, wrap: bool = False) -> QLabel:
     return widget
 
 
+def shrinking(widget: W) -> W:
+    """`widget` with its text cut off where there is no room: a long sentence widens no window."""
+    widget.setMinimumWidth(1)
+    return widget
+
+
 def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
     """A push button; `primary` is the one thing to do on a page."""
     widget = QPushButton(text)
@@ -69,8 +75,7 @@ class Card(QFrame):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         outer.setSpacing(GRID)
-        self.heading = label(title, "title")
-        self.heading.setMinimumWidth(1)  # a long name is cut off, it widens no window
+        self.heading = shrinking(label(title, "title"))
         self.unit = label(unit, "caption")
         head = QHBoxLayout()
         head.addWidget(self.heading)

@@ -65,25 +65,23 @@ def settings_in(folder):
     return settings
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def deaf_window(tmp_path_factory, qapp):
-    """A window whose workers are all deaf: no process is started."""
+    """A window whose workers are all deaf: no process is started. One for all tests."""
     from labcal.gui import desk as rooms
     from labcal.gui.bench_verbs import procedures
     from labcal.gui.window import Window
 
-    home = tmp_path_factory.mktemp("home")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("LABCAL_HOME", str(home))
         patch.setattr(rooms, "Client", lambda parent: Deaf())
-        window = Window(Desk(settings_in(home)), LIGHT)
-        window.show()
-        window.open_page("Run")
-        window.page("Run")
-        window.desk.clerk.answer("procedures", procedures(None))
-        KEPT.append(window)
-        yield window
-        window.close()
+        window = Window(Desk(settings_in(tmp_path_factory.mktemp("home"))), LIGHT)
+    KEPT.append(window)
+    window.show()
+    window.open_page("Run")
+    window.page("Run")
+    window.desk.clerk.answer("procedures", procedures(None))
+    yield window
+    window.close()
 
 
 @pytest.fixture
@@ -92,6 +90,8 @@ def still(deaf_window):
     from labcal.gui.bench_verbs import bench_facts
 
     window, desk = deaf_window, deaf_window.desk
+    window.raise_()
+    window.activateWindow()
     for worker in (desk.clerk, desk.bench_worker, desk.study, desk.switch):
         worker.asked, worker.said, worker.killed = [], [], 0
     desk._force.setInterval(3_600_000)  # a test calls it, and no clock does

@@ -15,7 +15,7 @@ from labcal.gui.fit_views import FitViews
 from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, set_primary
+from labcal.gui.widgets import Card, button, label, set_primary, shrinking
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
@@ -61,7 +61,7 @@ class FitPage(QWidget):
         self.draft.clicked.connect(self._draft)
         self.trace = button(self.tr("Trace the residual"), self.tr("Find what causes what is left over: the Loop page"))
         self.trace.clicked.connect(self._trace)
-        self.waiting = label("", "caption")
+        self.waiting = shrinking(label("", "caption"))
         row = QHBoxLayout()
         row.addWidget(self.chooser)
         row.addWidget(self.waiting, 1)

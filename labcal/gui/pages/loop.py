@@ -16,7 +16,7 @@ from labcal.gui.numbers import number
 from labcal.gui.study_plots import Bars, Residuals
 from labcal.gui.study_vm import cause_name
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, set_primary, set_state
+from labcal.gui.widgets import Card, button, label, set_primary, set_state, shrinking
 from labcal.gui.wire import unpack
 
 WORDS = {
@@ -76,7 +76,7 @@ class LoopPage(QWidget):
     def _head(self) -> QHBoxLayout:
         self.chooser = RunChooser(self._desk)
         self.chooser.chosen.connect(self._study.open)
-        self.waiting = label("", "caption")
+        self.waiting = shrinking(label("", "caption"))
         self.close_loop = button(
             self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
         )
@@ -108,7 +108,7 @@ class LoopPage(QWidget):
 
     def _verdict_card(self) -> Card:
         card = Card()
-        self.verdict, self.summary = label("", "ask"), label("", wrap=True)
+        self.verdict, self.summary = label("", "ask"), shrinking(label("", wrap=True))
         self.before_after, self.noise = label("", "large"), label("", "caption")
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
@@ -266,7 +266,8 @@ class LoopPage(QWidget):
         chosen = self.picked()
         effects = loop["accepted"] if chosen is None else [chosen[1]]
         channels = [c for effect in effects for c in effect["channels"]]
-        first = [name for name in against if name.split("  ")[0] in (*channels, *map(driver, effects))]
+        driven = channels or [driver(effect) for effect in effects]
+        first = [name for name in against if name.split("  ")[0] in driven]
         names = first + [name for name in against if name not in first]
         if [self.against.itemText(n) for n in range(self.against.count())] != names:
             self.against.clear()
