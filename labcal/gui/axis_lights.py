@@ -36,12 +36,12 @@ class AxisLights(QFrame):
     def show_run(self, run: RunViewModel) -> None:
         """Write what is known of each axis."""
         for axis, worst in self.worst.items():
-            verdict = run.axis_light(axis)
-            shape, state = STATES.get(verdict, NOT_YET)
-            worst.setText(f"{axis.upper()}  {shape} {verdict}".strip())
+            verdict, looks = run.axis_light(axis), run.axis_looks(axis)
+            going_on = run.alive and not looks["closure"] and verdict == "PASS"  # good so far is not yet good
+            shape, state = ("…", "") if going_on else STATES.get(verdict, NOT_YET)
+            worst.setText(f"{axis.upper()}  {shape} {'' if going_on else verdict}".strip())
             set_state(worst, state)
-            looks = run.axis_looks(axis).items()
-            self.looks[axis].setText("&nbsp; ".join(self._look(self.tr(look), found) for look, found in looks))
+            self.looks[axis].setText("&nbsp; ".join(self._look(self.tr(look), found) for look, found in looks.items()))
 
     def _look(self, look: str, verdict: str) -> str:
         shape, state = STATES.get(verdict, NOT_YET)

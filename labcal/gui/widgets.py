@@ -107,7 +107,8 @@ class Numbers(QWidget):
         self._values, self._words = [label("–") for _ in names], [label("", "caption") for _ in names]
         for row, name in enumerate(names):
             grid.addWidget(label(name, "caption"), row, 0)
-            grid.addWidget(self._values[row], row, 1, Qt.AlignmentFlag.AlignRight)
+            grid.addWidget(self._values[row], row, 1)
+            self._values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(self._words[row], row, 2)
             self._values[row].setFont(tabular())
         grid.setColumnStretch(1, 1)

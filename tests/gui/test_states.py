@@ -130,8 +130,10 @@ def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_i
     still.desk.run.start(Order("preflight", "bench.toml"))
     lights, name = still.page("Run").live.lights, "x+20uT-nominal"
     send(still, *INTO["measuring"], SegmentClosed(20.0))
+    assert lights.worst["x"].text() == "X  ○"
     looks = (("missing sectors", 0.0, 0.0, 0.0), ("noise", 26.0, 1.0, 37.5), ("wrong signs", 0.0, 0.0, 0.0))
     send(still, *(Measurement(20.5, f"{name}: {what}", v, u, "", limit) for what, v, u, limit in looks))
+    assert lights.worst["x"].text() == "X  …"
     send(still, Measurement(21.0, "delay x", 0.9, 0.01, "s", 0.5))
     send(still, Prompt(22.0, "mount-y", "Mount Y.", ("done", "redo x"), True))
     assert lights.worst["x"].text() == "X  ✕ FAIL"

@@ -17,6 +17,7 @@ from labcal.gui.plots import plot
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label
 
+DAY_S = 86_400.0  # a trend shows at least a day on either side
 HEADINGS = ("started (UTC)", "DUT", "procedure", "operator", "status", "verdict", "run")
 FORMATS = {"Bundle (*.zip)": "bundle", "CSV (*.csv)": "csv", "HDF5 (*.h5)": "hdf5", "MATLAB (*.mat)": "mat"}
 PARAMETERS = {"k": (9, ("k x", "k y", "k z"), "nT"), "gain": (0, ("K xx", "K yy", "K zz"), "ppm from the first")}
@@ -209,6 +210,8 @@ class HistoryPage(QWidget):
             self._line(np.array(times), mine, start, axis, name, colour)
         if times:
             self.plot.autoRange(padding=0.1)
+            if max(times) - min(times) < DAY_S:
+                self.plot.setXRange(min(times) - DAY_S, max(times) + DAY_S)
 
     def _line(self, t: Any, files: list[dict[str, Any]], start: int, axis: int, name: str, colour: str) -> None:
         if not files:
