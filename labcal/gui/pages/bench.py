@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import hypot
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -137,7 +138,8 @@ class BenchPage(QWidget):
         facts = self._desk.facts
         there = sorted(facts.get("instruments", {}).items(), key=lambda one: ROLES.index(one[1]["role"]))
         self.heading.setText(self.tr("Instruments of {0}").format(facts["name"]) if facts else self.tr("Instruments"))
-        self.file.setText(self._desk.bench)
+        self.file.setText(Path(self._desk.bench).name)
+        self.file.setToolTip(self._desk.bench)
         self.empty.setVisible(not there)
         self.table.setVisible(bool(there))
         for widget in (self.check, self.reconnect):
