@@ -140,8 +140,8 @@ class StartPage(QWidget):
         if cage["calibration"]:
             words = self.tr("The matrix is that of the approved cage calibration {0}.").format(cage["calibration"])
             return self._say("cage", self.tr("✓ approved"), words, "good")
-        words = self.tr("The bench file states a measured matrix, without a date; cage-calibration checks it.")
-        return self._say("cage", self.tr("✓ measured"), words, "good")
+        words = self.tr("The bench file states a matrix without a date: run cage-calibration to see whether it holds.")
+        return self._say("cage", self.tr("? not checked"), words, "warning")
 
     def _cage_known(self, said: dict[str, Any] | None) -> None:
         self._cage_check = said
