@@ -126,7 +126,7 @@ class CertificatePage(QWidget):
     def _approve_row(self) -> QHBoxLayout:
         self.approver = QComboBox()
         self.approver.setEditable(True)
-        self.approver.setPlaceholderText(self.tr("Approver, by the name of their key"))
+        written(self.approver, self.tr("Approver, by the name of their key"))
         self.approver.setToolTip(
             self.tr("Another person than the operator, by the name that they sign under; written before anybody signs")
         )
@@ -145,7 +145,7 @@ class CertificatePage(QWidget):
     def _sign_row(self) -> QHBoxLayout:
         self.signer = QComboBox()
         self.signer.setEditable(True)
-        self.signer.setPlaceholderText(self.tr("Who signs"))
+        written(self.signer, self.tr("Who signs"))
         self.signer.setToolTip(self.tr("Whose key; a name without a key here can be given a new one"))
         self.signer.currentTextChanged.connect(self._enable)
         self.passphrase = QLineEdit()
@@ -367,3 +367,9 @@ def next_step(one: dict[str, Any], operator: str) -> str:
     if not one["approvers"]:
         return say("Good to use as PROVISIONAL: nobody approved it before it was signed.")
     return say("Done: hand it out.")
+
+
+def written(chooser: QComboBox, wanted: str) -> None:
+    """Say in an editable chooser what belongs there."""
+    if (line := chooser.lineEdit()) is not None:
+        line.setPlaceholderText(wanted)

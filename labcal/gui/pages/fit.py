@@ -78,6 +78,8 @@ class FitPage(QWidget):
         self.table.itemSelectionChanged.connect(self._show_pictures)
         card.body.addWidget(self.empty, 1)
         card.body.addWidget(self.table, 1)
+        self.why = label("", "caption", wrap=True)
+        card.body.addWidget(self.why)
         return card
 
     def open_run(self, run: str) -> None:
@@ -133,6 +135,9 @@ class FitPage(QWidget):
             for row, text in enumerate(cells(said["fit"])):
                 self.table.set_cell(row, column, text, right=True, tip=said["fit"]["why_not"] or "")
 
+        self.why.setText("\n".join(refusals(fits)))
+        self.why.setVisible(bool(self.why.text()))
+
     def _colour(self, name: str) -> str:
         axis = name[2] if name in OFFSETS else ""
         return getattr(self._theme, f"axis_{axis}") if axis else ""
@@ -149,6 +154,15 @@ class FitPage(QWidget):
         if self._study.run:
             self._study.follow(name)
         self.views.show_growth(name, self._study.growth.get(name))
+
+
+def refusals(fits: dict[str, dict[str, Any]], most: int = 2) -> list[str]:
+    """Why methods gave no calibration, a reason once, with the methods that it is of."""
+    reasons: dict[str, list[str]] = {}
+    for name, said in fits.items():
+        if not said["fit"]["ok"]:
+            reasons.setdefault(said["fit"]["why_not"] or "", []).append(name)
+    return [f"✕ {', '.join(names)}: {why}" for why, names in reasons.items()][:most]
 
 
 def cells(fit: dict[str, Any]) -> list[str]:
