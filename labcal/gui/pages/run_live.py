@@ -26,7 +26,7 @@ from labcal.gui.numbers import duration
 from labcal.gui.plots import Loci, Traces
 from labcal.gui.prompt_card import PromptCard
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label
+from labcal.gui.widgets import Card, button, label, shrinking
 from labcal.gui.wire import Fault
 
 FRAME_MS = 40
@@ -126,7 +126,7 @@ class Live(QWidget):
 
     def _live_card(self) -> Card:
         card = Card()
-        self.headline = label("", "large")
+        self.headline = shrinking(label("", "large"))
         self.headline.setAccessibleName(self.tr("What happens now"))
         self.loci, self.traces = Loci(self._theme), Traces(self._theme, "DUT  nT")
         self.coverage = QProgressBar()
