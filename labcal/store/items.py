@@ -10,8 +10,9 @@ from functools import cache
 from typing import Any, NamedTuple, get_args
 
 import numpy as np
-from pydantic import TypeAdapter
+from pydantic import TypeAdapter, ValidationError
 
+from labcal.errors import InputError
 from labcal.record import RunHeader
 from labcal.record.stream import (
     Block,
@@ -77,14 +78,26 @@ def from_row(row: Row) -> Item:
         stamps = np.frombuffer(row.stamps or b"", SAMPLES)
         samples = np.frombuffer(row.samples or b"", SAMPLES).reshape(len(stamps), len(columns))
         return Block(content["stream"], content["source"], columns, stamps, samples, row.raw or b"")
-    item: Item = _adapter(KINDS[row.kind]).validate_json(row.content)
+    item: Item = _written(KINDS[row.kind], row.content)
     return item
 
 
 def header_from_json(text: str) -> RunHeader:
     """The header that was written as `text`."""
-    header: RunHeader = _adapter(RunHeader).validate_json(text)
+    header: RunHeader = _written(RunHeader, text)
     return header
+
+
+def _written(of: type, text: str) -> Any:
+    """What `text` says of an `of`. Raises InputError where no labcal wrote it so."""
+    try:
+        return _adapter(of).validate_json(text)
+    except ValidationError as error:
+        fault = error.errors(include_url=False)[0]
+        place = ".".join(map(str, fault["loc"]))
+        raise InputError(
+            f"the store is damaged: a {_kind(of)} whose {place or 'text'} is wrong ({fault['msg']})"
+        ) from None
 
 
 def to_json(value: Any) -> str:

@@ -210,15 +210,19 @@ class Store:
         return Bundle(found[0][0], found[0][1], Path(run_id)) if found else None
 
     def _summary(self, run_id: str, header: str, status: str, correction: str | None) -> RunSummary:
-        said = json.loads(header)
+        try:
+            said = json.loads(header)
+            started_utc, serial, simulated = said["started_utc"], said["dut"]["serial"], said["simulated"]
+        except (ValueError, KeyError, TypeError):
+            raise InputError(f"the store is damaged: the header of run {run_id!r}", file=self.path) from None
         return RunSummary(
             run_id=run_id,
-            started_utc=said["started_utc"],
+            started_utc=started_utc,
             status=self._true_status(run_id, status),
-            dut_serial=_corrected(correction) or said["dut"]["serial"],
+            dut_serial=_corrected(correction) or serial,
             operator=said.get("operator", ""),
             procedure=said.get("procedure", ""),
-            simulated=said["simulated"],
+            simulated=simulated,
         )
 
     def _true_status(self, run_id: str, written: str) -> str:

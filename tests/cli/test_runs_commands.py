@@ -93,7 +93,7 @@ def test_a_folder_of_the_run_s_name_does_not_hide_the_run(
 
 
 def test_an_export_that_fails_leaves_the_bundle_that_was_there(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "samples.csv").write_text("old")
     (tmp_path / "run.json").mkdir()

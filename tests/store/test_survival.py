@@ -60,6 +60,15 @@ def test_a_damaged_store_is_an_input_error(tmp_path: Path) -> None:
         use()
 
 
+def test_a_header_that_no_labcal_wrote_is_a_sentence() -> None:
+    with Store.open() as store:
+        store._connection.execute("INSERT INTO run (run_id, header) VALUES ('x', '{\"dut\": 1}')")
+        with pytest.raises(InputError, match="the store is damaged: the header of run 'x'"):
+            store.runs()
+        with pytest.raises(InputError, match="the store is damaged: a run-header"):
+            store.run("x")
+
+
 def test_a_locked_store_is_a_named_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("labcal.store.database.PATIENCE_S", 0.1)
     with Store.open() as store:
