@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import subprocess
 import sys
 import threading
@@ -209,6 +210,7 @@ def on_a_terminal(session: Sessions, currents_A: str = "1.0,0.6,0.3") -> tuple[s
 
     def take_it() -> None:
         os.setsid()
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)  # whoever runs the tests may have it ignored
         fcntl.ioctl(its_end, termios.TIOCSCTTY, 0)
 
     child = session("idle", currents_A, stdin=its_end, preexec_fn=take_it)
