@@ -1,21 +1,15 @@
-"""What the loop proposes is a procedure that is installed, and `--measure` runs it."""
+"""What the loop proposes is a procedure that is installed."""
 
 from __future__ import annotations
 
-from dataclasses import make_dataclass, replace
+from dataclasses import make_dataclass
 from importlib.metadata import entry_points
-from pathlib import Path
 from typing import Any
 
-import pytest
-
 from labcal import session
-from labcal.cli import loop as command
 from labcal.loop import NextExperiment
 from labcal.model.calibration import EffectRecord, Rival
 from labcal.runner import procedures
-
-BENCH = Path(__file__).resolve().parents[2] / "examples" / "simulated.toml"
 
 
 def closed_with(effect: str, rival: str) -> Any:
@@ -35,12 +29,3 @@ def test_the_rivals_choose_the_procedure_that_separates_them() -> None:
 def test_every_pair_names_effects_that_there_are() -> None:
     known = {entry.name for entry in entry_points(group="labcal.effects")}
     assert {e for p in procedures().values() for pair in p.separates for e in pair} <= known
-
-
-def test_measure_runs_the_proposal(capsys: pytest.CaptureFixture[str]) -> None:
-    closed = closed_with("lag", "hysteresis")
-    closed = replace(closed, next_experiment=replace(closed.next_experiment, procedure="reverse"))
-    command._measure(closed, BENCH)
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert "reverse: finished, run " in said.err

@@ -35,7 +35,7 @@ def measured() -> Run:
 
 def shipped(effect: str, form: Form) -> EffectRecord:
     """What a calibration file says of `form`."""
-    stated = [Parameter(s.name, s.value, 0.0, s.unit) for s in form.shape]
+    stated = [Parameter(s.name, s.grid[0] if s.grid else s.value, 0.0, s.unit) for s in form.shape]
     stated += [Parameter(name, 1.0, 0.1, unit) for name, unit in form.parameters]
     return EffectRecord(effect, form.channels, form.reference_value, "sensor", tuple(stated))
 

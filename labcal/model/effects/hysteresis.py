@@ -25,9 +25,7 @@ THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
 SEVERAL_nT = (500.0, 1500.0, 4000.0, 12000.0)
 WIDTHS_nT = (1000.0, 4000.0)
 SATURATION_nT = (10000.0, 20000.0, 40000.0)
-OWN_NOISE = (
-    90.0  # standard deviations of a reading: a narrower loop, driven by the readings, would take off their noise
-)
+OWN_NOISE = 90.0  # deviations of a reading: a narrower loop, driven by the readings, would take off their noise
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop
 
 
