@@ -22,7 +22,7 @@ from labcal.gui.wire import Fault
 
 READINGS_MS = 500
 ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut")
-HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state and what to do")
+HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state")
 
 
 class BenchPage(QWidget):
