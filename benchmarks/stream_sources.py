@@ -47,7 +47,7 @@ def main() -> None:
     udp, to = socket.socket(socket.AF_INET, socket.SOCK_DGRAM), ("127.0.0.1", int(sys.argv[1]))
     listener, pty = socket.create_server(("127.0.0.1", 0)), PtyOutlet("serial")
     lab = Numbered()
-    hmr2300 = Hmr2300Emulator(lab, {}, SimpleNamespace(id=0))  # type: ignore[arg-type]
+    hmr2300 = Hmr2300Emulator(lab, {}, SimpleNamespace(id=0))
     print(pty.url, listener.getsockname()[1], flush=True)
     text = listener.accept()[0]
     begun, sent = time.monotonic(), 0

@@ -47,7 +47,10 @@ def seconds(work: Callable[[], object], rounds: int) -> float:
 def test_swarm_against_a_loop(benchmark, samples, iterations):
     fast, slow = problem(samples)
     settings = SwarmSettings(iterations=iterations)
-    search = lambda objective: minimise(objective, -HIGH, HIGH, np.random.default_rng(0), settings)  # noqa: E731
+
+    def search(objective):
+        return minimise(objective, -HIGH, HIGH, np.random.default_rng(0), settings)
+
     benchmark.pedantic(search, args=(fast,), rounds=ROUNDS, warmup_rounds=1)
     ratio = seconds(lambda: search(slow), 2) / benchmark.stats.stats.min
     benchmark.extra_info["ratio"] = ratio

@@ -30,7 +30,7 @@ def bench() -> Iterator[Bench]:
 
 def lab_of(bench: Bench) -> Any:
     assert bench.hands is not None
-    return bench.hands._lab  # type: ignore[attr-defined]
+    return bench.hands._lab
 
 
 def changed(tmp_path: Path, old: str, new: str) -> Path:

@@ -27,7 +27,7 @@ from served_lab import (
     until,
 )
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="SIGKILL, SIGSTOP and ptys")
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL, SIGSTOP and ptys, which Windows lacks")
 
 
 def test_a_session_that_is_killed_leaves_the_coils_at_zero(lab: Served, session: Sessions) -> None:

@@ -47,7 +47,7 @@ class Ear:
     def __init__(self) -> None:
         self.coils = Coils()
         self.listener, self.card = wire.listen()
-        self.server = Server(self.coils, self.listener, self.card["token"], BENCH)  # type: ignore[arg-type]
+        self.server = Server(self.coils, self.listener, self.card["token"], BENCH)
         self.server.ready.set()
         self.server.start()
 

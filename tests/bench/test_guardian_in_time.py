@@ -18,8 +18,9 @@ import pytest
 from served_lab import Served, Sessions, at_zero, children_of, example, guardians, log, on_a_terminal, until
 
 pytestmark = [
-    pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="SIGKILL, SIGSTOP and ptys")
-]  # fmt: skip
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL, SIGSTOP and ptys, which Windows lacks"),
+]
 IN_TIME_S = 2.0
 MOST_A = "1.8,0.7,0.3"  # 98 of the 100 µT that the DUT bears
 

@@ -109,7 +109,7 @@ def test_silence_and_ramp_together_leave_time_to_read_back(ramp_s: float) -> Non
     assert patience(ramp_s) + ramp_s < 1.85
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Unix sockets")
+@pytest.mark.skipif(sys.platform == "win32", reason="needs Unix sockets, which Windows' Python lacks")
 def test_only_this_user_reaches_the_socket() -> None:
     listener, card = wire.listen()
     path = Path(card["address"])

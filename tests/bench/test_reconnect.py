@@ -157,7 +157,7 @@ class Lost:
 
 def test_a_sensor_that_does_not_come_back_is_a_lost_link() -> None:
     lost = Lost("link lost", "silent", "in use")
-    stream = Reconnecting(lost, lost.reopen, 5.0)  # type: ignore[arg-type]
+    stream = Reconnecting(lost, lost.reopen, 5.0)
     for t in (0.0, 0.2, 1.0, 2.0, 4.9):
         assert stream.read_until(t) == []
     with pytest.raises(InstrumentError, match="out") as caught:

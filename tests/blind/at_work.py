@@ -50,9 +50,14 @@ def per_segment(scene, values, rule):
 def sensor_effect(kind, rng, names, S, span):
     """A function of a scene that gives the effect in the reading (n, 3), at any size."""
     c, seed = rng.normal(size=3), int(rng.integers(1 << 30))
-    value = lambda s, name: s.channels[names[name]][3]  # noqa: E731
     along = S if seed % 2 else np.eye(3)  # what acts follows the sensor's axes, or a part's beside it
-    sized = lambda s: s.body @ along.T / 50000.0  # noqa: E731
+
+    def value(s, name):
+        return s.channels[names[name]][3]
+
+    def sized(s):
+        return s.body @ along.T / 50000.0
+
     if kind == "offset-current":
         tau, second = rng.choice([0.0, 0.0, 4.0, 12.0]), rng.random() < 0.3
 
@@ -136,7 +141,10 @@ def sensor_effect(kind, rng, names, S, span):
 def rig_effect(kind, rng, span, near):
     """A function of a scene that changes the field at the device (n, 3) in B, or the reference (n, 3) in C."""
     d = rng.normal(size=3)
-    into = lambda s, cage: np.einsum("nij,nj->ni", s.to_body, cage)  # noqa: E731
+
+    def into(s, cage):
+        return np.einsum("nij,nj->ni", s.to_body, cage)
+
     if kind == "axis-tilt":
         per_axis = rng.random() < 0.6
         tilts = {k: np.array([*rng.normal(size=2), 0]) for k in "xyz"}

@@ -114,7 +114,10 @@ def record(rng, *, statics, long, modes):
     direction[2] = abs(direction[2]) if abs(direction[2]) > 0.35 else 0.5
     direction /= np.linalg.norm(direction)
     slope = rng.normal(0, 0.02, 3)
-    drift = lambda t: slope * t[:, None] / 1.0  # noqa: E731
+
+    def drift(t):
+        return slope * t[:, None]
+
     plan = [(a, 20000.0) for a in "xyz"] + [(a, 50000.0) for a in "xyz"]
     plan = [plan[i] for i in rng.permutation(len(plan))]
     parts, fresh, now = [], [], 20.0

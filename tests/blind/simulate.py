@@ -76,9 +76,9 @@ def make_run(seed, kinds, strength, as_scalar):
             continue
         if kind == "reference-drift":
             d = rng.normal(size=3)
-            slope = lambda s, d=d: (s.t / end)[:, None] * d  # noqa: E731
-            unit = left_by_base(run, np.einsum("nij,nj->ni", run.to_body, slope(run)) @ S.T, S)
-            state["reference"] = [slope(s) * strength * floor / unit for s in (run, fresh)]
+            here, there = ((s.t / end)[:, None] * d for s in (run, fresh))
+            unit = left_by_base(run, np.einsum("nij,nj->ni", run.to_body, here) @ S.T, S)
+            state["reference"] = [slope * strength * floor / unit for slope in (here, there)]
             continue
         if kind in RIG:
             effect = rig_effect(kind, rng, end, near)

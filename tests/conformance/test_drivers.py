@@ -96,7 +96,7 @@ class Rig:
         self.line.never.add(self.driver_class.never, self.settings.address if modbus else None)
         self.sent: list[bytes] = []
         send = self.line.send
-        self.line.send = lambda data: (send(data), self.sent.append(data))[0]  # type: ignore[method-assign]
+        self.line.send = lambda data: (send(data), self.sent.append(data))[0]
         link: Any = ModbusLink(self.line, self.clock) if modbus else self.line
         self.driver: Any = self.driver_class("rig", link, self.clock, self.settings)
 

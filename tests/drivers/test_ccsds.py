@@ -38,7 +38,7 @@ def test_the_header_byte_for_byte() -> None:
 def test_packets_in_frames_in_any_cutting(encode: object) -> None:
     framing = "slip" if encode is slip.encode else "cobs"
     end = slip.END if encode is slip.encode else cobs.END
-    data = end + b"".join(encode(packet(k, (192.0, 219.0, float(k)))) for k in range(50))  # type: ignore[operator]
+    data = end + b"".join(encode(packet(k, (192.0, 219.0, float(k)))) for k in range(50))
     for sizes in ([1], [7], [1000], [3, 29]):
         blocks, lost = heard(Ccsds, cut(data, sizes), framing=framing)
         np.testing.assert_array_equal(blocks[0].values, [[192, 219, k] for k in range(50)])

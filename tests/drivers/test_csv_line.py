@@ -22,7 +22,7 @@ from labcal.record.stream import Block
 
 def heard(pieces: list[tuple[float, bytes]], **settings: object) -> tuple[list[Block], CsvLine]:
     clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
-    dut = CsvLine("dut", EmulatedLink("emulated://dut", Sender(pieces), clock), clock, Settings(**settings))  # type: ignore[arg-type]
+    dut = CsvLine("dut", EmulatedLink("emulated://dut", Sender(pieces), clock), clock, Settings(**settings))
     dut.start()
     return dut.read_until(10.0), dut
 
@@ -78,7 +78,7 @@ def test_the_devices_own_clock_takes_out_the_lines_jitter() -> None:
 )
 def test_a_column_map_that_makes_no_sense_is_refused(settings: dict[str, object]) -> None:
     with pytest.raises(ValueError, match=r"columns|quantities"):
-        Settings(**settings)  # type: ignore[arg-type]
+        Settings(**settings)
 
 
 @given(st.lists(st.binary(max_size=60), max_size=6))

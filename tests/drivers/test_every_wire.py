@@ -78,7 +78,7 @@ def started(*more: bytes) -> list[Exchange]:
     """An HMR2300 that takes every setting."""
     told = [b"A", b"ASCII_ON", b"ZF", b"ZERO_OFF", b"VF", b"AVG_OFF", b"TN", b"S/R_ON", b"R=20", b"OK"]
     pairs = zip(told[::2], told[1::2], strict=True)
-    return [(b"\x1b", None)] + [e for w, r in pairs for e in ((b"*00WE\r", b"OK\r"), (b"*00" + w + b"\r", r + b"\r"))]  # type: ignore[return-value]
+    return [(b"\x1b", None)] + [e for w, r in pairs for e in ((b"*00WE\r", b"OK\r"), (b"*00" + w + b"\r", r + b"\r"))]
 
 
 def metrolab_started() -> list[Exchange]:

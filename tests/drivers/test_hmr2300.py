@@ -91,7 +91,7 @@ def test_the_first_three_readings_after_the_pulse_of_the_start_are_dropped() -> 
 )
 def test_a_rate_that_the_line_cannot_carry_is_refused(fmt: str, baud: int, rate: int) -> None:
     with pytest.raises(ValueError, match="rate"):
-        Settings(format=fmt, baud=baud, rate=rate)  # type: ignore[arg-type]
+        Settings(format=fmt, baud=baud, rate=rate)
 
 
 def test_polled_asks_for_every_sample() -> None:

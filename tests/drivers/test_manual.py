@@ -85,7 +85,7 @@ def bench(tmp_path: Path) -> Bench:
     return open_bench(path, clock=VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), seed=3)
 
 
-def answered(bench: Bench, work, answers=lambda prompt: "") -> list:  # type: ignore[no-untyped-def]
+def answered(bench: Bench, work, answers=lambda prompt: "") -> list:
     """Run `work` as a person at the simulated bench would; what it yielded."""
     seen, answer = [], None
     while True:

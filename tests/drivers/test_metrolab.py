@@ -68,7 +68,7 @@ def test_a_setting_that_it_refuses_is_a_fault_with_its_words() -> None:
 @pytest.mark.parametrize("settings", [{"range_T": "0.1;*RST"}, {"rate": 0.0}, {"average": 0}, {"digits": 99}])
 def test_settings_that_make_no_sense_are_refused(settings: dict[str, object]) -> None:
     with pytest.raises(ValueError, match=r"rate|range_T"):
-        Settings(**settings)  # type: ignore[arg-type]
+        Settings(**settings)
 
 
 @given(st.text(max_size=30))

@@ -76,7 +76,7 @@ def replayed(tmp_path: Path, text: str, **settings: object) -> list[tuple[float,
     from drivers.emulators.replay import ReplayEmulator
 
     (tmp_path / "run.csv").write_text(text)
-    return ReplayEmulator(open_twin({}, 1), {}, ReplaySettings(file=str(tmp_path / "run.csv"), **settings)).emit(100.0)  # type: ignore[arg-type]
+    return ReplayEmulator(open_twin({}, 1), {}, ReplaySettings(file=str(tmp_path / "run.csv"), **settings)).emit(100.0)
 
 
 def test_a_file_comes_back_with_its_own_spacing(tmp_path: Path) -> None:

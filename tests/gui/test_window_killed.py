@@ -11,7 +11,7 @@ from served_lab import Served, at_zero, example, guardians, read_back_after, unt
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.skipif(sys.platform == "win32", reason="SIGKILL and ptys"),
+    pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL and ptys, which Windows lacks"),
 ]
 IN_TIME_S = 2.0
 WINDOW = """

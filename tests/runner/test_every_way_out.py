@@ -56,7 +56,7 @@ class Lab:
 
     def true_currents_A(self) -> list[float]:
         """What flows in the twin's coils, asked of the physics and not of any instrument."""
-        twin: Any = self.bench.hands._lab  # type: ignore[union-attr]
+        twin: Any = self.bench.hands._lab
         return [float(coil.at([self.bench.clock.now()])[0]) for coil in twin.coils.values()]
 
 
@@ -77,12 +77,12 @@ def exception(lab: Lab) -> None:
             raise ZeroDivisionError("a fault in the procedure")
         return listen(t_s)
 
-    lab.bench.stream_until = faulty  # type: ignore[method-assign]
+    lab.bench.stream_until = faulty
 
 
 def unplug(name: str) -> Callable[[Lab], None]:
     def pull(lab: Lab) -> None:
-        link: Any = lab.bench.instruments()[name]._link  # type: ignore[attr-defined]
+        link: Any = lab.bench.instruments()[name]._link
 
         def gone(*_: Any, **__: Any) -> Any:
             raise InstrumentError(f"{name}: the link is gone.", fault="link lost", remedy="Check its plug.")
@@ -104,7 +104,7 @@ def failing_clean_up(lab: Lab) -> None:
             raise InstrumentError("coil x: no answer.", fault="silent")
         set_current(current_A)
 
-    supply.set_current = failing  # type: ignore[method-assign]
+    supply.set_current = failing
 
 
 UNPLUGGED = "failed: ({0}: the link is gone|{0}: no sample for|no samples came from {0})"  # whichever is noticed first

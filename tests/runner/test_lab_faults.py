@@ -25,7 +25,7 @@ HOLD = {"duration_s": "60"}
 
 
 def silent(bench: Bench, lab: Any, patch: pytest.MonkeyPatch) -> None:
-    emulator: Any = bench._links["reference"]._emulator  # type: ignore[attr-defined]
+    emulator: Any = bench._links["reference"]._emulator
     patch.setattr(emulator, "emit", lambda until_s: [])
 
 
@@ -73,7 +73,7 @@ def held_until(
     """A field is held, and something breaks when `step` begins. The outcome, the true lab, and when it ended."""
     clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
     with closing(open_bench(bench_file(), clock=clock, seed=2)) as bench, Store.open() as store:
-        lab: Any = bench.hands._lab  # type: ignore[union-attr]
+        lab: Any = bench.hands._lab
 
         def tell(item: Item) -> None:
             if isinstance(item, Step) and item.name == step:

@@ -119,7 +119,7 @@ def test_a_pause_waits_with_the_coils_at_zero_and_goes_on(bench_file: BenchFile)
         if isinstance(item, Step) and item.name == "x+20uT-nominal":
             control.pause()
         if control.paused() and getattr(item, "kind", "") == "pause":
-            currents.append(max(map(abs, item.data["current_A"])))  # type: ignore[union-attr]
+            currents.append(max(map(abs, item.data["current_A"])))
             control.resume()
 
     with opened(bench_file) as bench:

@@ -56,7 +56,7 @@ def with_a_stuck_stage(bench: Path, said: dict[str, str]) -> tuple[Outcome, list
         def answer(prompt: Prompt) -> str:
             return said.get(prompt.key, prompt.choices[0] if prompt.choices else "")
 
-        lab.platform.move_to = sticking  # type: ignore[method-assign]
+        lab.platform.move_to = sticking
         outcome = run_procedure(lab, find("preflight"), SHORT, store=store, answer=answer, tell=tell, run_id="R")
         return outcome, list(store.items("R"))
 

@@ -131,7 +131,7 @@ for number in itertools.count():
 """
 
 
-@pytest.mark.skipif(os.name != "posix", reason="sends SIGKILL")
+@pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL, which Windows lacks")
 @pytest.mark.parametrize("kills", [6, pytest.param(60, marks=pytest.mark.slow)])
 def test_kill_9_loses_no_committed_row_and_shows_as_interrupted(kills: int) -> None:
     rng = np.random.default_rng()
@@ -156,14 +156,18 @@ def test_kill_9_loses_no_committed_row_and_shows_as_interrupted(kills: int) -> N
             assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
 
 
+def recorder_that(goes_on: str) -> None:
+    """A process that begins run r1 as `writer`, goes on so, and is waited for."""
+    program = RECORDER.split("writer =")[0] + "writer = Store.open().begin(header)\n" + goes_on
+    subprocess.run([sys.executable, "-W", "ignore", "-c", program, "r1"], check=False)
+
+
 def test_an_interrupted_run_can_be_resumed_a_finished_one_cannot() -> None:
-    program = RECORDER.split("writer =")[0] + (
-        "writer = Store.open().begin(header)\n"
+    recorder_that(
         "writer.write(Block('dut', 'dut', ('dut_x', 'dut_y', 'dut_z'), np.array([1.0]), np.zeros((1, 3))))\n"
         "writer.commit()\n"
         "import os; os._exit(9)"
     )
-    subprocess.run([sys.executable, "-c", program, "r1"], check=False)
     with Store.open() as store:
         assert store.status("r1") == "interrupted"
         with store.resume("r1") as writer:
@@ -175,17 +179,15 @@ def test_an_interrupted_run_can_be_resumed_a_finished_one_cannot() -> None:
             store.resume("r1")
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork, which Windows lacks")
 def test_a_forked_child_that_outlives_the_writer_does_not_keep_its_run_alive() -> None:
-    program = RECORDER.split("writer =")[0] + (
+    recorder_that(
         "import os, time\n"
-        "writer = Store.open().begin(header)\n"
         "born, say = os.pipe()\n"
         "if os.fork() == 0: os.write(say, b'!'); time.sleep(5); os._exit(0)\n"
         "os.read(born, 1)\n"
         "os._exit(9)"
     )
-    subprocess.run([sys.executable, "-W", "ignore", "-c", program, "r1"], check=False)
     with Store.open() as store:
         assert store.status("r1") == "interrupted"
 
