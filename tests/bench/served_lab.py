@@ -52,6 +52,17 @@ def example() -> str:
     return text.replace('role = "coil-x"', 'role = "coil-x"\nsettings = { interface_lock = true }')
 
 
+def three_on_one_pair() -> str:
+    """Three Riden supplies on one RS-485 pair, that bear fewer than ten requests a second each."""
+    text = example().replace("\nsettings = { interface_lock = true }", "")
+    for number, axis in enumerate("xyz", 1):
+        of_tti = f'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-{axis}"'
+        assert of_tti in text
+        of_riden = of_tti.replace("tti-pl", "riden-rd60xx").replace("emulated://", "emulated://pair")
+        text = text.replace(of_tti, f"{of_riden}\nsettings = {{ address = {number} }}")
+    return text
+
+
 class OneSocket(serving.TcpOutlet):
     """A supply that takes one connection, and serves no other until that one is gone."""
 

@@ -15,7 +15,18 @@ from collections.abc import Callable
 from datetime import datetime
 
 import pytest
-from served_lab import Served, Sessions, at_zero, children_of, example, guardians, log, on_a_terminal, until
+from served_lab import (
+    Served,
+    Sessions,
+    at_zero,
+    children_of,
+    example,
+    guardians,
+    log,
+    on_a_terminal,
+    three_on_one_pair,
+    until,
+)
 
 pytestmark = [
     pytest.mark.slow,
@@ -23,17 +34,6 @@ pytestmark = [
 ]
 IN_TIME_S = 2.0
 MOST_A = "1.8,0.7,0.3"  # 98 of the 100 µT that the DUT bears
-
-
-def three_on_one_pair() -> str:
-    """Three Riden supplies on one RS-485 pair, that bear fewer than ten requests a second each."""
-    text = example().replace("\nsettings = { interface_lock = true }", "")
-    for number, axis in enumerate("xyz", 1):
-        of_tti = f'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-{axis}"'
-        assert of_tti in text
-        of_riden = of_tti.replace("tti-pl", "riden-rd60xx").replace("emulated://", "emulated://pair")
-        text = text.replace(of_tti, f"{of_riden}\nsettings = {{ address = {number} }}")
-    return text
 
 
 def killed(lab: Served, session: Sessions) -> Callable[[], object]:

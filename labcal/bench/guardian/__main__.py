@@ -1,12 +1,12 @@
 """The guardian's process. It begins with zero and ends with zero; a second one stands by and takes over where it dies.
 
-The two hold a pipe: silence for `HUNG_S`, or its end without the word done, means that the first must be replaced.
+The two hold a pipe (`handover`): silence on it, or its end without the word done, means that the first must be
+replaced. What it needs for that the second has read and loaded before.
 """
 
 from __future__ import annotations
 
 import os
-import queue
 import signal
 import subprocess
 import sys
@@ -15,29 +15,35 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from labcal.bench.config import read_config
+from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.guardian import wire
+from labcal.bench.guardian.handover import DONE, Handover, stand_by
 from labcal.bench.guardian.keeper import Guardian
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.server import Server
 from labcal.bench.guardian.spawn import STANDBY, spawn
 from labcal.bench.links import ports
+from labcal.bench.loading import drivers_of
+from labcal.errors import InputError
 
 LOOK_S = 0.02
 RETRY_S = 0.5
 LONELY_S, SUCCEEDED_S = 20.0, 2.0  # without a session so long after its start, it ends; after that of another
 TO_ZERO_S = 2.0  # from the last sign of life to zero
 READ_BACK_S = 0.35  # of that, for the read-back
-PULSE_S, HUNG_S = 0.2, 1.5
+PULSE_S = 0.2  # at least so often the standby hears that this one lives
 FREE_S = 2.0  # until the kernel has freed the ports of a process that died
 
 
 class Watch:
-    """One guardian from its first zero to its last. `succeeds`: the one before it died, and currents may flow."""
+    """One guardian from its first zero to its last. `succeeds`: the one before it died, and currents may flow.
 
-    def __init__(self, path: Path, *, succeeds: bool) -> None:
-        self._path, self._succeeds = path, succeeds
-        self._guardian = Guardian(path, read_config(path), note)
+    `fingerprint` is that of the file `path` when `config` was read; it may have been edited since.
+    """
+
+    def __init__(self, path: Path, config: BenchConfig, fingerprint: str, handed: Handover, *, succeeds: bool) -> None:
+        self._path, self._fingerprint, self._succeeds = path, fingerprint, succeeds
+        self._guardian = Guardian(path, config, note, handed)
         self._told_to_end = threading.Event()
         self._standby: subprocess.Popen[bytes] | None = None
         self._one_standby = threading.Lock()
@@ -47,7 +53,7 @@ class Watch:
         listener, card = wire.listen()
         ports.announce(card)
         signal.signal(signal.SIGTERM, lambda *_: self._told_to_end.set())
-        server = Server(self._guardian, listener, card["token"], wire.fingerprint(self._path))
+        server = Server(self._guardian, listener, card["token"], self._fingerprint)
         server.start()
         self._guardian.zero("a guardian was killed, its successor begins" if self._succeeds else "a session begins")
         server.ready.set()
@@ -93,47 +99,31 @@ class Watch:
             self._guardian.zero(f"{session.who} has been silent for {silent_s:.2f} s")
 
     def _keep_standby(self) -> None:
-        """Keep one beside this process and tell it that this one lives."""
+        """Keep one beside this process, and tell it at once what has changed."""
+        changed = self._guardian.changed
         while not self._told_to_end.is_set():
+            changed.clear()
             with self._one_standby:
                 if self._standby is None or self._standby.poll() is not None:
                     self._standby = spawn(self._path, STANDBY, stdin=subprocess.PIPE)
-                self._tell_standby(b"alive\n")
-            time.sleep(PULSE_S)
+                self._tell_standby(self._guardian.handover().line())
+            changed.wait(PULSE_S)
 
-    def _tell_standby(self, word: bytes) -> None:
+    def _tell_standby(self, line: str) -> None:
         if self._standby is not None and self._standby.stdin is not None:
             with suppress(OSError, ValueError):
-                self._standby.stdin.write(word)
+                self._standby.stdin.write(line.encode() + b"\n")
                 self._standby.stdin.flush()
 
     def _dismiss_standby(self) -> None:
         self._told_to_end.set()
         with self._one_standby:
-            self._tell_standby(b"done\n")
+            self._tell_standby(DONE)
 
 
 def patience(way_down_s: float) -> float:
     """How long a session may be silent [s]: what two seconds leave after the way down and the read-back."""
     return min(0.8, max(0.3, TO_ZERO_S - READ_BACK_S - way_down_s))
-
-
-def stand_by() -> str:
-    """Wait beside the guardian until it is "done", has "ended" without a word, or is "silent" and must be replaced."""
-    words: queue.Queue[str] = queue.Queue()
-
-    def listen() -> None:
-        for word in sys.stdin:
-            words.put(word.strip())
-        words.put("ended")
-
-    threading.Thread(target=listen, daemon=True).start()
-    try:
-        while (word := words.get(timeout=HUNG_S)) == "alive":
-            pass
-    except queue.Empty:
-        return "silent"
-    return word
 
 
 def take_over(url: str, how: str) -> None:
@@ -153,13 +143,17 @@ def main(path: Path, how: str) -> None:
     for name in ("SIGHUP", "SIGINT"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
-    urls = read_config(path).guarded_links
+    config, fingerprint, handed = read_config(path), wire.fingerprint(path), Handover()
+    urls = config.guarded_links
     if how == STANDBY:
-        if (ended := stand_by()) == "done":
+        with suppress(InputError):
+            drivers_of(path, config)  # a third of a second that is not lost when it counts
+        ended, handed = stand_by(sys.stdin)
+        if ended == DONE:
             return
         take_over(urls[0], ended)
     if ports.hold(urls):
-        Watch(path, succeeds=how != "").live()
+        Watch(path, config, fingerprint, handed, succeeds=how != "").live()
         ports.let_go()
 
 

@@ -8,10 +8,11 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from threading import RLock
+from threading import Event, RLock
 from typing import Any, cast
 
 from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
 from labcal.bench.guardian.lines import Line, LockedRelay, open_lines, relay_of
 from labcal.bench.guardian.memory import Memory
@@ -35,7 +36,7 @@ class Coil:
     current_limit_A: float
     ramp_limit_A_per_s: float
     energised: bool = False
-    in_motion: bool = False  # a set-point is on its way, or was when it failed: what the supply holds is not known
+    held_A: float | None = None  # by the bare supply; unknown while a set-point is on its way, and after a fault
     tripped: InstrumentError | None = None  # told to the session until it sets zero itself
     unresolved: InstrumentError | None = None  # why zero is not confirmed
 
@@ -57,13 +58,6 @@ class Coil:
         return CoilLimit(self.axis, self.current_limit_A, self.rate_A_per_s)
 
     @property
-    def known_A(self) -> float | None:
-        """The set-point that the bare supply holds, where this guardian has set it and seen it read back."""
-        if not self.energised or self.in_motion or self.unresolved is not None:
-            return None
-        return self.limit.level_A if self.bare.bipolar else abs(self.limit.level_A)
-
-    @property
     def rate_A_per_s(self) -> float:
         """The fastest ramp that cage and supply bear."""
         return min(self.ramp_limit_A_per_s, self.bare.ramp_A_per_s)
@@ -72,7 +66,7 @@ class Coil:
 class Guardian:
     """All coils of a bench. Orders come from any thread; each line is used by one at a time."""
 
-    def __init__(self, path: Path, config: BenchConfig, note: Note) -> None:
+    def __init__(self, path: Path, config: BenchConfig, note: Note, handed: Handover | None = None) -> None:
         self._lines = open_lines(path, config)
         self._note = note
         relay = relay_of(config, self._lines)
@@ -85,6 +79,8 @@ class Guardian:
         self._together = TogetherLimit(config, Memory(config.guarded_links))
         self._zeroing = RLock()
         self._exchanges_s = 0.0  # how long zero takes where nothing flows: three supplies on one slow line take longest
+        self.changed = Event()  # what is handed over to a successor
+        self._inherit(handed or Handover())
 
     def facts(self) -> dict[str, dict[str, float | bool | str]]:
         """What the session must know of each axis. Raises InstrumentError where a link does not open."""
@@ -130,10 +126,10 @@ class Guardian:
             self._refuse(coil)
             coil.limit.refuse(current_A, coil.line.clock.now())
             self._together.refuse(self._held_A() | {axis: current_A})
-            coil.energised, coil.in_motion = coil.energised or current_A != 0, True
+            self._holds(coil, None, coil.energised or current_A != 0)
             coil.signed.set_current(current_A)
             coil.limit.was_set(current_A, coil.line.clock.now())
-            coil.in_motion = False
+            self._holds(coil, current_A if coil.bare.bipolar else abs(current_A), coil.energised)
 
     def set_point(self, axis: str) -> float:
         """The signed set-point, read back [A]."""
@@ -151,7 +147,7 @@ class Guardian:
                 self._refuse(coil)
                 if coil.unresolved is not None:
                     raise coil.unresolved
-                coil.energised = True
+                self._holds(coil, coil.held_A, True)
             elif abs(left := coil.bare.measure_current()) >= coil.bare.zero_current_A:
                 raise InstrumentError(
                     f"coil {axis}: {left:.4g} A still flows; its output is not opened under current.",
@@ -177,6 +173,7 @@ class Guardian:
             ended = self._down(list(self.coils.values()))
             if at_rest:
                 self._exchanges_s = time.monotonic() - begun
+            self.changed.set()
             self._note("read back: " + "; ".join(map(_read_back, ended)))
         return ended
 
@@ -192,6 +189,11 @@ class Guardian:
             for end in self._down([coil for coil in self.coils.values() if coil.unresolved is not None]):
                 if end.current_A is not None:
                     self._note(f"at last: {_read_back(end)}")
+
+    def handover(self) -> Handover:
+        """What a successor must know; waits for no line."""
+        coils = {axis: Held(c.held_A, c.energised, c.line.known(c.name)) for axis, c in self.coils.items()}
+        return Handover(self._exchanges_s, coils)
 
     def close(self) -> None:
         """Let go of every line."""
@@ -213,6 +215,18 @@ class Guardian:
     def unresolved(self) -> dict[str, InstrumentError]:
         """Axes whose zero is not confirmed, and why."""
         return {axis: coil.unresolved for axis, coil in self.coils.items() if coil.unresolved is not None}
+
+    def _inherit(self, handed: Handover) -> None:
+        self._exchanges_s = handed.exchanges_s
+        for axis, coil in self.coils.items():
+            held = handed.coils.get(axis, Held())
+            coil.held_A, coil.energised = held.held_A, held.energised
+            if held.who is not None:
+                coil.line.expect(coil.name, held.who)
+
+    def _holds(self, coil: Coil, held_A: float | None, energised: bool) -> None:
+        coil.held_A, coil.energised = held_A, energised
+        self.changed.set()
 
     def _held_A(self) -> dict[str, float]:
         return {axis: coil.limit.level_A if coil.energised else 0.0 for axis, coil in self.coils.items()}
@@ -242,31 +256,33 @@ def _read_back(end: AtZero) -> str:
 def _line_down(coils: Sequence[Coil]) -> list[AtZero]:
     with coils[0].line.lock:
         ready, faults = dict[str, Coil](), dict[str, AtZero]()
+        hurry = any(coil.energised for coil in coils)
         for coil in coils:
             try:
-                _connect(coil)
+                _connect(coil, hurry)
                 ready[coil.axis] = coil
             except InstrumentError as fault:
                 faults[coil.axis] = AtZero(coil.axis, None, False, fault)
         supplies = {axis: coil.bare for axis, coil in ready.items()}
         rates = {axis: coil.rate_A_per_s for axis, coil in ready.items()}
-        known = {axis: level for axis, coil in ready.items() if (level := coil.known_A) is not None}
+        known = {axis: coil.held_A for axis, coil in ready.items() if hurry and coil.held_A is not None}
         ended: Mapping[str, AtZero] = {**faults, **to_zero(supplies, rates, coils[0].line.clock, known_A=known)}
         for coil in coils:
             _settle(coil, ended[coil.axis])
         return list(ended.values())
 
 
-def _connect(coil: Coil) -> None:
+def _connect(coil: Coil, hurry: bool) -> None:
     """See that the right instrument is at the end of the link, where in doubt; late replies go with the link."""
     if coil.unresolved is not None:
         coil.line.reopen()
-    if coil.unresolved is not None or not coil.energised:
+    if coil.unresolved is not None or not hurry or not coil.line.greeted(coil.name):
         coil.line.identify(coil.name)
 
 
 def _settle(coil: Coil, end: AtZero) -> None:
     coil.unresolved = end.fault if end.current_A is None else None
+    coil.held_A = None
     if coil.unresolved is None:
-        coil.energised = coil.in_motion = False
+        coil.energised, coil.held_A = False, 0.0
         coil.limit.at_zero()

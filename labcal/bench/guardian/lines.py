@@ -27,6 +27,7 @@ class Line:
     lock: RLock = field(default_factory=RLock)
     _open: dict[str, Instrument] = field(default_factory=dict)
     _known: dict[str, Identity] = field(default_factory=dict)
+    _greeted: set[str] = field(default_factory=set)
     _shared: dict[str, ModbusLink] = field(default_factory=dict)
 
     @property
@@ -52,7 +53,20 @@ class Line:
                 fault="another instrument",
                 remedy="Coils stay at zero; plug the instruments in as bench.toml says, and begin again.",
             )
+        self._greeted.add(name)
         return who
+
+    def expect(self, name: str, who: Identity) -> None:
+        """It was `who` that answered before this process had the line."""
+        self._known[name] = who
+
+    def known(self, name: str) -> Identity | None:
+        """Who answered at first; None before anybody has."""
+        return self._known.get(name)
+
+    def greeted(self, name: str) -> bool:
+        """Whether this process has heard from it."""
+        return name in self._greeted
 
     def modbus(self, name: str, call: str, args: list[Any]) -> Any:
         """One exchange for an instrument that shares this line but belongs to the session; with no other on it."""

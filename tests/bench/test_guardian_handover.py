@@ -1,0 +1,125 @@
+"""What a guardian hands to the one that stands by, and that its successor asks no more than who is there."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import pytest
+from served_lab import three_on_one_pair
+
+from labcal.bench.clock import VirtualClock
+from labcal.bench.config import read_config
+from labcal.bench.guardian.handover import DONE, Handover, Held, handover_of, stand_by
+from labcal.bench.guardian.keeper import Guardian
+from labcal.bench.roles import Identity
+
+AMPERES = {"x": 1.8, "y": 0.7, "z": 0.3}
+KNOWN = Handover(0.5, {"x": Held(1.8, True, Identity("Riden", "RD6006", "00020120", "1.35")), "y": Held()})
+CURRENT, SERIAL = b"\0\x09", 2  # of a Riden's registers
+
+
+def hushed(lines: list[str]) -> Iterator[str]:
+    """These lines, then a silence that does not end."""
+    yield from lines
+    threading.Event().wait()
+
+
+@pytest.mark.parametrize(
+    ("said", "heard"),
+    [
+        ([Handover().line(), KNOWN.line()], ("ended", KNOWN)),
+        ([KNOWN.line(), KNOWN.line()[:40]], ("ended", Handover())),
+        ([KNOWN.line(), "[1]", '{"exchanges_s": null}'], ("ended", Handover())),
+        ([], ("ended", Handover())),
+        ([KNOWN.line(), DONE, KNOWN.line()], (DONE, Handover())),
+    ],
+    ids=["killed", "killed in a word", "spoilt", "killed at once", "done"],
+)
+def test_what_was_said_last_counts(said: list[str], heard: tuple[str, Handover]) -> None:
+    assert stand_by(said) == heard
+
+
+def test_one_that_is_silent_is_replaced_with_what_it_said_last() -> None:
+    assert stand_by(hushed([KNOWN.line()]), hung_s=0.01) == ("silent", KNOWN)
+
+
+class Pair:
+    """Three Ridens on one emulated pair with a clock of their own, and the frames that went to them."""
+
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.clock, self.sent = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), list[bytes]()
+        monkeypatch.setattr("labcal.bench.guardian.lines.RealClock", lambda: self.clock)
+        monkeypatch.setattr("labcal.bench.guardian.memory.runtime_folder", lambda: folder)
+        self.file, self.noted = folder / "bench.toml", list[str]()
+        self.file.write_text(three_on_one_pair(), encoding="utf-8")
+        self.links: dict[str, Any] = {}
+
+    def guardian(self, handed: Handover | None = None) -> Guardian:
+        """One that has this pair."""
+        guardian = Guardian(self.file, read_config(self.file), self.noted.append, handed)
+        for coil in guardian.coils.values():
+            coil.line.loader.links = self.links
+        return guardian
+
+    def listen(self) -> Any:
+        """Keep the frames from now on; returns the emulator."""
+        emulator = next(link for url, link in self.links.items() if url == "emulated://pair")._emulator
+        take = emulator.take
+        emulator.take = lambda t_s, data: (self.sent.append(data), take(t_s, data))[1]
+        return emulator
+
+
+@pytest.fixture
+def pair(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Pair:
+    """Three supplies at rest."""
+    return Pair(tmp_path, monkeypatch)
+
+
+def energised(pair: Pair) -> Handover:
+    """What the guardian that has energised them hands over."""
+    first = pair.guardian()
+    assert all(end.opened for end in first.zero("a session begins", by_session=True))
+    for axis, amperes in AMPERES.items():
+        first.output(axis, True)
+        for step in range(1, 11):
+            pair.clock.wait_until(pair.clock.now() + 0.1)
+            first.set_current(axis, amperes * step / 10)
+    return handover_of(first.handover().line())
+
+
+def test_a_successor_asks_who_is_there_and_nothing_else_before_it_ramps(pair: Pair) -> None:
+    handed = energised(pair)
+    assert {axis: held.held_A for axis, held in handed.coils.items()} == AMPERES
+    pair.listen()
+    begun_s = pair.clock.now()
+    ended = pair.guardian(handed).zero("a guardian was killed")
+    first_write = next(n for n, frame in enumerate(pair.sent) if frame[1] != 3)
+    assert [frame[:6] for frame in pair.sent[:first_write]] == [bytes([n, 3, 0, 0, 0, 4]) for n in (1, 2, 3)]
+    assert [end.words for end in ended] == ["zero, open"] * 3
+    assert pair.clock.now() - begun_s < 2.0  # of the lab's time, with every read-back and every output
+
+
+def test_a_step_on_its_way_is_asked_for(pair: Pair, monkeypatch: pytest.MonkeyPatch) -> None:
+    handed = energised(pair)
+    coils = {**handed.coils, "y": Held(None, True, handed.coils["y"].who)}
+    pair.listen()
+    pair.guardian(Handover(handed.exchanges_s, coils)).zero("a guardian was killed")
+    first_write = next(n for n, frame in enumerate(pair.sent) if frame[1] != 3)
+    assert [frame[0] for frame in pair.sent[:first_write] if frame[2:4] == CURRENT] == [2]
+
+
+def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair) -> None:
+    handed = energised(pair)
+    who = handed.coils["y"].who
+    assert who is not None
+    coils = {**handed.coils, "y": Held(0.7, True, Identity(who.manufacturer, who.model, "99999999", who.firmware))}
+    pair.listen()
+    ended = {end.axis: end for end in pair.guardian(Handover(0.0, coils)).zero("a guardian was killed")}
+    assert [ended[axis].words for axis in "xz"] == ["zero, open"] * 2
+    assert ended["y"].fault is not None
+    assert ended["y"].fault.fault == "another instrument"
+    assert all(frame[0] != 2 or frame[1] == 3 for frame in pair.sent)
