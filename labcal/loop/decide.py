@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.delays import delays
 from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
 from labcal.loop.spectrum import transformed
 from labcal.loop.steps import steps
@@ -65,9 +66,9 @@ def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed],
 
 
 def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
-    """All candidates; periods and steps at the frequencies and moments that the present residual shows."""
+    """All candidates; periods, steps and delays at the frequencies and moments that the present residual shows."""
     left = search.residual(accepted) * search.rows[:, None]
-    return [*search.candidates, *periodic(search.problem, left), *steps(search, accepted)]
+    return [*search.candidates, *periodic(search.problem, left), *steps(search, accepted), *delays(search, accepted)]
 
 
 def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
@@ -154,10 +155,13 @@ def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[C
 
 
 def _bracket(search: Search, candidate: Candidate, name: str) -> tuple[float, float]:
-    """Between the neighbours on the grid; for a frequency half the resolution either way."""
+    """Between the neighbours on the grid; for a frequency half the resolution, for a delay a step of it either way."""
     shape = next(s for s in candidate.form.shape if s.name == name)
     if name == "f_Hz":
         width = 0.6 / float(np.ptp(search.problem.scene.t_s))
+        return shape.value - width, shape.value + width
+    if name == "delay_s":
+        width = min(abs(g) for g in shape.grid)
         return shape.value - width, shape.value + width
     below = [g for g in shape.grid if g < shape.value]
     above = [g for g in shape.grid if g > shape.value]

@@ -13,6 +13,7 @@ from labcal.loop.search import NOTHING, SEEN, minimise
 from labcal.loop.spectrum import spectrum_of, weighted_gram
 from labcal.model import Parameter
 from labcal.model.effects import Form, Scene
+from labcal.model.effects.protocol import Shape
 
 Array = NDArray[np.float64]
 STEPS = 8
@@ -158,8 +159,15 @@ def _by_shape(form: Form, beta: Array, here: Problem) -> Array:
     out = [np.zeros((len(here), here.y.shape[1], 0))]
     for shape in form.shape:
         if shape.grid:
-            step = 1e-3 * abs(shape.value) if shape.name != "f_Hz" else 1e-3 / float(np.ptp(here.scene.t_s))
+            step = _small(shape, here.scene.t_s)
             up, down = (form.reshaped(**{shape.name: shape.value + s}) for s in (step, -step))
             slope = (up.columns(here.scene) - down.columns(here.scene)) @ beta / (2 * step)
             out.append(here.whiten @ slope[:, :, None])
     return np.concatenate(out, axis=2)
+
+
+def _small(shape: Shape, t_s: Array) -> float:
+    """A step of the shape over which the effect is straight."""
+    if shape.name == "f_Hz":
+        return 1e-3 / float(np.ptp(t_s))
+    return 0.05 * float(np.median(np.diff(t_s))) if shape.name == "delay_s" else 1e-3 * abs(shape.value)

@@ -63,9 +63,14 @@ def expand(problem: Problem) -> list[Candidate]:
     found = []
     for family in families():
         if family.id not in ("periodic", "offset-step") and _at_home(problem, family):
-            for points in map(_points, family.candidates(problem.run)):
+            at_once = [form for form in family.candidates(problem.run) if not _delayed(form)]
+            for points in map(_points, at_once):
                 found += [Candidate(family, point, len(points)) for point in points]
     return found
+
+
+def _delayed(form: Form) -> bool:
+    return any(shape.name == "delay_s" for shape in form.shape)
 
 
 def _at_home(problem: Problem, family: Family) -> bool:

@@ -141,6 +141,9 @@ def _effect(
         beyond = _out_of_reach(readings, float(effect.beta[0]))
         flags["rate"] |= beyond
         variance[beyond] += value[beyond] ** 2
+    delay = next((s.value for s in effect.form.shape if s.name == "delay_s"), 0.0)
+    if delay and usable.any():
+        variance[_out_of_reach(readings, -delay)] += value[usable].var(axis=0)
     return value, variance
 
 

@@ -15,11 +15,12 @@ from labcal.loop.bins import binned, rows_in_a_bin
 from labcal.loop.close import prepared
 from labcal.loop.correlation import correlation_s, follows_itself
 from labcal.loop.decide import forward
+from labcal.loop.delays import delays
 from labcal.loop.evidence import Evidence, search_of, weighed
 from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut
 from labcal.loop.problem import Problem
-from labcal.loop.search import Search, Weighed
+from labcal.loop.search import Candidate, Search, Weighed
 from labcal.loop.spectrum import Likelihood
 from labcal.loop.steps import drops, steps
 from labcal.loop.surrogates import by_chance, p_value
@@ -74,6 +75,27 @@ def test_a_step_is_found_at_its_moment_and_its_drop_is_that_of_a_fit(started: St
     row = int(np.searchsorted(problem.scene.t_s, best.form.at("t_step_s")))
     fell = np.sum(search.residual(()) ** 2) - np.sum(search.residual([best]) ** 2)
     assert np.isclose(drops(search, ())[row], fell, rtol=1e-6)
+
+
+def _switched(t_s: np.ndarray) -> np.ndarray:
+    return (np.mod(t_s, 23.0) < 9.0)[:, None] * np.array([90.0, -60.0, 40.0])
+
+
+@pytest.mark.parametrize("delay", [2.2, -1.7])
+def test_a_load_that_acts_late_or_whose_clock_is_late_is_found_with_its_delay(
+    making: ModuleType, tmp_path: Path, delay: float
+) -> None:
+    rows, segments = making.recorded()
+    rows["i_load"] = np.mod(rows["t_s"], 23.0) < 9.0
+    rows["dut"] = rows["dut"] + _switched(rows["t_s"] - delay)
+    search = _search(prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0])
+    swept = next(c for c in delays(search, ()) if c.family.id == "offset-current")
+    sums = [np.sum(search.residual([Candidate(swept.family, swept.form.reshaped(delay_s=d))]) ** 2)
+            for d in swept.form.shape[0].grid]  # fmt: skip
+    assert swept.form.at("delay_s") == swept.form.shape[0].grid[int(np.argmin(sums))]
+    chosen = forward(search, most=1)[0][0]
+    assert chosen.cause == ("offset-current", ("i_load",))
+    assert chosen.form.at("delay_s") == pytest.approx(delay, abs=0.3)
 
 
 def test_a_white_residual_does_not_follow_itself_and_a_wandering_one_does(started: Started) -> None:

@@ -109,6 +109,24 @@ def test_a_lag_is_undone_but_for_the_ends(lag: float) -> None:
     assert found.flags[200] == ""
 
 
+@pytest.mark.parametrize("delay", [1.5, -1.5])
+def test_what_follows_a_channel_late_is_undone_but_for_the_rows_that_the_delay_cannot_reach(delay: float) -> None:
+    t, edge = np.arange(400) * 0.5, 200
+    segment = np.where(np.arange(400) < edge, "one", "two")
+    load, late = (np.mod(t - d, 40.0) / 40.0 for d in (0.0, delay))
+    record = effect("offset-current", ("i",), {"i": 0.0}, c_x=(90, 1), c_y=(0, 1), c_z=(0, 1), delay_s=(delay, 0.1))
+    assert set(needed_columns(calibration(record))) == {"i", "t_s", "segment"}
+    found = apply(
+        calibration(record), readings(FIELD + late[:, None] * [90, 0, 0], t_s=t, segment=segment, channels={"i": load})
+    )
+    rows = np.arange(400) % edge
+    reached = (rows >= 3) if delay > 0 else (rows < edge - 3)
+    level = np.abs(np.diff(load, prepend=load[0])) < 0.5  # a ramp falls back: straight between two rows is not exact
+    level = np.roll(level, int(delay / 0.5)) & np.roll(level, int(delay / 0.5) - 1)
+    assert np.abs(found.field_nT - FIELD)[reached & level].max() < 1e-6
+    assert found.u_nT[~reached].min() > found.u_nT[reached].max() + 1.0
+
+
 def test_needed_columns_are_those_that_effects_use() -> None:
     assert needed_columns(calibration()) == ()
     memory = effect("offset-temperature", ("temp",), {"temp": 20.0}, tau_s=(30, 0), c_x=(1, 0), c_y=(1, 0), c_z=(1, 0))

@@ -1,4 +1,4 @@
-"""Offsets that follow a channel: at once, behind it by one time constant, or as a sum of several responses."""
+"""Offsets that follow a channel: at once, behind it by a time constant or a delay, or as a sum of several responses."""
 
 from __future__ import annotations
 
@@ -8,8 +8,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from labcal.model.effects.protocol import Array, Form, Kernel, Scene, Shape
-from labcal.model.effects.regressors import low_passed, middle, on_each_axis, per_axis
+from labcal.model.effects.regressors import delayed, low_passed, middle, on_each_axis, per_axis
+from labcal.record import Run
 from labcal.record.run import Channel
+
+LONGEST_S = 5.0  # delay either way that is searched: a channel's clock may be ahead as well
+ROWS = 4  # the same where rows are far apart
+POINTS = 20  # of the grid on either side
 
 
 def prompt(channel: Channel, kernel: Kernel) -> Form:
@@ -23,6 +28,26 @@ def late(channel: Channel, kernel: Kernel, tau: Shape) -> Form:
     return Form(kernel, form.parameters, form.channels, form.reference_value, (tau,))
 
 
+def shifted(channel: Channel, kernel: Kernel, run: Run) -> list[Form]:
+    """The same after a delay: E(t) = c (q(t − delay_s) − q_ref), a negative one where the channel's clock is behind."""
+    grid = _delays(run.t_s)
+    if not grid:
+        return []
+    form = prompt(channel, kernel)
+    shape = Shape("delay_s", grid[0], "s", grid)
+    return [Form(kernel, form.parameters, form.channels, form.reference_value, (shape,))]
+
+
+def _delays(t_s: Array) -> tuple[float, ...]:
+    """Delays [s] either way, a row apart where that is not too fine."""
+    if len(t_s) < 2 * ROWS:
+        return ()
+    step = float(np.median(np.diff(t_s)))
+    reach = max(LONGEST_S, ROWS * step)
+    count = min(round(reach / step), POINTS)
+    return tuple(reach / count * k for k in (*range(-count, 0), *range(1, count + 1)))
+
+
 def several(channel: Channel, kernel: Kernel, taus_s: Sequence[int]) -> Form:
     """A sum of responses, each with its own c: `c12s_x` belongs to 12 s, `c0s_x` to none."""
     form = prompt(channel, kernel)
@@ -31,17 +56,20 @@ def several(channel: Channel, kernel: Kernel, taus_s: Sequence[int]) -> Form:
 
 
 def responding(form: Form, scene: Scene) -> Array:
-    """The columns (n, 3, p) of all three."""
+    """The columns (n, 3, p) of all four."""
     drive = form.drive(scene)
-    if form.shape:
+    names = {shape.name for shape in form.shape}
+    if "delay_s" in names:
+        return on_each_axis(delayed(scene.t_s, scene.segment, drive, form.at("delay_s")))
+    if names:
         return on_each_axis(low_passed(scene.t_s, scene.segment, drive, form.at("tau_s")))
     taus = _taus(form)
     return np.concatenate([on_each_axis(low_passed(scene.t_s, scene.segment, drive, tau)) for tau in taus], axis=2)
 
 
 def behind(form: Form) -> bool:
-    """Whether the form looks at earlier rows."""
-    return any(s.name == "tau_s" for s in form.shape) or any(tau > 0 for tau in _taus(form))
+    """Whether the form looks at other rows."""
+    return any(s.name in ("tau_s", "delay_s") for s in form.shape) or any(tau > 0 for tau in _taus(form))
 
 
 def _taus(form: Form) -> list[float]:

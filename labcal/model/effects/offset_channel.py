@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+from labcal.model.effects.following import prompt, responding, shifted
 from labcal.model.effects.protocol import Array, Family, Form, Scene
-from labcal.model.effects.regressors import middle, moving, on_each_axis, per_axis
+from labcal.model.effects.regressors import moving
 from labcal.record import Run
 
 QUANTITIES = ("voltage", "power", "rate", "pressure", "humidity", "count", "other")
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = c (q − q_ref), one c per body axis."""
-    return on_each_axis(form.drive(scene))
+    """E = c (q − q_ref), one c per body axis; q at once or after a delay."""
+    return responding(form, scene)
 
 
 def candidates(run: Run) -> list[Form]:
-    """One form for each channel that moves."""
-    return [
-        Form(kernel, per_axis("c", f"nT/{c.unit}"), (c.name,), {c.name: middle(c)}) for c in moving(run, QUANTITIES)
-    ]
+    """Each channel that moves: prompt, and delayed."""
+    channels = moving(run, QUANTITIES)
+    return [form for c in channels for form in (prompt(c, kernel), *shifted(c, kernel, run))]
 
 
 FAMILY = Family(
@@ -26,5 +26,6 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    shapes=("delay_s",),
     experiment="hold the attitude and step the quantity that the channel measures",
 )

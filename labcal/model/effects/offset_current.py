@@ -1,11 +1,11 @@
-"""Sensor offset in proportion to a housekeeping current, at once or through a first-order lag.
+"""Sensor offset in proportion to a housekeeping current, at once, after a delay or through a first-order lag.
 
 Springmann & Cutler 2011, (7): the bias varies as S i(t). Eddy currents and filters in the supply make it follow late.
 """
 
 from __future__ import annotations
 
-from labcal.model.effects.following import late, prompt, responding, several
+from labcal.model.effects.following import late, prompt, responding, several, shifted
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import moving
 from labcal.record import Run
@@ -15,17 +15,17 @@ SEVERAL_S = (0, 3, 12, 50)  # a response that no single time constant describes
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = c (i * h)(t), h a first-order response of time constant tau_s, or a sum of several (`c12s_x`: of 12 s)."""
+    """E = c (i * h)(t), h a delay, a first-order response of tau_s, or a sum of several (`c12s_x`: of 12 s)."""
     return responding(form, scene)
 
 
 def candidates(run: Run) -> list[Form]:
-    """Each current that moves: prompt, filtered, and with several time constants."""
+    """Each current that moves: prompt, filtered, with several time constants, and delayed."""
     tau = Shape("tau_s", 3.0, "s", TAU_S)
     return [
         form
         for c in moving(run, ("current",))
-        for form in (prompt(c, kernel), late(c, kernel, tau), several(c, kernel, SEVERAL_S))
+        for form in (prompt(c, kernel), late(c, kernel, tau), several(c, kernel, SEVERAL_S), *shifted(c, kernel, run))
     ]
 
 
@@ -34,6 +34,6 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("tau_s",),
+    shapes=("tau_s", "delay_s"),
     experiment="hold the attitude and switch the load that draws this current on and off",
 )

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects.following import late, prompt, responding, several
+from labcal.model.effects.following import late, prompt, responding, several, shifted
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
@@ -24,12 +24,13 @@ def kernel(form: Form, scene: Scene) -> Array:
 
 
 def candidates(run: Run) -> list[Form]:
-    """Each temperature that moves: prompt, behind, with several time constants, and curved."""
+    """Each temperature that moves: prompt, behind, with several time constants, curved, and delayed."""
     tau = Shape("tau_s", 100.0, "s", TAU_S)
     found = []
     for c in moving(run, ("temperature",)):
         straight = (prompt(c, kernel), late(c, kernel, tau))
         found += [*straight, several(c, kernel, SEVERAL_S), *map(_curved, straight)]
+        found += shifted(c, kernel, run)
     return found
 
 
@@ -43,6 +44,6 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("tau_s",),
+    shapes=("tau_s", "delay_s"),
     experiment="hold the attitude and warm the sensor, then let it cool",
 )

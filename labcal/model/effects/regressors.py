@@ -90,6 +90,12 @@ def _slope(t: Array, x: Array, tau_s: float) -> float:
     return float(span @ x[head] / (span @ span))
 
 
+def delayed(t_s: Array, segment: NDArray[np.intp], drive: Array, by_s: float) -> Array:
+    """`drive` (n,) at t − by_s, straight between the rows of the same segment; its end value beyond its ends."""
+    parts = (np.interp(t_s[rows] - by_s, t_s[rows], drive[rows]) for rows in stretches(segment))
+    return np.concatenate(list(parts)) if len(t_s) else drive
+
+
 def shifted(t_s: Array, segment: NDArray[np.intp], values: Array, by_s: float) -> Array:
     """`values` (n, ...) at t + by_s, a cubic through the neighbours in the same segment; held slope beyond its ends."""
     out = np.array(values, dtype=float)
