@@ -19,6 +19,22 @@ from labcal.files import write_text
 
 STEP_S = 0.002
 
+if sys.platform != "win32":
+    import pty
+    import tty
+
+    def open_pty() -> tuple[int, int, str]:
+        """Both ends of a raw pseudo terminal, and its name; the slave stays open: hosts come and go."""
+        master, slave = pty.openpty()
+        tty.setraw(slave)
+        os.set_blocking(master, False)
+        return master, slave, os.ttyname(slave)
+else:
+
+    def open_pty() -> tuple[int, int, str]:
+        """There is none."""
+        raise OSError("Windows has no pseudo terminals")
+
 
 class Outlet(Protocol):
     """The emulator's end of a real line."""
@@ -42,13 +58,8 @@ class PtyOutlet:
     """A pseudo terminal, for what has a serial line."""
 
     def __init__(self, scheme: str) -> None:
-        import pty
-        import tty
-
-        self._master, self._slave = pty.openpty()  # the slave stays open: hosts come and go
-        tty.setraw(self._slave)
-        os.set_blocking(self._master, False)
-        self.url = f"{scheme}://{os.ttyname(self._slave)}?baud=115200"
+        self._master, self._slave, name = open_pty()
+        self.url = f"{scheme}://{name}?baud=115200"
 
     def read(self) -> bytes:
         """What the host sent."""

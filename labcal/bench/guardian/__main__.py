@@ -132,7 +132,7 @@ def take_over(url: str, how: str) -> None:
     if how == "silent" and "pid" in card:
         note(f"guardian {card['pid']} hangs and is killed")
         with suppress(OSError):
-            os.kill(card["pid"], signal.SIGKILL if sys.platform != "win32" else signal.SIGTERM)
+            os.kill(card["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
     deadline = time.monotonic() + FREE_S
     while ports.holder(url) is not None and time.monotonic() < deadline:
         time.sleep(0.005)

@@ -22,19 +22,28 @@ _held: dict[str, IO[str]] = {}
 
 def runtime_folder() -> Path:
     """The folder of sockets and locks: this user's alone. Raises InstrumentError where somebody else made it."""
-    user = str(os.getuid()) if sys.platform != "win32" else os.environ.get("USERNAME", "user")
-    folder = Path(tempfile.gettempdir()) / f"labcal-{user}"
+    folder = Path(tempfile.gettempdir()) / f"labcal-{_user()}"
     with suppress(FileExistsError):
         folder.mkdir(mode=0o700)
-    stands = folder.lstat()  # a link that somebody else laid is not followed
-    ours = stat.S_ISDIR(stands.st_mode) and (sys.platform == "win32" or stands.st_uid == os.getuid())
-    if not ours or (sys.platform != "win32" and stands.st_mode & 0o077):
+    if not _is_ours(folder.lstat()):  # a link that somebody else laid is not followed
         raise InstrumentError(
             f"{folder} is not a folder of this user alone.",
             fault="forbidden",
             remedy="Remove it; labcal makes its own.",
         )
     return folder
+
+
+def _user() -> str:
+    if sys.platform == "win32":
+        return os.environ.get("USERNAME", "user")
+    return str(os.getuid())
+
+
+def _is_ours(stands: os.stat_result) -> bool:
+    if sys.platform == "win32":
+        return stat.S_ISDIR(stands.st_mode)
+    return stat.S_ISDIR(stands.st_mode) and stands.st_uid == os.getuid() and not stands.st_mode & 0o077
 
 
 def port_of(url: str) -> str:
