@@ -1,3 +1,6 @@
+import runpy
+import sys
+
 import pytest
 
 from labcal import cli
@@ -71,3 +74,11 @@ def test_a_wrong_word_is_one_sentence_that_says_where_help_is(words, capsys):
 def test_a_run_id_that_is_no_text_is_a_sentence(capsys):
     assert cli._run(["show", "\udcff"]) == 2
     assert "no UTF-8" in capsys.readouterr().err
+
+
+def test_the_module_is_the_same_command_line(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["labcal", "--version"])
+    with pytest.raises(SystemExit) as end:
+        runpy.run_module("labcal", run_name="__main__")
+    assert end.value.code == 0
+    assert "labcal" in capsys.readouterr().out
