@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.delays import delays
+from labcal.loop.pairs import pairs
 from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
 from labcal.loop.spectrum import transformed
 from labcal.loop.steps import steps
@@ -46,7 +47,11 @@ def forward(
         rankings.append(ranking)
         best = _best(search, accepted, [w for w in ranking if w.candidate.cause not in refused], total)
         if best is None:
-            break
+            both = _pair(search, accepted, ranking, refused, total) if len(accepted) + 2 <= most else []
+            accepted = [*accepted, *both]
+            if not both:
+                break
+            continue
         chosen = refined(search, best.candidate, accepted)
         total += best.drop
         accepted = reexamined(search, [*accepted, chosen])
@@ -55,10 +60,35 @@ def forward(
     return accepted, rankings
 
 
+def _pair(
+    search: Search,
+    accepted: Sequence[Candidate],
+    ranking: Sequence[Weighed],
+    refused: Collection[Cause],
+    total: float,
+) -> list[Candidate]:
+    """Two causes that are material together, each earning its place beside the other; none where no two do."""
+    stage = search.stage(accepted, neighbourhood(search, accepted))
+    open_to = [w for w in ranking if not _same(w.candidate, accepted)]
+    for pair in pairs(search, stage, open_to, {*refused, *(c.cause for c in accepted)}):
+        if pair.weight < NAMED or pair.drop < _material(search, accepted, total):
+            continue
+        one = refined(search, pair.one, [*accepted, pair.other])
+        both = [one, refined(search, pair.other, [*accepted, one])]
+        if reexamined(search, [*accepted, *both])[-2:] == both:
+            return both
+    return []
+
+
+def _material(search: Search, accepted: Sequence[Candidate], total: float) -> float:
+    """The least drop of the mean square that is worth a name beside what is accepted."""
+    rest = (float(np.mean(search.residual(accepted)[search.rows] ** 2)) - 1.0) / search.rows_each
+    return max(MATERIAL * search.lowest**2, min(SHARE * total, SHARE_OF_REST * rest))
+
+
 def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed], total: float) -> Weighed | None:
     """The heaviest that is material; a companion on a channel already at work goes before a little better stranger."""
-    rest = (float(np.mean(search.residual(accepted)[search.rows] ** 2)) - 1.0) / search.rows_each
-    least = max(MATERIAL * search.lowest**2, min(SHARE * total, SHARE_OF_REST * rest))
+    least = _material(search, accepted, total)
     fit = [w for w in ranking if w.drop >= least and w.weight >= NAMED]
     used = {name for c in accepted for name in c.form.channels}
     companions = [w for w in fit if used & set(w.candidate.form.channels) and w.drop >= COMPANION * fit[0].drop]

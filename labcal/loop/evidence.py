@@ -66,7 +66,7 @@ def weighed(search: Search, level: Floor) -> Evidence:
         accepted = _preferred(search, accepted, refused)
         blocks = plan(search.problem, correlation_s(search, accepted))
         accepted = _plainer(search, blocks, accepted)
-        steps = [held_out(search, blocks, _always(accepted[: i + 1]), accepted[:i]) for i in range(len(accepted))]
+        steps = [_proof(search, blocks, accepted, i) for i in range(len(accepted))]
         idle = _idle(search, accepted, steps, level)
         if idle is None:
             break
@@ -98,6 +98,15 @@ def settled(search: Search) -> Search:
         return search
     around = refit(search.whole, [c.form for c in accepted], search.good)
     return without_outliers(search_of(around.uncorrected(), search.lowest))
+
+
+def _proof(search: Search, blocks: Plan, accepted: Sequence[Candidate], place: int) -> HeldOut:
+    """Held out without and with one effect, those before it in; the next one too where only both together help."""
+    before, also = list(accepted[:place]), list(accepted[place + 1 : place + 2])
+    step = held_out(search, blocks, _always([*before, accepted[place]]), before)
+    if _helps(step) or not also:
+        return step
+    return held_out(search, blocks, _always([*before, accepted[place], *also]), [*before, *also])
 
 
 def _idle(search: Search, accepted: Sequence[Candidate], steps: Sequence[HeldOut], level: Floor) -> int | None:
