@@ -12,7 +12,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
 from labcal.bench.roles import Paced
 from labcal.bench.samples import Samples, samples
-from labcal.bench.steps import Procedure, Work, coils_off, measured, note, record
+from labcal.bench.steps import Procedure, Work, coils_off, measured, note, record, rest
 from labcal.record.stream import Event, Stream
 
 NEEDS, LASTS_MIN = "the cage as it will be used, coils off", 1
@@ -38,7 +38,7 @@ def ambient(
     """Measure mean, drift, noise and mains of the room, and say whether it is fit for the job."""
     yield from coils_off(bench)
     faults = yield from _mains(bench, mains_hz, harmonics, mains_s, mains_nT)
-    blocks = yield from record(bench, duration_s)
+    blocks = yield from rest(bench, "room", duration_s)
     reference = samples(blocks, "reference")
     for axis, name in enumerate(reference.columns):
         faults += yield from _one_component(bench, reference, axis, name, drift_nT_per_min, noise_nT)

@@ -1,7 +1,8 @@
-"""The DUT turned beside the reference at two distances: its own magnetic moment, permanent and induced."""
+"""The DUT turned beside the reference at two distances, in a field and its reverse: its own magnetic moment."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import Annotated, Literal
@@ -10,108 +11,170 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES, across, set_up
+from labcal.bench.mounting import AXES, across, attitude, how_to_mount
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import Samples, samples
-from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measured, turn
+from labcal.bench.rotation import Rotation, refuse_too_fast
+from labcal.bench.samples import samples
+from labcal.bench.steps import (
+    Plan,
+    Procedure,
+    Work,
+    coils_off,
+    energise,
+    measure_ambient,
+    measured,
+    mount,
+    ready,
+    record,
+    recorded,
+    switch_mode,
+    turn,
+)
 from labcal.errors import InputError
-from labcal.geometry import rotate, shortest_rotation, unit
+from labcal.fit.dipole import PAIRS, DipoleFit, Look, fit_dipole
+from labcal.geometry import rotation, unit
 from labcal.record.stream import Event, Prompt
 
-NEEDS, LASTS_MIN = "the DUT on the platform, a vector reference that can be moved beside it", 2
+NEEDS, LASTS_MIN = "the DUT on a platform with a motor, a vector reference that can be moved beside it", 9
 
 Array = NDArray[np.float64]
 SEPARATES = (("dut-dipole-at-reference", "field-gradient"), ("dut-dipole-at-reference", "cage-field"))
-MU0_OVER_4PI = 1e-7  # T m/A
+AWAY, ZERO_S = "away", 5.0
+AS_IT_STANDS_M = 0.005  # so near to where bench.toml has it, the reference is at its working place
+AT_REST = (1, -1, 1, -1, 1, -1)  # signs of the field: a drift of the place does not follow them
+TURNING = (1, -1, -1, 1)  # there, back, there, back: a late angle is no induced moment
 
 
 def dut_moment(
     bench: Bench,
     *,
-    mountings: Annotated[tuple[Literal["x", "y", "z"], ...], "body axes up, in turn: two give all"] = ("z", "x"),
-    distances_m: Annotated[tuple[float, ...], Limits(0.05, 5, unit="m"), "of the reference above it"] = (
+    mountings: Annotated[tuple[Literal["x", "y", "z"], ...], "body axes up, in turn: at least two"] = ("z", "x"),
+    distances_m: Annotated[tuple[float, ...], Limits(0.05, 5, unit="m"), "of the reference above it: at least two"] = (
         0.15,
         0.25,
     ),
-    field_nT: Annotated[float, Limits(0, 100_000, unit="nT"), "reversed between turns: the induced part"] = 50e3,
+    u_place_m: Annotated[float, Limits(0, 0.1, unit="m"), "uncertainty of each coordinate of its place"] = 0.001,
+    field_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "reversed between turns: the induced part"] = 50e3,
     rate_deg_per_s: Annotated[float, Limits(0.1, 60, unit="deg/s"), "of every turn"] = 12.0,
+    rest_s: Annotated[float, Limits(2, 600, unit="s"), "in each field at rest, with the DUT and without"] = 5.0,
+    mode: Annotated[str, "the DUT's power mode"] = "nominal",
     limit_Am2: Annotated[float, Limits(1e-6, 100, unit="A m2"), "largest moment that passes"] = 0.1,
 ) -> Procedure:
-    """Measure the DUT's dipole from what turns with it at the reference, at two distances and in two fields."""
-    if bench.config.reference.kind != "vector":
-        raise InputError("dut-moment needs a vector reference")
+    """Measure the DUT's permanent and induced dipole from what the reference sees of it at two distances."""
+    _refuse(bench, mountings, distances_m, rate_deg_per_s)
     up = np.asarray(bench.config.platform.axis_cage)
-    turns = [(axis, d, sign) for axis in mountings for d in distances_m for sign in (1, -1)]
-    names = (f"{axis} up, {d:g} m, {sign * field_nT / 1000:+g} µT" for axis, d, sign in turns)
-    plan = Plan(tuple((name, 360 / rate_deg_per_s + 10) for name in names))
-    found: list[Seen] = []
+    field = field_nT * unit(up + across(bench))
+    stands = [Stand(k, d * up, m) for k, d in enumerate(distances_m) for m in (AWAY, *mountings)]
+    rests, turns = len(AT_REST) * (rest_s + 2), len(TURNING) * (360 / rate_deg_per_s + 4) + 12
+    plan = Plan(tuple((stand.name, rests + (stand.mounting != AWAY) * turns) for stand in stands))
+    looks: list[Look] = []
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
-        mounted = ""
-        for (step, _), (axis, distance, sign) in zip(plan.steps, turns, strict=True):
-            if axis != mounted:
-                yield from set_up(bench, axis, 5.0, f"The field goes to ±{field_nT / 1000:g} µT and the DUT turns.")
-                mounted = axis
-            yield plan.begin(bench, step)
-            place = distance * up
-            yield from _reference_at(bench, place)
-            yield from energise(bench, sign * field_nT * unit(up + across(bench)))
-            blocks = yield from turn(bench, 0.0 if bench.platform.angle_deg() > 180 else 360.0, rate_deg_per_s)
-            seen, angle = samples(blocks, "reference"), samples(blocks, "angle", "angle_deg")
-            for name, value in moment(seen, angle, place, axis, up).items():
-                found.append(Seen(name, sign, value))
+        for stand in stands:
+            if stand.mounting == AWAY:
+                yield from _reference_at(bench, stand.place_m)
+            yield plan.begin(bench, stand.name)
+            yield from _prepared(bench, stand, mode, ask=None if looks else field_nT)
+            looks += yield from _at_rest(bench, stand, field, rest_s, session=len(looks))
+            for number, sign in enumerate(TURNING if stand.mounting != AWAY else ()):
+                looks += yield from _turned(bench, stand, sign * field, number, rate_deg_per_s, mode, len(looks))
         yield from coils_off(bench)
-    yield from _told(bench, found, limit_Am2)
+    yield from _told(bench, fit_dipole(looks, np.outer(distances_m, up), u_place_m), field_nT, limit_Am2)
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
-    """One component of the moment [A m²], from one turn in the field (`sign` 1) or in the reversed one (-1)."""
+class Stand:
+    """Where the reference stands, by number and as a place (3,) [m, C], and how the DUT is mounted, if it is."""
 
-    component: str
-    sign: int
-    value_Am2: float
+    place: int
+    place_m: Array
+    mounting: str  # a body axis, or AWAY
+
+    @property
+    def name(self) -> str:
+        """What its step is called."""
+        how = "DUT away" if self.mounting == AWAY else f"{self.mounting} up"
+        return f"{np.linalg.norm(self.place_m):g} m, {how}"
+
+
+def _refuse(bench: Bench, mountings: Sequence[str], distances_m: Sequence[float], rate_deg_per_s: float) -> None:
+    if bench.config.reference.kind != "vector":
+        raise InputError("dut-moment needs a vector reference")
+    if not bench.platform.motorised:
+        raise InputError("dut-moment needs a platform with a motor")
+    for name, given in (("mountings", mountings), ("distances_m", distances_m)):
+        if len(given) < 2 or len(set(given)) < len(given):
+            raise InputError(f"{name} must be at least two, and different")
+    refuse_too_fast(bench, rate_deg_per_s)
 
 
 def _reference_at(bench: Bench, place_m: Array) -> Work[None]:
     yield from coils_off(bench)
-    text = f"Put the reference {np.linalg.norm(place_m) * 1000:.0f} mm above the DUT, on the platform axis."
+    text = f"Put the reference {np.linalg.norm(place_m) * 1000:.0f} mm above the DUT's place, on the platform axis."
     yield Prompt(bench.clock.now(), "reference", text, acts=True, drawing={"reference_m": place_m.tolist()})
 
 
-def _told(bench: Bench, found: list[Seen], limit_Am2: float) -> Work[None]:
-    """The part that keeps its sign with the field's is permanent, the part that turns with it is induced."""
-    permanent: dict[str, float] = {}
-    for component in sorted({one.component for one in found}):
-        plus, minus = (
-            np.array([one.value_Am2 for one in found if one.component == component and one.sign == sign])
-            for sign in (1, -1)
+def _prepared(bench: Bench, stand: Stand, mode: str, ask: float | None) -> Work[None]:
+    """The DUT taken away or mounted; at the first time (`ask` the field) with the ambient field and a question."""
+    if stand.mounting != AWAY:
+        yield from mount(
+            bench, f"mount-{stand.mounting}", attitude(bench, stand.mounting), how_to_mount(stand.mounting)
         )
-        for name, values in (("permanent", (plus + minus) / 2), ("induced", (plus - minus) / 2)):
-            u = float(np.ptp(values) / 2)
-            yield from measured(bench, f"{name} moment {component}", values.mean(), u, "A m2", limit_Am2)
-        permanent[component] = float(((plus + minus) / 2).mean())
-    text = "what does not turn with it is not seen: of the induced moment, the part that follows the field"
-    yield Event(bench.clock.now(), "dut-moment", text, {"permanent_Am2": permanent})
+        yield from switch_mode(bench, mode)
+        return
+    yield from coils_off(bench)
+    text = "Take the DUT off the platform, some metres away. Leave the reference and all else as it is."
+    yield Prompt(bench.clock.now(), "dut-away", text, acts=True, drawing={"dut_away": True})
+    if ask is not None:
+        yield from measure_ambient(bench, ZERO_S)
+        yield from ready(bench, f"The field goes to ±{ask / 1000:g} µT, later with the DUT turning in it. Hands off?")
 
 
-def moment(seen: Samples, angle: Samples, place_m: Array, axis: str, up: Array) -> dict[str, float]:
-    """The two components [A m²] of the moment across the body axis `axis` mounted along `up` (3,), by body axis.
+def _at_rest(bench: Bench, stand: Stand, field_nT: Array, rest_s: float, session: int) -> Work[list[Look]]:
+    """The field to and fro while nothing moves: with the DUT and without, the difference is its own."""
+    looks: list[Look] = []
+    still = None if stand.mounting == AWAY else attitude(bench, stand.mounting).T
+    for sign in AT_REST:
+        yield from energise(bench, sign * field_nT)
+        seen = samples((yield from record(bench, rest_s)), "reference")
+        turned = None if still is None else np.tile(still, (len(seen), 1, 1))
+        looks.append(Look(session, stand.place, seen.t_s, seen.values, sign * field_nT, turned))
+    return looks
 
-    B = µ0 / 4π (3 (m·r̂) r̂ − m) / r³ (Jackson, Classical Electrodynamics, 3rd ed., eq. 5.56), linear in m: least
-    squares with a constant field beside it.
+
+def _turned(
+    bench: Bench, stand: Stand, field_nT: Array, number: int, rate_deg_per_s: float, mode: str, session: int
+) -> Work[list[Look]]:
+    """A turn: with a steady field of its own beside it, only what turns is taken from it.
+
+    It is a segment of the record where the reference stands as bench.toml says, and nowhere else.
     """
-    inside = seen.between(angle.t_s[0], angle.t_s[-1])
-    theta, at_zero = np.radians(angle.at(inside.t_s)[:, 0]), shortest_rotation(up, AXES[axis])
-    names = [name for name in AXES if name != axis]
-    columns = [_dipole(rotate(up, theta, at_zero.T @ np.asarray(AXES[name])), place_m).ravel() for name in names]
-    steady = np.tile(np.eye(3), (len(theta), 1))
-    solution = np.linalg.lstsq(np.column_stack([*columns, steady]), inside.values.ravel(), rcond=None)[0]
-    return dict(zip(names, solution[:2].tolist(), strict=True))
+    yield from energise(bench, field_nT)
+    work, working = turn(bench, 0.0 if number % 2 else 360.0, rate_deg_per_s), bench.config.reference.position_m
+    if working is not None and np.linalg.norm(stand.place_m - working) < AS_IT_STANDS_M:
+        name, axis = f"{stand.mounting}-{number + 1}", stand.mounting
+        work = recorded(bench, Rotation(name, AXES[axis], mode, rate_deg_per_s, mounting=axis).segment(bench), work)
+    blocks = yield from work
+    angle, seen = samples(blocks, "angle", "angle_deg"), samples(blocks, "reference")
+    seen = seen.between(angle.t_s[0], angle.t_s[-1])
+    turned = rotation(bench.config.platform.axis_cage, np.radians(angle.at(seen.t_s)[:, 0]))
+    cage_from_body = turned @ attitude(bench, stand.mounting).T
+    return [Look(session, stand.place, seen.t_s, seen.values, field_nT, cage_from_body)]
 
 
-def _dipole(m: Array, place_m: Array) -> Array:
-    """Field (n, 3) [nT] at `place_m` of moments `m` (n, 3) [A m²] at the origin."""
-    r = float(np.linalg.norm(place_m))
-    along = place_m / r
-    return np.asarray(1e9 * MU0_OVER_4PI * (3 * np.outer(m @ along, along) - m) / r**3)
+def _told(bench: Bench, found: DipoleFit, field_nT: float, limit_Am2: float) -> Work[None]:
+    per_T = 1e9 * limit_Am2 / field_nT
+    for axis, value, u in zip("xyz", found.permanent_Am2, found.u[:3], strict=True):
+        yield from measured(bench, f"permanent moment {axis}", value, u, "A m2", limit_Am2)
+    for (i, j), u in zip(PAIRS, found.u[3:], strict=True):
+        name, value = f"induced moment {'xyz'[i]}{'xyz'[j]}", found.induced_Am2_per_T[i, j]
+        yield from measured(bench, name, value, u, "A m2/T", per_T)
+    largest = found.largest_induced_Am2(field_nT)
+    yield from measured(bench, f"largest induced moment in {field_nT / 1000:g} µT", *largest, "A m2", limit_Am2)
+    data = {
+        "permanent_Am2": found.permanent_Am2.tolist(),
+        "induced_Am2_per_T": found.induced_Am2_per_T.tolist(),
+        "covariance": found.covariance.tolist(),
+        "order": ["p_x", "p_y", "p_z", *(f"X_{'xyz'[i]}{'xyz'[j]}" for i, j in PAIRS)],
+    }
+    yield Event(bench.clock.now(), "dut-moment", "moment m = p + X b of the DUT, in its body axes", data)

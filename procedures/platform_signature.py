@@ -34,7 +34,7 @@ def platform_signature(
         yield from coils_off(bench)
         yield from to_angle(bench, 0.0)
         text = "Take the DUT away and put the reference at its place, on a stand that does not turn."
-        drawing = {"reference_m": [0.0, 0.0, 0.0]}
+        drawing = {"reference_m": [0.0, 0.0, 0.0], "dut_away": True}
         yield Prompt(bench.clock.now(), "reference-at-DUT", text, acts=True, drawing=drawing)
         yield plan.begin(bench, "turning")
         blocks = yield from turn(bench, 360.0, rate_deg_per_s)

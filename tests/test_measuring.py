@@ -41,7 +41,7 @@ def test_a_rehearsal_beyond_a_limit_fails_before_anything_moves() -> None:
 
 
 def test_without_consent_nothing_is_measured(one_axis: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measuring, "_proposed", lambda closed: ["ambient", "reverse", "repeat"])
+    monkeypatch.setattr(measuring, "_proposed", lambda closed: ["platform-signature", "reverse", "repeat"])
     plans: list[Rehearsal] = []
     before = len(session.runs())
 
@@ -50,7 +50,7 @@ def test_without_consent_nothing_is_measured(one_axis: str, monkeypatch: pytest.
         return False
 
     closed = close_by_measuring(one_axis, simulated_bench(), Talk(refuse), seed=SEED)
-    assert [plan.procedure for plan in plans] == ["reverse"]  # ambient records nothing that a loop could use
+    assert [plan.procedure for plan in plans] == ["reverse"]  # with the DUT taken away no segment is recorded
     assert (closed.rounds, len(session.runs())) == ((), before)
 
 

@@ -16,6 +16,10 @@ class SimulatedLab(Protocol):
         """Mount the DUT with this attitude (3, 3) at platform angle zero."""
         ...
 
+    def take_away(self, t_s: float) -> None:
+        """Take the DUT off the platform and far away; `mount` brings it back."""
+        ...
+
     def switch_mode(self, t_s: float, mode: str) -> None:
         """Switch the DUT's power mode."""
         ...
@@ -38,7 +42,7 @@ class SimulatedLab(Protocol):
 
 
 class SimulatedHands:
-    """Does what a prompt's `drawing` says: mount, switch the mode, turn the dial, switch a load, move the reference."""
+    """Does what a prompt's `drawing` says: mount, take away, switch mode or load, turn the dial, move the reference."""
 
     def __init__(self, lab: SimulatedLab, clock: Clock) -> None:
         self._lab, self._clock = lab, clock
@@ -48,6 +52,8 @@ class SimulatedHands:
         t, asked = self._clock.now(), prompt.drawing
         if "body_from_cage" in asked:
             self._lab.mount(t, asked["body_from_cage"])
+        if "dut_away" in asked:
+            self._lab.take_away(t)
         if "mode" in asked:
             self._lab.switch_mode(t, asked["mode"])
         if "angle_deg" in asked:

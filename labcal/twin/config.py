@@ -89,6 +89,7 @@ class TwinTruth(_Table):
         range_nT=100_000.0,
     )
     mounting_error_deg: NotNegative = 0.0
+    placing_error_m: NotNegative = 0.0  # of each coordinate of a reference that is moved: one standard deviation
     housekeeping: HousekeepingTruth = HousekeepingTruth()
     effects: dict[str, dict[str, Any]] = {}
     surprise: bool = False

@@ -54,6 +54,7 @@ class Lab:
         self._axis = rotation_vector(np.radians(tilt)) @ unit(truth.platform.axis_cage)
         self._across = np.cross(self._axis, [0.36, 0.48, 0.8])
         self._mounted: Steps[Array] = Steps(np.eye(3))
+        self._there = Steps(True)
 
     # what hands do
 
@@ -62,6 +63,11 @@ class Lab:
         tilt = sum((np.array(f.tilt_body_deg) for f in self._faults), np.zeros(3))
         tilt = tilt + self._truth.mounting_error_deg * self._rng_hands.normal(size=3)
         self._mounted.set(t_s, rotation_vector(np.radians(tilt)) @ np.asarray(body_from_cage, dtype=float))
+        self._there.set(t_s, True)
+
+    def take_away(self, t_s: float) -> None:
+        """Take the DUT off the platform, so far that the reference sees nothing of it; `mount` brings it back."""
+        self._there.set(t_s, False)
 
     def switch_mode(self, t_s: float, mode: str) -> None:
         """Switch the DUT's power mode."""
@@ -78,8 +84,9 @@ class Lab:
         self.housekeeping.force(t_s, load if load.startswith("i_") else f"i_{load}", on)
 
     def move_reference(self, place_m: Sequence[float]) -> None:
-        """Put the reference there, from the DUT's place in C."""
-        self._reference_place = np.asarray(place_m, dtype=float)
+        """Put the reference there, from the DUT's place in C, as well as hands can."""
+        missed = self._truth.placing_error_m * self._rng_hands.normal(size=3) if self._truth.placing_error_m else 0.0
+        self._reference_place = np.asarray(place_m, dtype=float) + missed
 
     def turn_reference(self, sensor_from_home: Sequence[Sequence[float]]) -> None:
         """Turn the reference (3, 3) from how it stands at home."""
@@ -95,7 +102,8 @@ class Lab:
         mode = np.asarray(self.mode.values, dtype=np.str_)[self.mode.index(t_s)]
         field = self.ambient.slow(t_s) + self.coil_field.at(currents, np.zeros(3))
         channels = channels or self.housekeeping.true(t_s)
-        return Moment(t_s, angle, field, attitude, currents, self.platform.busy(t_s), channels, mode)
+        there = np.asarray(self._there.values)[self._there.index(t_s)]
+        return Moment(t_s, angle, field, attitude, currents, self.platform.busy(t_s), channels, mode, there)
 
     def reference_nT(self, t_s: Array) -> Array:
         """Readings (n, 3) of the reference in its own unit."""

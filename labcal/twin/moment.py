@@ -23,6 +23,7 @@ class Moment:
     motor_on: Array
     channels: Mapping[str, Array]
     mode: NDArray[np.str_]
+    dut_there: NDArray[np.bool_]  # on the platform, and not taken away
 
     def into_body(self, v_cage: Array) -> Array:
         """Vectors (n, 3) of C in the DUT's axes (n, 3)."""

@@ -119,11 +119,43 @@ def test_temperature_drift_finds_offset_and_gain(ran: Run, dut_response: np.ndar
         assert slopes == pytest.approx(dut_response @ true, abs=3.3 * u)  # one in a thousand
 
 
-def test_dut_moment_finds_what_turns_with_the_dut_along_all_its_axes(ran: Run) -> None:
-    effect = 'effects = { "dut-dipole-at-reference" = { moment_Am2 = [0.02, -0.01, 0.03] } }'
-    found = ran("dut-moment", effect, rate_deg_per_s=20)
-    assert xyz(found, "permanent moment {}") == pytest.approx([0.02, -0.01, 0.03], abs=1e-4)
-    assert xyz(found, "induced moment {}") == pytest.approx(np.zeros(3), abs=1e-4)
+PERMANENT_Am2 = (0.02, -0.01, 0.03)
+INDUCED_Am2_per_T = ((30.0, 8.0, -5.0), (8.0, 50.0, 6.0), (-5.0, 6.0, 20.0))
+
+
+def moment_errors(ran: Run, seed: int, place_m: float) -> tuple[np.ndarray, Any]:
+    """What `dut-moment` finds less what is true, over its stated uncertainty (9,), and the run."""
+    truth = f"moment_Am2 = {list(PERMANENT_Am2)}, induced_Am2_per_T = {[list(row) for row in INDUCED_Am2_per_T]}"
+    effect = f'effects = {{ "dut-dipole-at-reference" = {{ {truth} }} }}'
+    twin = f"placing_error_m = {place_m}\n{effect}"
+    found = ran("dut-moment", twin, seed=seed, rate_deg_per_s=20, rest_s=3, u_place_m=place_m)
+    names = [*(f"permanent moment {a}" for a in "xyz"), *(f"induced moment {a}" for a in MOMENT_PAIRS)]
+    measured = [found.measured[name] for name in names]
+    true = np.concatenate([PERMANENT_Am2, [INDUCED_Am2_per_T["xyz".index(a)]["xyz".index(b)] for a, b in MOMENT_PAIRS]])
+    return np.array([(m.value - t) / m.u for m, t in zip(measured, true, strict=True)]), found
+
+
+MOMENT_PAIRS = ("xx", "yy", "zz", "xy", "xz", "yz")
+
+
+def test_dut_moment_finds_the_permanent_and_the_induced_moment(ran: Run) -> None:
+    errors, found = moment_errors(ran, 11, 0.0)
+    assert np.abs(errors).max() < 4
+    assert max(found.measured[f"permanent moment {a}"].u for a in "xyz") < 2e-5
+    assert max(found.measured[f"induced moment {a}"].u for a in MOMENT_PAIRS) < 0.5
+    largest = found.measured["largest induced moment in 50 µT"]
+    assert largest.value == pytest.approx(5e-5 * np.linalg.norm(INDUCED_Am2_per_T, 2), abs=4 * largest.u)
+    segments = session.load_run(found.outcome.run_id).segments
+    assert [(s.kind, s.mounting) for s in segments] == [("rotation", "z")] * 4 + [("rotation", "x")] * 4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("place_m", [0.0, 0.001])
+def test_the_stated_uncertainty_of_the_moment_is_its_scatter(ran: Run, place_m: float) -> None:
+    """With the reference where it is said to be, and as far beside it as a hand puts it."""
+    errors = np.array([moment_errors(ran, seed, place_m)[0] for seed in range(100, 120)])
+    assert 0.6 < np.sqrt(np.mean(errors**2)) < 1.2
+    assert np.abs(errors).max() < 4.5
 
 
 def test_field_hold_takes_back_what_drifts(ran: Run) -> None:

@@ -42,16 +42,20 @@ def reference_drift(_: Rng, nT_per_h: Three = (400.0, -250.0, 300.0)) -> Referen
     return lambda moment, place: np.outer(moment.t_s / 3600, nT_per_h)
 
 
-def dut_dipole_at_reference(_: Rng, moment_Am2: Three = (0.02, -0.01, 0.03)) -> ReferenceEffect:
-    """The DUT's own magnetic moment, fixed in B, at the reference's place.
+def dut_dipole_at_reference(
+    _: Rng, moment_Am2: Three = (0.02, -0.01, 0.03), induced_Am2_per_T: Sequence[Three] | None = None
+) -> ReferenceEffect:
+    """The DUT's own magnetic moment p + X b at the reference's place: p fixed in B, X (3, 3) times the field at it.
 
     B = µ0 / 4π · (3 (m·r̂) r̂ − m) / r³ (Jackson, Classical Electrodynamics, 3rd ed., eq. 5.56).
     """
+    permanent, susceptibility = np.asarray(moment_Am2, dtype=float), np.asarray(induced_Am2_per_T or np.zeros((3, 3)))
 
     def effect(moment: Moment, place: Array) -> Array:
         r = float(np.linalg.norm(place))
         along = place / r
-        m = moment.into_cage(np.asarray(moment_Am2, dtype=float))
+        body = permanent + 1e-9 * moment.into_body(moment.field_cage) @ susceptibility.T
+        m = np.einsum("nji,nj->ni", moment.body_from_cage, body) * moment.dut_there[:, None]
         return np.asarray(1e9 * 1e-7 * (3 * np.outer(m @ along, along) - m) / r**3)
 
     return effect
