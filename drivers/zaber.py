@@ -11,6 +11,7 @@ from labcal.bench.links import Link
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
+WHOLE = re.compile(r"-?\d+", re.ASCII)
 REPLY = re.compile(rb"@(\d\d) (\d) (?:(\d\d) )?(OK|RJ) (IDLE|BUSY) ([!-~]{2}) ([ -9;-~]*)(?::([0-9A-F]{2}))?\r\n")
 SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
 NOT_HOMED, TOUCHED = ("WR", "WH"), ("NC", "NI")
@@ -104,7 +105,7 @@ class ZaberStage:
 
     def _number(self, words: str) -> tuple[int, Reply]:
         reply = self._ask(words)
-        if not re.fullmatch(r"-?\d+", reply.data, re.ASCII):
+        if not WHOLE.fullmatch(reply.data):
             raise InstrumentError(f"{self.name}: {words!r} was answered {reply.data!r}.", fault="wrong reply")
         return int(reply.data), reply
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -72,6 +73,7 @@ class Hmr2300Emulator(Answers):
         return ["  ".join(map(_column, row)).encode() + b"  \r" for row in counts.astype(int).tolist()]
 
 
+@cache  # there are 40 000 counts
 def _column(count: int) -> str:
     """`- 1,234`: sign, thousands in two places, comma, three digits."""
     thousands, rest = divmod(abs(count), 1000)

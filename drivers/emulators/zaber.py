@@ -38,6 +38,8 @@ class ZaberEmulator(Answers):
 
     def _do(self, t_s: float, words: str) -> tuple[str, str]:
         match words.split():
+            case ["get", "pos"]:
+                return "OK", str(round(self._platform.now(t_s)[0] / 360 * STEPS_PER_TURN))
             case []:
                 return "OK", "0"
             case ["home"]:
@@ -47,8 +49,6 @@ class ZaberEmulator(Answers):
                 self._platform.stop(t_s)
             case ["move", "abs", steps] if self._homed:
                 self._platform.move(t_s, int(steps) * 360 / STEPS_PER_TURN, self._rate)
-            case ["get", "pos"]:
-                return "OK", str(round(self._platform.now(t_s)[0] / 360 * STEPS_PER_TURN))
             case ["get", name] if name in self._settings:
                 return "OK", self._settings[name]
             case ["set", "maxspeed", value]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -18,6 +19,7 @@ from labcal.record.stream import Block
 
 Array = NDArray[np.float64]
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+DIGITS = re.compile(r"[0-9+\-.eE]+")
 NEEDED = ("t", "x", "y", "z", "f")
 EMPTY = ("", "nan", "NaN", "NAN")
 NT = {"dut": 1.0, "nT": 1.0, "uT": 1e3, "mG": 100.0, "G": 1e5}
@@ -96,9 +98,22 @@ def numbers(parts: Sequence[str], settings: ColumnMap, decimal: str = ".") -> li
     """The row of one sample; None unless every column is a number and x, y, z and t are there and finite."""
     if len(parts) != len(settings.columns):
         return None
+    if decimal == "." and settings.t_unit != "iso" and (plain := _all_plain(parts)) and "-" not in settings.columns:
+        return plain
     row = [_cell(name, part, settings, decimal) for name, part in zip(settings.columns, parts, strict=True)]
     whole = [v for v in row if v is not None]
     return whole if len(whole) == len(row) and complete(whole, settings) else None
+
+
+def _all_plain(parts: Sequence[str]) -> list[float] | None:
+    """The row where every cell is a finite plain number and nothing else, as nearly always; None to look closer."""
+    if DIGITS.fullmatch("".join(parts)) is None:
+        return None
+    try:
+        row = [float(part) for part in parts]
+    except ValueError:
+        return None
+    return row if all(map(math.isfinite, row)) else None
 
 
 def complete(row: Sequence[float], settings: ColumnMap) -> bool:

@@ -15,11 +15,11 @@ class Steps(Generic[T]):
     """A value that holds until it is set again."""
 
     def __init__(self, first: T) -> None:
-        self._t, self.values = [-np.inf], [first]
+        self._t, self.values = np.array([-np.inf]), [first]
 
     def set(self, t_s: float, value: T) -> None:
         """From `t_s` on it is `value`."""
-        self._t.append(t_s)
+        self._t = np.append(self._t, t_s)
         self.values.append(value)
 
     @property
@@ -38,6 +38,7 @@ class Relaxing:
     def __init__(self, tau_s: float) -> None:
         self._tau = tau_s
         self._t, self._from, self._to = [-np.inf], [0.0], [0.0]
+        self._table: Array | None = None  # of the three, until the next step
 
     @property
     def target(self) -> float:
@@ -50,6 +51,7 @@ class Relaxing:
             self._from.append(self.now(t_s))
             self._t.append(t_s)
             self._to.append(target)
+            self._table = None
 
     def now(self, t_s: float) -> float:
         """The current at one moment after the last step."""
@@ -58,7 +60,9 @@ class Relaxing:
 
     def at(self, t_s: Array) -> Array:
         """The current (n,) at any times (n,)."""
-        k = np.searchsorted(self._t, t_s, side="right") - 1
-        start, target = np.asarray(self._from)[k], np.asarray(self._to)[k]
-        since = np.where(k > 0, t_s - np.asarray(self._t)[k], np.inf)
+        if self._table is None:
+            self._table = np.array([self._t, self._from, self._to])
+        k = np.searchsorted(self._table[0], t_s, side="right") - 1
+        stepped, start, target = self._table[:, k]
+        since = np.where(k > 0, t_s - stepped, np.inf)
         return np.asarray(target + (start - target) * np.exp(-since / self._tau))

@@ -20,7 +20,8 @@ class Turntable:
 
     def now(self, t_s: float) -> tuple[float, float]:
         """Angle and rate at `t_s`."""
-        t0, angle, rate, accel = next(p for p in reversed(self.pieces) if p[0] <= t_s)
+        last = self.pieces[-1]
+        t0, angle, rate, accel = last if last[0] <= t_s else next(p for p in reversed(self.pieces) if p[0] <= t_s)
         since = t_s - t0 if np.isfinite(t0) else 0.0
         return angle + rate * since + accel * since**2 / 2, rate + accel * since
 
