@@ -15,13 +15,14 @@ from labcal.loop.decide import Cause
 from labcal.loop.evidence import AT_FLOOR, Contender, Evidence, search_of, weighed, without_outliers
 from labcal.loop.findings import findings
 from labcal.loop.floor import Floor, floor
+from labcal.loop.gaps import untold
 from labcal.loop.holdout import held_out, plan, rms
 from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
 from labcal.loop.proposal import next_experiment, twins
 from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
-from labcal.loop.search import Search
+from labcal.loop.search import NAMED, Search
 from labcal.loop.setaside import at_rail
 from labcal.loop.shape import describe
 from labcal.loop.surrogates import p_value
@@ -35,12 +36,16 @@ Array = NDArray[np.float64]
 GROSS = 10.0  # standard deviations: nearer rows may be a detail that an effect's shape lacks
 A_FEW = 3  # rows set aside before they are named as a cause
 MOST_OUTLIERS = 0.05
+UNTOLD = 0.01  # of the rows: fewer in gaps that nothing tells make no name
 WHITE_AT_LEAST = 0.85  # of a declared noise; 0.5 of a measured one
 Progress = Callable[[str], None]
 
 
 def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
-    """Find the residual of `run`, trace it, and say what it is. Raises InputError where the run says too little."""
+    """Find the residual of `run`, trace it, and say what it is. Raises InputError where the run says too little.
+
+    Rows that nothing tells of a channel that has weight are left out, and all is decided again on the others.
+    """
     progress("fitting the base model")
     problem, level, stuck = prepared(run)
     if (finding := doubt(problem, level)) is not None:
@@ -49,9 +54,18 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     search = searched(run, problem)
     progress("holding out blocks of time")
     found = weighed(search, level)
+    gaps = untold(run, _weighty(found))
+    if np.mean(gaps) > UNTOLD:
+        return close_loop(run.select(~gaps), progress)
     before, after = (refit(problem, [c.form for c in chosen], found.search.good) for chosen in ((), found.accepted))
     aside = {"outliers": int((~found.search.good).sum()), "saturation": stuck}
     return _result(run, found, before, after, aside)
+
+
+def _weighty(found: Evidence) -> set[str]:
+    """The channels of every cause that had the weight of a name at some step."""
+    heavy = [w.candidate.form for ranking in found.rankings for w in ranking if w.weight >= NAMED]
+    return {name for form in heavy for name in form.channels}
 
 
 def searched(run: Run, problem: Problem, only: Cause | None = None) -> Search:

@@ -20,6 +20,7 @@ from labcal.fit.solve import LEAST_SQUARES, FormName, Solution, solve
 from labcal.fit.solve import Form as MapForm
 from labcal.fit.system import Noise, evaluate, map_of
 from labcal.geometry import rotation, shortest_rotation
+from labcal.loop.gaps import bridged
 from labcal.model import AffineMap
 from labcal.model.effects import Form, Scene
 from labcal.model.effects.protocol import Rig
@@ -206,21 +207,15 @@ def _whitener(seen: Observations, information: Array, field: Array) -> Array:
 
 
 def scene_of(run: Run, seen: Observations, theta: Array, phase: Array, field: Array, prediction: Array) -> Scene:
-    """What effects may look at; rows and prediction as in the fit, gaps of channels bridged linearly in time."""
+    """What effects may look at; rows and prediction as in the fit, gaps of channels bridged by what they are."""
     K, _ = map_of(theta, seen.scale)
-    channels = {c.name: filled(run.t_s, c.values) for c in run.channels if np.isfinite(c.values).any()}
+    channels = {c.name: bridged(run.t_s, c.values)[0] for c in run.channels if np.isfinite(c.values).any()}
     rig = None
     vector = bool((seen.kind == VECTOR).all()) and run.reference_vector is not None
     if vector:
         rig = _rig(run, seen, phase, prediction)
     axes = K / run.dut.nominal_nT_per_unit
     return Scene(run.t_s, run.segment_index, field, channels, run.mode, axes, rig)
-
-
-def filled(t_s: Array, values: Array) -> Array:
-    """`values` with gaps bridged linearly."""
-    known = np.isfinite(values)
-    return values if known.all() else np.interp(t_s, t_s[known], values[known])
 
 
 def _rig(run: Run, seen: Observations, phase: Array, prediction: Array) -> Rig:

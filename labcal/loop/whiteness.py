@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.problem import Problem, filled
+from labcal.loop.gaps import bridged
+from labcal.loop.problem import Problem
 from labcal.loop.result import ResidualTest
 from labcal.model.effects.regressors import stretches
 
@@ -111,7 +112,7 @@ def drives(problem: Problem) -> Mapping[str, Array]:
         found |= {"the angle's sine": np.sin(angle), "the angle's cosine": np.cos(angle)}
     for channel in problem.run.channels:
         if np.isfinite(channel.values).any():
-            found[channel.name] = filled(problem.run.t_s, channel.values)
+            found[channel.name] = bridged(problem.run.t_s, channel.values)[0]
     return {name: values for name, values in found.items() if float(np.std(values)) > 0}
 
 
