@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
+from labcal.toml_file import read_toml
 
 AXES = ("x", "y", "z")
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
@@ -194,15 +194,7 @@ class BenchConfig(_Table):
 
 def read_config(path: Path) -> BenchConfig:
     """Read and validate a bench.toml. Raises InputError with the file, the line and the key."""
-    try:
-        text = path.read_text(encoding="utf-8")
-        table = tomllib.loads(text)
-    except UnicodeDecodeError as error:
-        raise InputError("is not UTF-8 text", file=path) from error
-    except ValueError as error:  # TOMLDecodeError, and numbers of thousands of digits
-        raise InputError(f"is not TOML: {error}", file=path) from error
-    except RecursionError as error:
-        raise InputError("is not a bench: it is nested too deeply", file=path) from error
+    text, table = read_toml(path)
     try:
         return BenchConfig.model_validate(table)
     except ValidationError as error:

@@ -9,32 +9,40 @@ from pathlib import Path
 from typing import cast
 
 from labcal.bench.clock import Clock, RealClock
-from labcal.bench.config import AXES, read_config
-from labcal.bench.guardian.client import ask_once, found
+from labcal.bench.config import AXES, BenchConfig, read_config
+from labcal.bench.guardian.client import Connection, ask_once, found, guarding
 from labcal.bench.guardian.wire import zero_of
 from labcal.bench.links import ports
 from labcal.bench.loading import Loader
 from labcal.bench.roles import CoilSupply
 from labcal.bench.zero import AtZero, to_zero
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 
 FREE_S = 5.0
+UNTOUCHED = (
+    "no guardian drives this bench and no coil was touched. Correct the file and say off again, or switch the supplies "
+    "off by hand"
+)
+BY_HAND = "Correct the file and say off again, or switch this supply off by hand."
 
 
 def coils_off(path: Path, clock: Clock | None = None) -> list[AtZero]:
-    """Bring every coil of `path` to zero and open it; one report an axis, faults included. Raises InputError.
+    """Bring every coil of `path` to zero and open it; one report an axis, faults included.
 
-    The guardian does it where one lives; else the ports are opened here, and held against everybody meanwhile.
+    The guardian does it where one lives, also while the file cannot be read or names other ports than before; else the
+    ports are opened here, and held against everybody meanwhile. Raises InputError where no guardian lives and the file
+    does not say where the supplies are.
     """
-    config = read_config(path)
-    real = config.guarded_links
     deadline = time.monotonic() + FREE_S
     while time.monotonic() < deadline:
         with suppress(OSError):
+            if (guardian := guarding(path)) is not None:
+                return _asked(guardian)
+        config = _readable(path)
+        real = config.guarded_links
+        with suppress(OSError):
             if (guardian := found(real)) is not None:
-                with closing(guardian):
-                    why = f"labcal bench off, process {os.getpid()}"
-                    return [zero_of(end) for end in ask_once(guardian, "zero", why=why)]
+                return _asked(guardian)
             if ports.hold(real):
                 ports.announce({"pid": os.getpid()})
                 try:
@@ -43,6 +51,20 @@ def coils_off(path: Path, clock: Clock | None = None) -> list[AtZero]:
                     ports.let_go()
         time.sleep(0.02)  # a guardian that comes or goes
     raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
+
+
+def _asked(guardian: Connection) -> list[AtZero]:
+    with closing(guardian):
+        return [zero_of(end) for end in ask_once(guardian, "zero", why=f"labcal bench off, process {os.getpid()}")]
+
+
+def _readable(path: Path) -> BenchConfig:
+    try:
+        return read_config(path)
+    except InputError as error:
+        raise InputError(f"{error.what}; {UNTOUCHED}", file=path, line=error.line, column=error.column) from error
+    except OSError as error:
+        raise InputError(f"cannot be read ({error.strerror}); {UNTOUCHED}", file=path) from error
 
 
 def _with_own_hands(loader: Loader) -> list[AtZero]:
@@ -70,4 +92,8 @@ def _reachable(loader: Loader, afterwards: ExitStack) -> tuple[dict[str, CoilSup
             supplies[axis] = cast(CoilSupply, supply)
         except InstrumentError as error:
             unreachable[axis] = AtZero(axis, None, False, error)
+        except InputError as error:  # what is wrong with one supply's entry keeps no other from zero
+            unreachable[axis] = AtZero(
+                axis, None, False, InstrumentError(f"{error}.", fault="not reached", remedy=BY_HAND)
+            )
     return supplies, unreachable

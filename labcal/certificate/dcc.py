@@ -8,7 +8,6 @@ not know, the laboratory and the customer, stands in `laboratory.toml` in labcal
 from __future__ import annotations
 
 import base64
-import tomllib
 from datetime import datetime, timedelta
 from hashlib import sha256
 from pathlib import Path
@@ -22,6 +21,7 @@ from labcal import files
 from labcal.errors import InputError
 from labcal.model import Calibration, EffectRecord
 from labcal.record import Run
+from labcal.toml_file import read_toml
 
 DCC, SI = "https://ptb.de/dcc", "https://ptb.de/si"
 COVERAGE, PROBABILITY = 2, 0.95
@@ -63,10 +63,12 @@ def read_laboratory(path: Path) -> Laboratory:
     if not path.exists():
         raise InputError(f"a certificate names its laboratory: write this file with {WANTED}", file=path)
     try:
-        return Laboratory.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
-    except (ValueError, ValidationError) as error:
-        told = ".".join(map(str, error.errors()[0]["loc"])) if isinstance(error, ValidationError) else str(error)
-        raise InputError(f"{told}: expected {WANTED}", file=path) from None
+        return Laboratory.model_validate(read_toml(path)[1])
+    except ValidationError as error:
+        raise InputError(f"{'.'.join(map(str, error.errors()[0]['loc']))}: expected {WANTED}", file=path) from None
+    except InputError as error:
+        told = f"{error.what}: expected {WANTED}"
+        raise InputError(told, file=path, line=error.line, column=error.column) from None
 
 
 def write_dcc(

@@ -63,6 +63,7 @@ def test_off_is_obeyed_while_a_session_hangs_and_no_other_session_may_begin(lab:
     assert f"session {child.pid} drives this bench" in second.stderr
     assert "energised" not in second.stdout
     os.kill(child.pid, signal.SIGSTOP)
+    lab.file.write_text("spoilt meanwhile")
     off = subprocess.run([*LABCAL, "bench", "off", str(lab.file)], capture_output=True, text=True, check=False)
     assert (off.returncode, off.stdout.count("zero, open")) == (0, 3), off.stderr
     assert at_zero(lab)

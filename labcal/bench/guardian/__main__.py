@@ -51,7 +51,7 @@ class Watch:
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
         listener, card = wire.listen()
-        ports.announce(card)
+        ports.announce(card | {"bench": str(self._path.resolve())})
         signal.signal(signal.SIGTERM, lambda *_: self._told_to_end.set())
         server = Server(self._guardian, listener, card["token"], self._fingerprint)
         server.start()

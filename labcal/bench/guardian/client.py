@@ -205,3 +205,12 @@ def found(urls: Iterable[str]) -> Connection | None:
             with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
                 return Connection(card)
     return None
+
+
+def guarding(bench: Path) -> Connection | None:
+    """A connection to the guardian that was started for this bench file, whatever the file says now."""
+    for card in ports.announced():
+        if card.get("bench") == str(bench.resolve()) and "address" in card:
+            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
+                return Connection(card)
+    return None

@@ -84,9 +84,17 @@ def announce(card: dict[str, Any]) -> None:
 def holder(url: str) -> dict[str, Any] | None:
     """What the process that holds this port has announced ({} if nothing yet); None where nobody, or this one, does."""
     port = port_of(url)
-    if port in _held or not _lock_file(port).exists():
-        return None
-    with _lock_file(port).open("a+", encoding="utf-8") as file:
+    return None if port in _held or not _lock_file(port).exists() else _announced(_lock_file(port))
+
+
+def announced() -> list[dict[str, Any]]:
+    """What all processes that hold ports have announced, whatever the ports."""
+    cards = (_announced(path) for path in sorted(runtime_folder().glob("port-*.lock")))
+    return [card for card in cards if card]
+
+
+def _announced(path: Path) -> dict[str, Any] | None:
+    with path.open("a+", encoding="utf-8") as file:
         if _try_lock(file):
             return None
         file.seek(0)

@@ -1,0 +1,94 @@
+"""`labcal bench off` where no guardian lives, and where the file can no longer be read."""
+
+from __future__ import annotations
+
+import socket
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+from served_lab import EXAMPLE, Served, at_zero, guardians, until
+from test_guardian_ear import Ear
+
+from labcal.bench.config import read_config
+from labcal.bench.guardian import wire
+from labcal.bench.links import ports
+from labcal.bench.off import coils_off
+from labcal.cli import _run
+
+POSIX = pytest.mark.skipif(sys.platform == "win32", reason="needs Unix sockets and ptys, which Windows lacks")
+
+
+def left_on(lab: Served) -> None:
+    """Currents that some other program has set and left, without any guardian."""
+    config = read_config(lab.file)
+    for axis, amperes in (("x", "0.4"), ("y", "0.2"), ("z", "0.1")):
+        place = urlsplit(config.instruments[f"supply_{axis}"].link)
+        with socket.create_connection((place.hostname, place.port)) as supply:
+            supply.sendall(f"V1 20\nI1 {amperes}\nOP1 1\nI1?\n".encode())
+            assert supply.recv(64).startswith(b"I1 ")
+        until(lambda axis=axis: not at_zero(lab, axis))
+
+
+@POSIX
+def test_without_a_guardian_it_opens_the_ports_itself_and_gives_them_back(lab: Served) -> None:
+    left_on(lab)
+    ended = coils_off(lab.file)
+    assert [(end.axis, end.words) for end in ended] == [(axis, "zero, open") for axis in "xyz"]
+    assert at_zero(lab)
+    assert not guardians()
+    links = read_config(lab.file).guarded_links
+    assert ports.hold(links)
+    ports.let_go()
+
+
+def test_what_is_wrong_with_one_supply_keeps_no_other_from_zero(tmp_path: Path) -> None:
+    of_y = 'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-y"'
+    file = tmp_path / "bench.toml"
+    file.write_text(EXAMPLE.read_text().replace(of_y, of_y.replace("tti-pl", "tti-pll")))
+    ended = {end.axis: end for end in coils_off(file)}
+    assert [ended[axis].words for axis in "xz"] == ["zero, open"] * 2
+    assert "there is no driver 'tti-pll'" in ended["y"].words
+    assert "switch this supply off by hand" in ended["y"].words
+
+
+@pytest.fixture
+def ear() -> Iterator[Ear]:
+    """A guardian without supplies."""
+    ear = Ear()
+    yield ear
+    wire.unlisten(ear.listener, ear.card)
+
+
+@POSIX
+@pytest.mark.parametrize("says", [b"name = ", b"\xff\xfe", None], ids=["broken", "no text", "gone"])
+def test_a_file_that_cannot_be_read_keeps_nobody_from_its_guardian(
+    ear: Ear, tmp_path: Path, says: bytes | None
+) -> None:
+    file = tmp_path / "bench.toml"
+    if says is not None:
+        file.write_bytes(says)
+    assert ports.hold([f"tcp://{tmp_path.name}:1"])
+    ports.announce(ear.card | {"bench": str(file.resolve())})
+    try:
+        assert coils_off(file) == []
+    finally:
+        ports.let_go()
+    ((order, why, by_session),) = ear.coils.heard
+    assert (order, by_session) == ("zero", False)
+    assert why.startswith("labcal bench off")
+
+
+def test_without_both_it_says_what_stands_there_and_that_nothing_was_touched(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "bench.toml"
+    file.write_text("name = 'a'\n[cage\n")
+    assert _run(["bench", "off", str(file)]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert "line 2, column 6: is not TOML" in said
+    assert "no coil was touched" in said
+    assert "switch the supplies off by hand" in said
