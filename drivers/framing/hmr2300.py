@@ -4,95 +4,149 @@ from __future__ import annotations
 
 import re
 import struct
+from collections import deque
 from collections.abc import Iterable
 
-from labcal.errors import InstrumentError
-
 END = b"\r"
-LENGTH, SURE = 7, 28  # bytes of a binary frame, and how many are looked at to find its place again
-LOST = 1400  # bytes in which two places for the end sign stay as good as each other
+LENGTH = 7  # of a binary frame, its end sign included
 AXIS = rb"([ +-])([ \d]\d),(\d{3})"
 ASCII_FRAME = re.compile(rb"%b  %b  %b  \r" % (AXIS, AXIS, AXIS))  # a byte that is lost or too much is noticed
+UPPER = frozenset((0, 2, 4))  # places of the bytes that stand still where the field does
+LONG, SHORT = 16, 4  # frames that are waited for where places are in doubt, and where they are as before
 
 Counts = list[int]
-Taken = tuple[Counts | None, bytes] | None  # counts of a frame (None where it is no good) and its bytes; None: not yet
+Sample = tuple[float, Counts, bytes]
+Pieces = Iterable[tuple[float, bytes]]
+Places = frozenset[int]
+NOWHERE = Places()
 
 
-class Frames:
+class TextFrames:
     """Cuts stamped pieces into samples, in any cutting, and leaves the first `skip` out.
 
     `bad` collects when frames came that were no good.
     """
 
-    def __init__(self, name: str, *, binary: bool, skip: int = 0) -> None:
-        self._name, self._skip = name, skip
-        self._take = self._take_binary if binary else self._take_ascii
-        self._rest, self._stamp, self._in_step = b"", 0.0, True
+    lost, familiar = False, NOWHERE  # text shows where it ends
+
+    def __init__(self, skip: int = 0) -> None:
+        self._skip, self._rest, self._stamp = skip, b"", 0.0
         self.bad: list[float] = []
 
-    def feed(self, pieces: Iterable[tuple[float, bytes]]) -> list[tuple[float, Counts, bytes]]:
+    def feed(self, pieces: Pieces) -> list[Sample]:
         """Samples stamped at their first byte: x, y, z in counts, and the frame."""
-        samples = []
+        samples: list[Sample] = []
         for stamp, data in pieces:
-            if not self._rest:
+            self._stamp = self._stamp if self._rest else stamp
+            *frames, self._rest = (self._rest + data).split(END)
+            for frame in frames:
+                self._take(frame + END, samples)
                 self._stamp = stamp
-            self._rest += data
-            while (taken := self._take()) is not None:
-                counts, frame = taken
-                if counts is None:
-                    self.bad.append(self._stamp)
-                else:
-                    samples.append((self._stamp, counts, frame))
-                self._stamp = stamp
-        skipped = min(self._skip, len(samples))
-        self._skip -= skipped
+        self._skip, skipped = max(0, self._skip - len(samples)), self._skip
         return samples[skipped:]
 
-    def _take_ascii(self) -> Taken:
-        frame, end, rest = self._rest.partition(END)
-        if not end:
-            return None
-        self._rest = rest
-        found = ASCII_FRAME.fullmatch(frame + end)
-        if found is None:
-            return None, frame
+    def _take(self, frame: bytes, samples: list[Sample]) -> None:
+        if (found := ASCII_FRAME.fullmatch(frame)) is None:
+            self.bad.append(self._stamp)
+            return
         parts = found.groups()
-        return [(-1 if parts[k] == b"-" else 1) * int(parts[k + 1] + parts[k + 2]) for k in (0, 3, 6)], frame + end
+        counts = [(-1 if parts[k] == b"-" else 1) * int(parts[k + 1] + parts[k + 2]) for k in (0, 3, 6)]
+        samples.append((self._stamp, counts, frame))
 
-    def _take_binary(self) -> Taken:
-        if len(self._rest) < LENGTH or not (self._in_step or self._find_step()):
-            return None
-        if self._rest[LENGTH - 1 : LENGTH] != END:
-            self._in_step = False
-            return None, b""
-        frame, self._rest = self._rest[:LENGTH], self._rest[LENGTH:]
-        return list(struct.unpack(">3h", frame[:6])), frame
 
-    def _find_step(self) -> bool:
-        """After a slip: drop bytes up to a frame, once only one of the seven places has all its end signs.
+class BinaryFrames:
+    """Cuts a stream whose first byte begins a frame; a frame is given once those behind it say that it is in step.
 
-        What stands behind no end sign may hold the byte that came too much: it is dropped too.
-        """
-        while len(self._rest) >= SURE:
-            places = self._places()
-            if len(places) > 1:
-                return False
-            if len(places) == 1:
-                begin = places[0]
-                self._rest = self._rest[begin if self._rest[begin - 1 : begin] == END else begin + LENGTH :]
-                self._in_step = True
-                return True
-            self._rest = self._rest[LENGTH:]
-        return False
+    Bytes that are lost or too much shift every place of the frames that follow, that of the end sign too. So a frame
+    is in step where no other place has had 0Dh in all the frames since. Where one has (a field whose bytes are 0Dh
+    stands still), the places that have it are held against those of the frames before: no shift of some of seven
+    places gives the same places again, so they are the same only where nothing was shifted. Where there were none
+    before and now are upper bytes', a field has come there. In all other cases it is `lost` and gives no more: the
+    stream must be begun again. At first there is nothing to hold them against but `familiar`, where 0Dh stood when the
+    one before this was lost: two beginnings that agree are no shift.
+    `bad` collects when the frames came that were not given.
+    """
 
-    def _places(self) -> list[int]:
-        """Where frames may begin, by as few of the bytes as tell; more than one where all of them do not."""
-        places: list[int] = []
-        for length in range(SURE, len(self._rest) + 1):
-            seen = self._rest[:length]
-            places = [p for p in range(LENGTH) if not seen[p + LENGTH - 1 :: LENGTH].strip(END)]
-            if len(places) < 2:
-                return places
-        if len(self._rest) > LOST:
-            raise InstrumentError(f"{self._name}: its frames cannot be told apart.", fault="wrong reply")
-        return places
+    def __init__(self, skip: int = 0, familiar: Places = NOWHERE) -> None:
+        self._skip, self.familiar = skip, familiar
+        self._rest, self._stamp, self.lost = b"", 0.0, False
+        self._held: deque[tuple[float, bytes, Places]] = deque()
+        self._before: deque[Places] = deque(maxlen=LONG)
+        self.bad: list[float] = []
+
+    def feed(self, pieces: Pieces) -> list[Sample]:
+        """Samples stamped at their first byte: x, y, z in counts, and the frame; none any more once it is lost."""
+        samples: list[Sample] = []
+        for stamp, data in pieces:
+            self._stamp = self._stamp if self._rest else stamp
+            self._rest += data
+            while len(self._rest) >= LENGTH and not self.lost:
+                frame, self._rest = self._rest[:LENGTH], self._rest[LENGTH:]
+                self._held.append((self._stamp, frame, _places(frame)))
+                self._stamp = stamp
+                if frame[-1:] == END:
+                    self._give(samples)
+                else:
+                    self._lose(NOWHERE)
+        self._skip, skipped = max(0, self._skip - len(samples)), self._skip
+        return samples[skipped:]
+
+    def _give(self, samples: list[Sample]) -> None:
+        """The frames that are in step by what has come since."""
+        while len(self._held) > 1 and not self.lost:
+            (stamp, frame, places), *since = self._held
+            if _common(later for *_, later in since):
+                settled = _common(later for *_, later in since[1:] or since)  # the first may hold what was put in
+                if len(since) < (SHORT if settled == self._usual else LONG):
+                    return
+                if not self._unshifted(settled):
+                    self._lose(settled)
+                    return
+            self._held.popleft()
+            self._before.append(places)
+            samples.append((stamp, list(struct.unpack(">3h", frame[:6])), frame))
+
+    @property
+    def _usual(self) -> Places:
+        """Places, but the end sign's, that had 0Dh in all of the last frames."""
+        return _common(self._before) if len(self._before) == LONG else NOWHERE
+
+    def _unshifted(self, places: Places) -> bool:
+        """Whether 0Dh stands where it does without a shift."""
+        if len(self._before) < LONG:
+            return places == self.familiar
+        return places <= UPPER if not self._usual else places == self._usual
+
+    def _lose(self, also: Places) -> None:
+        self.lost, self.familiar = True, self._usual or also
+        self.bad += [stamp for stamp, *_ in self._held]
+        self._held.clear()
+
+
+class BinaryReplies:
+    """Replies that were asked for, each a piece of its own: one that is longer or shorter than a frame is no good."""
+
+    lost, familiar = False, NOWHERE
+
+    def __init__(self, skip: int = 0) -> None:
+        self._skip = skip
+        self.bad: list[float] = []
+
+    def feed(self, pieces: Pieces) -> list[Sample]:
+        """Samples stamped as the pieces are: x, y, z in counts, and the frame."""
+        samples: list[Sample] = []
+        for stamp, data in pieces:
+            if len(data) == LENGTH and data.endswith(END):
+                samples.append((stamp, list(struct.unpack(">3h", data[:6])), data))
+            else:
+                self.bad.append(stamp)
+        self._skip, skipped = max(0, self._skip - len(samples)), self._skip
+        return samples[skipped:]
+
+
+def _common(places: Iterable[Places]) -> Places:
+    return frozenset.intersection(*places)
+
+
+def _places(frame: bytes) -> Places:
+    return frozenset(place for place in range(LENGTH - 1) if frame[place : place + 1] == END)

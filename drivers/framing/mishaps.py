@@ -9,7 +9,7 @@ from typing import Literal
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event
 
-Kind = Literal["gap", "checksum", "bad frame", "overrun", "late", "restart"]
+Kind = Literal["gap", "checksum", "bad frame", "overrun", "late", "restart", "lost sync"]
 
 
 @dataclass
