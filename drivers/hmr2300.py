@@ -7,13 +7,12 @@ from typing import Literal
 
 import numpy as np
 
-from drivers.framing.hmr2300 import BinaryFrames, BinaryReplies, TextFrames
+from drivers.framing.hmr2300 import LENGTH, BinaryFrames, BinaryReplies, TextFrames
+from drivers.framing.hmr2300_words import ESC, Words
 from drivers.framing.mishaps import Mishaps, overloaded
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
-from labcal.bench.links.line import wait_for_quiet
 from labcal.bench.roles import Identity
-from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
 NT_PER_COUNT = 1e5 / 15000
@@ -21,9 +20,6 @@ RATES = (10, 20, 25, 30, 40, 50, 60, 100, 123, 154)
 FASTEST = {("ascii", 9600): 30, ("ascii", 19200): 50, ("binary", 9600): 100, ("binary", 19200): 154}
 FULL_SCALE = 30_000
 COLUMNS = ("ref_x", "ref_y", "ref_z")
-QUIET_S = 0.05  # after the stream was ended, until the last of it has come through an adapter
-TRIES = 3  # at a line that does not fall quiet
-EXTRA_S = 0.003  # behind a reply, in which a byte too much shows
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +55,7 @@ class Hmr2300:
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self._streaming, self._next_poll_s, self._mishaps = False, 0.0, Mishaps(name)
+        self._words = Words(name, link, clock, settings.id, settings.timeout_s)
         self._frames: TextFrames | BinaryFrames | BinaryReplies = TextFrames()
 
     @property
@@ -78,14 +75,14 @@ class Hmr2300:
 
     def identify(self) -> Identity:
         """Ask for its serial number and firmware; it must not be streaming."""
-        self._hush()
-        serial, version = self._ask("#", "SER#"), self._ask("F", "S/W vers:")
+        self._words.hush()
+        serial, version = self._words.ask("#", "SER#"), self._words.ask("F", "S/W vers:")
         return Identity("Honeywell", "HMR2300", serial, version)
 
     def start(self) -> None:
         """Set format, rate and the modes that calibration needs, then begin."""
         s = self.settings
-        self._hush()
+        self._words.hush()
         for words, reply in (
             ("A" if s.format == "ascii" else "B", "ASCII_ON" if s.format == "ascii" else "BINARY_ON"),
             ("ZF", "ZERO_OFF"),
@@ -93,8 +90,7 @@ class Hmr2300:
             ("TN" if s.set_reset else "TF", "S/R_ON" if s.set_reset else "S/R_OFF"),
             (f"R={s.rate}", "OK"),
         ):
-            self._ask("WE", "OK")
-            self._ask(words, reply)
+            self._words.change(words, reply)
         self._streaming, self._next_poll_s = True, self._clock.now()
         binary = BinaryReplies if s.mode == "polled" else BinaryFrames
         self._begin((binary if s.format == "binary" else TextFrames)(s.invalid))
@@ -107,7 +103,8 @@ class Hmr2300:
             self._mishaps.note("lost sync" if self._frames.lost else "bad frame", stamp)
         self._frames.bad.clear()
         if self._frames.lost:
-            self._begin_again()
+            self._words.silenced()
+            self._begin(BinaryFrames(self.settings.invalid, self._frames.familiar))  # its first byte is a frame's
         if not frames:
             return []
         counts = np.array([c for _, c, _ in frames], dtype=float)
@@ -123,7 +120,7 @@ class Hmr2300:
     def stop(self) -> None:
         """End the stream."""
         self._streaming = False
-        self._link.send(b"\x1b")
+        self._link.send(ESC)
 
     def make_safe(self) -> None:
         """End the stream."""
@@ -133,46 +130,16 @@ class Hmr2300:
         """Let go of the link."""
         self._link.close()
 
-    def _hush(self) -> None:
-        """End the stream, and let the last of it go by."""
-        self._link.send(b"\x1b")
-        wait_for_quiet(self._link, self._clock, QUIET_S)
-
     def _begin(self, frames: TextFrames | BinaryFrames | BinaryReplies) -> None:
         self._frames = frames
         if self.settings.mode == "continuous":
-            self._link.send(f"*{self.settings.id:02d}C\r".encode())
-
-    def _begin_again(self) -> None:
-        """End the stream, see that it has ended, and begin it: its first byte is then the first of a frame."""
-        for left in reversed(range(TRIES)):
-            try:
-                self._hush()
-                self._ask("WE", "OK")
-                break
-            except InstrumentError:
-                if not left:
-                    raise
-        self._begin(BinaryFrames(self.settings.invalid, self._frames.familiar))
-
-    def _ask(self, words: str, expected: str) -> str:
-        request = f"*{self.settings.id:02d}{words}\r".encode()
-        reply = self._link.ask(request, end=b"\r", timeout_s=self.settings.timeout_s).decode("ascii", "replace").strip()
-        if not reply.replace(" ", "_").startswith(expected.replace(" ", "_")):
-            raise InstrumentError(
-                f"{self.name}: {words!r} was answered with {reply!r}, not {expected}.", fault="refused"
-            )
-        return reply[len(expected) :].strip(" _")
+            self._words.tell("C")
 
     def _polled(self, t_s: float) -> list[tuple[float, bytes]]:
-        request, pieces = f"*{self.settings.id:02d}P\r".encode(), []
-        end: bytes | int = 7 if self.settings.format == "binary" else b"\r"
+        pieces, end = [], LENGTH if self.settings.format == "binary" else b"\r"
         while self._streaming and self._next_poll_s <= t_s:
             self._clock.wait_until(self._next_poll_s)
-            stamp = self._clock.now()
-            reply = self._link.ask(request, end=end, timeout_s=self.settings.timeout_s)
-            more = self._link.receive(self._clock.now() + EXTRA_S)
-            pieces.append((stamp, reply + b"".join(data for _, data in more)))
+            pieces.append((self._clock.now(), self._words.poll(end)))
             self._next_poll_s += 1 / self.settings.rate
         self._clock.wait_until(t_s)
         return pieces

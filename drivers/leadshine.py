@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
-from labcal.bench.arrival import refuse_elsewhere
+from labcal.bench.arrival import refuse_elsewhere, refuse_fast_homing
 from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.registers import Registers, signed, words
@@ -12,6 +13,7 @@ from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError, LimitError
 
 PULSES, STATUS, ALARM, TRIGGER = 0x0001, 0x1003, 0x2203, 0x6002
+HOME_RPM = 0x600F  # to the switch, and at it
 PATH_0 = 0x6200  # control, position (2), rpm, acceleration, deceleration
 ABSOLUTE = 0x0001  # of the path's control word, in every model's header
 RUN_PATH_0, HOME, QUICK_STOP = 0x0010, 0x0020, 0x0040
@@ -65,9 +67,12 @@ class LeadshineStage:
             self._refuse_setup(f"its positions do not agree at rest: {commanded} commanded, {motor} of the motor")
         return Identity("Leadshine", "PR drive", f"address {self.settings.address}")
 
-    def home(self) -> None:
-        """Search the reference where the drive says that it does not know it."""
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
+        """Search the reference where the drive says that it does not know it. Raises LimitError where that is fast."""
         if not self._status() & HOMED:
+            if limit_deg_per_s < math.inf:
+                fastest_rpm = max(self.registers.read(HOME_RPM, 2))
+                refuse_fast_homing(self.name, fastest_rpm * 6 / self.settings.gear, limit_deg_per_s)
             self._target_deg, self._begun_s, self._done = 0.0, self._clock.now(), HOMED
             self.registers.write(TRIGGER, HOME)
 

@@ -46,7 +46,7 @@ class ManualPlatform:
         """What bench.toml says of it."""
         return Identity("", "manual platform", self.settings.serial)
 
-    def home(self) -> None:
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
         """Where its angle is not known, zero is asked for."""
         if not self._known:
             self._target_deg = 0.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from drivers.framing.newport import Axis
@@ -12,6 +13,7 @@ from labcal.errors import InstrumentError
 
 DEGREES = "7"
 NO_ERROR = "0"
+HOME_SPEEDS = ("OL", "OH")  # the low one first, which must not be above the high one
 AXIS_ERRORS = {  # of axis · 100 + code
     1: "beyond its range", 2: "amplifier fault", 3: "following error", 4: "hard limit +", 5: "hard limit -",
     6: "soft limit +", 7: "soft limit -", 8: "no stage connected", 9: "feedback fault",
@@ -61,9 +63,12 @@ class Esp301Stage:
         model, _, serial = stage.partition(",")
         return Identity("Newport", model.strip(), serial.replace("SN", "").strip(" :"), version)
 
-    def home(self) -> None:
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
         """Search the reference once per connection: the controller does not tell whether it knows it."""
         if not self._homed:
+            if limit_deg_per_s < math.inf:
+                for speed in HOME_SPEEDS:
+                    self._axis.at_most(speed, limit_deg_per_s)
             self._tell("MO")
             self._axis.target_deg = 0.0
             self._tell(f"OR{self.settings.home_type}")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 
 from drivers.framing.newport import Axis
+from labcal.bench.arrival import refuse_fast_homing
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
@@ -56,9 +58,11 @@ class Smc100Stage:
             raise InstrumentError(f"{self.name}: {version!r} answered, not an SMC100.", fault="another instrument")
         return Identity("Newport", stage, f"address {self.settings.address}", version)
 
-    def home(self) -> None:
-        """Search the reference where it is not known, as after every power-up."""
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
+        """Search the reference where it is not known, as after every power-up. Raises LimitError where that is fast."""
         if self._state() in NOT_REFERENCED:
+            if limit_deg_per_s < math.inf:  # its speed stands in flash: asked for, never written
+                refuse_fast_homing(self.name, self._axis.number("OH?"), limit_deg_per_s)
             self._axis.target_deg = 0.0
             self._tell("OR")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from labcal.bench.arrival import refuse_elsewhere
@@ -67,7 +68,7 @@ class OrientalStage:
             )
         return Identity("Oriental Motor", "AZ", f"address {self.settings.address}")
 
-    def home(self) -> None:
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
         """Nothing to find: the encoder is absolute. Raises InstrumentError where an alarm is active."""
         self._refuse_alarm(self._outputs())
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 
+from drivers.framing.zaber import REPLY, Reply, checksum
 from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
@@ -12,7 +14,6 @@ from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
 WHOLE = re.compile(r"-?\d+", re.ASCII)
-REPLY = re.compile(rb"@(\d\d) (\d) (?:(\d\d) )?(OK|RJ) (IDLE|BUSY) ([!-~]{2}) ([ -9;-~]*)(?::([0-9A-F]{2}))?\r\n")
 SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
 NOT_HOMED, TOUCHED = ("WR", "WH"), ("NC", "NI")
 MOST_OLD = 20  # older replies and alerts before the reply to a request
@@ -27,15 +28,6 @@ class Settings:
     tolerance_deg: float = 0.02
     max_rate_deg_per_s: float = 24.0
     timeout_s: float = 0.5
-
-
-@dataclass(frozen=True, slots=True)
-class Reply:
-    """What the device said, and the state that it says with everything."""
-
-    data: str
-    busy: bool
-    warning: str
 
 
 class ZaberStage:
@@ -58,15 +50,20 @@ class ZaberStage:
         self._steps_per_turn = self._number("get limit.cycle.dist")[0]
         return Identity("Zaber", f"device {device}", serial, version)
 
-    def home(self) -> None:
-        """Find the reference position, where the device says that it does not know it; it goes on while time passes."""
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
+        """Find the reference position, where the device says that it does not know it; it goes on while time passes.
+
+        A stage homes at the lesser of its `maxspeed` and of its own limit.approach.maxspeed (Zaber's EPICS driver).
+        """
         if self._ask("").warning in NOT_HOMED:
+            if limit_deg_per_s < math.inf:
+                self._set_rate(min(limit_deg_per_s, self.max_rate_deg_per_s))
             self._target_deg = 0.0
             self._ask("home")
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
-        self._ask(f"set maxspeed {round(rate_deg_per_s * self._steps_per_deg * SPEED_DATA)}")
+        self._set_rate(rate_deg_per_s)
         self._target_deg = angle_deg
         self._ask(f"move abs {round(angle_deg * self._steps_per_deg)}")
 
@@ -96,6 +93,9 @@ class ZaberStage:
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()
+
+    def _set_rate(self, rate_deg_per_s: float) -> None:
+        self._ask(f"set maxspeed {round(rate_deg_per_s * self._steps_per_deg * SPEED_DATA)}")
 
     @property
     def _steps_per_deg(self) -> float:
@@ -144,8 +144,3 @@ class ZaberStage:
                 fault="touched" if touched else "stage fault",
                 remedy="Home it and begin this step again.",
             )
-
-
-def checksum(body: bytes) -> str:
-    """The protocol's LRC: the negated sum of all bytes after the first character, as two hex digits."""
-    return f"{-sum(body) & 0xFF:02X}"

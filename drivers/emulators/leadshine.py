@@ -18,7 +18,7 @@ from drivers.emulators.modbus_rtu import (
 
 PULSES, STATUS, ALARM, COMMANDED, TRIGGER, PATH = 0x0001, 0x1003, 0x2203, 0x602A, 0x6002, 0x6200
 FAULT, ENABLED, RUNNING, COMMAND_DONE, PATH_DONE, HOMED = 1, 2, 4, 16, 32, 64
-HOME_RATE = 10.0
+HOME_RPM, HOME_RPMS = 0x600F, (150, 30)
 
 
 class LeadshineEmulator(RtuSlave):
@@ -34,6 +34,7 @@ class LeadshineEmulator(RtuSlave):
         position = divmod(round(self._platform.now(t_s)[0] * self._pulses_per_deg) & 0xFFFFFFFF, 0x10000)
         known = {PULSES: self._pulses_per_turn, STATUS: self._status(t_s), ALARM: self.alarm, TRIGGER: 0}
         known |= dict(enumerate((*position, *position), COMMANDED)) | dict(enumerate(self._path, PATH))
+        known |= dict(enumerate(HOME_RPMS, HOME_RPM))
         if function != READ_HOLDING or not all(address + k in known for k in range(count)):
             raise Refused(ILLEGAL_ADDRESS)
         return [known[address + k] for k in range(count)]
@@ -59,7 +60,7 @@ class LeadshineEmulator(RtuSlave):
                 self._platform.move(t_s, pulses / self._pulses_per_deg, rpm * 6 / self._gear)
                 self._done = True
             case 0x0020:
-                self._platform.move(t_s, 0.0, HOME_RATE)
+                self._platform.move(t_s, 0.0, HOME_RPMS[0] * 6 / self._gear)
                 self._homed = True
             case 0x0040:
                 self._platform.stop(t_s)

@@ -23,7 +23,8 @@ class Esp301Emulator(Answers):
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, end=b"\r", delay_s=0.004)
-        self._platform, self._rate, self._on = lab.platform, 10.0, False
+        self._platform, self._on = lab.platform, False
+        self._rates = {"VA": 10.0, "OH": 10.0, "OL": 1.0}
         self._errors: list[int] = []
 
     def _reply(self, t_s: float, text: str) -> bytes:
@@ -46,8 +47,8 @@ class Esp301Emulator(Answers):
                 return f"{self._platform.now(t_s)[0]:.4f}"
             case ("1", "MD", "?"):
                 return f"{not self._platform.moving(t_s):d}"
-            case ("1", "VA", "?"):
-                return f"{self._rate:.4f}"
+            case ("1", "VA" | "OH" | "OL" as speed, "?"):
+                return f"{self._rates[speed]:.4f}"
             case ("1", what, value):
                 self._act(t_s, what, value)
             case _:
@@ -62,15 +63,15 @@ class Esp301Emulator(Answers):
                 self._on = False
             case "ST":
                 self._platform.stop(t_s)
-            case "VA" if 0 < float(value) <= MAX_RATE:
-                self._rate = float(value)
+            case "VA" | "OH" | "OL" if 0 < float(value) <= MAX_RATE:
+                self._rates[what] = float(value)
             case "PA" | "OR" if not self._on:
                 self._errors.append(MOTOR_OFF)
             case "PA":
-                self._platform.move(t_s, float(value), self._rate)
+                self._platform.move(t_s, float(value), self._rates["VA"])
             case "OR":
-                self._platform.move(t_s, 0.0, self._rate)
-            case "VA":
+                self._platform.move(t_s, 0.0, self._rates["OH"])
+            case "VA" | "OH" | "OL":
                 self._errors.append(OUT_OF_RANGE)
             case _:
                 self._errors.append(UNKNOWN)

@@ -10,7 +10,7 @@ from drivers.emulators.line import Answers, Lab
 
 COMMAND = re.compile(r"(\d+)([A-Z]{2})(\?|-?[\d.]*)")
 NOT_REFERENCED, HOMING, MOVING, READY = 0x0A, 0x1E, 0x28, 0x33
-MAX_RATE = 20.0
+MAX_RATE = HOME_RATE = 20.0
 
 
 class Smc100Emulator(Answers):
@@ -40,6 +40,8 @@ class Smc100Emulator(Answers):
                 return f"{self._platform.now(t_s)[0]:.5f}"
             case "VA", "?":
                 return f"{self._rate:.4f}"
+            case "OH", "?":
+                return f"{HOME_RATE:g}"
             case "TE", _:
                 error, self._error = self._error, "@"
                 return error
@@ -62,7 +64,7 @@ class Smc100Emulator(Answers):
                 self._platform.stop(t_s)
             case "OR" if self._state(t_s) == NOT_REFERENCED:
                 self._homed = self._homing = True
-                self._platform.move(t_s, 0.0, self._rate)
+                self._platform.move(t_s, 0.0, HOME_RATE)
             case "VA" if 0 < float(value) <= MAX_RATE:
                 self._rate = float(value)
             case "PA" if self._state(t_s) == READY:

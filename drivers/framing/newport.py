@@ -23,7 +23,7 @@ class Axis:
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
         self.tell(f"VA{rate_deg_per_s:.4f}")
-        held = self._number("VA?")
+        held = self.number("VA?")
         if abs(held - rate_deg_per_s) > 1e-3:
             raise InstrumentError(f"{self.name}: its velocity reads back {held:g} deg/s.", fault="read-back")
         self.target_deg = angle_deg
@@ -31,7 +31,7 @@ class Axis:
 
     def angle_deg(self) -> float:
         """The position [deg] in the stage's own sense."""
-        return self._number("TP")
+        return self.number("TP")
 
     def refuse_elsewhere(self) -> None:
         """Raise InstrumentError (not arrived) where it rests elsewhere than it was sent."""
@@ -42,7 +42,16 @@ class Axis:
         self.target_deg = None
         self.tell("ST")
 
-    def _number(self, words: str) -> float:
+    def at_most(self, speed: str, limit_deg_per_s: float) -> None:
+        """See that the speed that these letters set is no faster, and lower it where it is; confirmed."""
+        if self.number(f"{speed}?") <= limit_deg_per_s:
+            return
+        self.tell(f"{speed}{limit_deg_per_s:.4f}")
+        if (held := self.number(f"{speed}?")) > limit_deg_per_s + 1e-3:
+            raise InstrumentError(f"{self.name}: {speed} reads back {held:g} deg/s.", fault="read-back")
+
+    def number(self, words: str) -> float:
+        """The number that is asked for with these letters. Raises InstrumentError (wrong reply) for all else."""
         reply = self.ask(words)
         try:
             return decimal(reply)

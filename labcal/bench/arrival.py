@@ -1,8 +1,8 @@
-"""A stage that rests has not arrived: where it rests decides."""
+"""A stage that rests has not arrived: where it rests decides. What turns the DUT turns it no faster than it may."""
 
 from __future__ import annotations
 
-from labcal.errors import InstrumentError
+from labcal.errors import InstrumentError, LimitError
 
 
 def refuse_elsewhere(name: str, angle_deg: float, target_deg: float | None, tolerance_deg: float) -> None:
@@ -12,4 +12,14 @@ def refuse_elsewhere(name: str, angle_deg: float, target_deg: float | None, tole
             f"{name}: it stopped {angle_deg - target_deg:+.3f}° from its target of {target_deg:.3f}°.",
             fault="not arrived",
             remedy="Look for what holds it, home it and begin this step again.",
+        )
+
+
+def refuse_fast_homing(name: str, homes_at_deg_per_s: float, limit_deg_per_s: float) -> None:
+    """Raise LimitError where a stage homes faster than it may, at a speed that is set on the stage itself."""
+    if homes_at_deg_per_s > limit_deg_per_s:
+        raise LimitError(
+            f"{name}: it homes at {homes_at_deg_per_s:.4g} deg/s, the DUT's limit is {limit_deg_per_s:g} deg/s; "
+            "nothing was moved.",
+            remedy="Lower the homing speed on the stage itself, or take the DUT off and home it with its own program.",
         )

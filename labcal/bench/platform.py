@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TypeVar
 
@@ -24,16 +25,16 @@ class BenchPlatform:
     def __init__(self, stage: RotationPlatform, config: PlatformConfig, dut_limits: DutLimits) -> None:
         self.name, self.motorised = stage.name, stage.motorised
         self._stage, self._sign, self._wrap_deg = stage, config.angle_sign, config.wrap_deg
-        allowed = dut_limits.rate_deg_per_s
-        self.max_rate_deg_per_s = min(stage.max_rate_deg_per_s, allowed or stage.max_rate_deg_per_s)
+        self._dut_limit_deg_per_s = dut_limits.rate_deg_per_s or math.inf
+        self.max_rate_deg_per_s = min(stage.max_rate_deg_per_s, self._dut_limit_deg_per_s)
 
     def identify(self) -> Identity:
         """The stage's identity."""
         return self._stage.identify()
 
-    def home(self) -> None:
-        """Find the reference position if it is not known."""
-        self._stage.home()
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
+        """Find the reference position if it is not known, no faster than the DUT may turn."""
+        self._stage.home(min(limit_deg_per_s, self._dut_limit_deg_per_s))
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move."""

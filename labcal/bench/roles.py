@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -88,8 +89,8 @@ class RotationPlatform(Instrument, Protocol):
     motorised: bool
     max_rate_deg_per_s: float
 
-    def home(self) -> None:
-        """Find the reference position if it is not known."""
+    def home(self, limit_deg_per_s: float = math.inf) -> None:
+        """Find the reference position if it is not known, no faster than this; refused where that cannot be seen to."""
         ...
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:

@@ -10,7 +10,7 @@ import pty
 import re
 import sys
 import tty
-from contextlib import closing
+from contextlib import closing, suppress
 from datetime import UTC, datetime
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -234,6 +234,25 @@ def test_a_stream_gives_finite_ordered_samples_with_their_raw_bytes(name: str) -
 
 
 STAGES = sorted(name for name, entry in DRIVERS.items() if "platform" in entry.load().roles and entry.load().motorised)
+
+
+@pytest.mark.parametrize("name", STAGES)
+@pytest.mark.parametrize("limit_deg_per_s", [25.0, 4.0])
+def test_a_stage_homes_no_faster_than_the_dut_may_turn_or_refuses(name: str, limit_deg_per_s: float) -> None:
+    rig = Rig(name)
+    rig.driver.identify()
+    platform, fastest = rig.lab.platform, 0.0
+    platform.move(rig.clock.now(), 40.0, 40.0)
+    while platform.moving(rig.clock.now()):
+        rig.wait(0.1)
+    with suppress(LimitError):
+        rig.driver.home(limit_deg_per_s)
+    for _ in range(20):
+        before = platform.now(rig.clock.now())[0]
+        rig.wait(0.2)
+        fastest = max(fastest, abs(platform.now(rig.clock.now())[0] - before) / 0.2)
+    assert fastest <= limit_deg_per_s + 0.01
+    assert fastest > 0 or limit_deg_per_s == 4.0 or name == "oriental-az"  # whose encoder knows its place
 
 
 @pytest.fixture(params=STAGES)

@@ -5,21 +5,28 @@ Bytes are those of the manuals and fact sheets; what is special to one instrumen
 
 from __future__ import annotations
 
+import socket
+import threading
+import time
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from importlib.metadata import entry_points
-from typing import Any
+from typing import Any, get_type_hints
 
 import numpy as np
 import pytest
 from frames import read, rtu
 
+from labcal.bench.clock import RealClock
 from labcal.bench.config import DutLimits, PlatformConfig
+from labcal.bench.links import open_link
+from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.testing import SILENT, UNPLUGGED, Exchange, scripted
 from labcal.errors import InstrumentError, LimitError
 
+PAUSE_S, LONG_S = 0.02, 60.0
 DRIVERS = {entry.name: entry.load() for entry in entry_points(group="labcal.drivers")}
 ALPHALAB = bytes.fromhex("10 00 0000 04D2  10 02 0000 3039  10 09 0000 07D0  10 01 0000 000F  10 01 0000 092E  08")
 EA_TEXT = [
@@ -189,6 +196,45 @@ def test_its_own_bytes_are_the_value_whole_or_byte_by_byte(name: str) -> None:
     wire = WIRES[name]
     replies = wire.ask(0)[1], [bytes([byte]) for byte in wire.ask(1)[1]]
     assert answered(name, *replies) == pytest.approx([wire.value] * 2)
+
+
+class InHalves:
+    """A TCP port that answers as `wire` says, every reply in two sends, the second after a pause."""
+
+    def __init__(self, wire: list[Exchange]) -> None:
+        self._wire, self._server = wire, socket.create_server(("127.0.0.1", 0))
+        self.url = f"tcp://127.0.0.1:{self._server.getsockname()[1]}"
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def _serve(self) -> None:
+        with self._server, self._server.accept()[0] as host:
+            host.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            for request, reply in self._wire:
+                assert host.recv(len(request), socket.MSG_WAITALL) == request
+                for part in (reply[: len(reply) // 2], reply[len(reply) // 2 :]) if isinstance(reply, bytes) else ():
+                    host.sendall(part)
+                    time.sleep(PAUSE_S)
+
+    def ended(self) -> bool:
+        """Whether the whole script has been asked for and answered."""
+        self._thread.join(LONG_S)
+        return not self._thread.is_alive()
+
+
+@pytest.mark.parametrize("name", ASKING)
+def test_a_reply_that_comes_in_two_parts_over_a_real_line_is_one_reply(name: str) -> None:
+    wire, clock, hints = WIRES[name], RealClock(), get_type_hints(DRIVERS[name].__init__)
+    known = [f.name for f in fields(hints["settings"])]
+    patient = {"timeout_s": LONG_S} if "timeout_s" in known else {}
+    port = InHalves([*wire.before, wire.ask(0), wire.ask(1)])
+    line = open_link(port.url, clock)
+    link = ModbusLink(line, clock, timeout_s=LONG_S) if hints["link"] is ModbusLink else line
+    driver = DRIVERS[name](name, link, clock, hints["settings"](**wire.settings, **patient))
+    wire.prepare(driver)
+    assert [wire.call(driver), wire.call(driver)] == pytest.approx([wire.value] * 2)
+    assert port.ended()
+    line.close()
 
 
 @pytest.mark.parametrize("name", ASKING)

@@ -119,3 +119,14 @@ def test_other_motion_zeros_limits_and_memory_cannot_be_written(hexadecimal: str
     with scripted(LeadshineStage, []) as stage, pytest.raises(InstrumentError) as caught:
         stage.registers._link._line.send(rtu(hexadecimal))
     assert caught.value.fault == "forbidden"
+
+
+def test_it_does_not_home_faster_than_the_dut_may_turn() -> None:
+    asked = [read("0103 1003 0001", [0x0012]), read("0103 600F 0002", [150, 30])]
+    with scripted(LeadshineStage, [*asked, wrote("0106 6002 0020")]) as stage:
+        stage.home(10.0)
+    with (
+        scripted(LeadshineStage, asked) as stage,
+        pytest.raises(LimitError, match=r"10 deg/s, the DUT's limit is 4 deg"),
+    ):
+        stage.home(4.0)

@@ -88,3 +88,13 @@ def test_it_homes_once_a_connection_with_its_motor_on() -> None:
         stage.home()
         stage.identify()  # after a lost link the controller may have been without power
         stage.home()
+
+
+def test_it_homes_no_faster_than_the_dut_may_turn() -> None:
+    wire = [(b"1OL?\r", b"1.0\r\n"), (b"1OH?\r", b"10\r\n"), (b"1OH4.0000\r", SILENT), FINE, (b"1OH?\r", b"4\r\n"),
+            (b"1MO\r", SILENT), FINE, (b"1OR1\r", SILENT), FINE]  # fmt: skip
+    with scripted(Esp301Stage, wire) as stage:
+        stage.home(4.0)
+    wire = [(b"1OL?\r", b"5\r\n"), (b"1OL4.0000\r", SILENT), FINE, (b"1OL?\r", b"5\r\n")]
+    with scripted(Esp301Stage, wire) as stage, pytest.raises(InstrumentError, match="OL reads back 5 deg/s"):
+        stage.home(4.0)

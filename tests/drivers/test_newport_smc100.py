@@ -6,7 +6,7 @@ import pytest
 
 from drivers.newport_smc100 import Smc100Stage
 from labcal.bench.testing import SILENT, scripted
-from labcal.errors import InstrumentError
+from labcal.errors import InstrumentError, LimitError
 
 FINE = (b"1TE\r\n", b"1TE@\r\n")
 AT_6 = [(b"1VA6.0000\r\n", SILENT), FINE, (b"1VA?\r\n", b"1VA6\r\n")]
@@ -79,3 +79,11 @@ def test_disabled_not_referenced_configuration_and_error_bits_end_the_step(code:
     with scripted(Smc100Stage, [status(code)]) as stage, pytest.raises(InstrumentError) as caught:
         stage.moving()
     assert caught.value.fault == "stage fault"
+
+
+def test_it_does_not_home_faster_than_the_dut_may_turn() -> None:
+    asked = [status(b"00000A"), (b"1OH?\r\n", b"1OH8\r\n")]
+    with scripted(Smc100Stage, [*asked, (b"1OR\r\n", SILENT), FINE]) as stage:
+        stage.home(8.0)
+    with scripted(Smc100Stage, asked) as stage, pytest.raises(LimitError, match=r"8 deg/s, the DUT's limit is 4 deg/s"):
+        stage.home(4.0)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from drivers.zaber import ZaberStage, checksum
+from drivers.framing.zaber import checksum
+from drivers.zaber import ZaberStage
 from labcal.bench.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 
@@ -84,3 +85,12 @@ def test_a_late_reply_of_an_older_request_is_passed_over() -> None:
             (b"/1 1 02 get limit.cycle.dist\r\n", said(2, "OK IDLE -- 1536000"))]  # fmt: skip
     with scripted(ZaberStage, wire) as stage:
         assert stage.angle_deg() == 180.0
+
+
+def test_it_homes_no_faster_than_the_dut_may_turn() -> None:
+    wire = [(b"/1 1 01\r\n", said(1, "OK IDLE WR 0")),
+            (b"/1 1 02 get limit.cycle.dist\r\n", said(2, "OK IDLE WR 1536000")),
+            (b"/1 1 03 set maxspeed 27962\r\n", said(3, "OK IDLE WR 0")),
+            (b"/1 1 04 home\r\n", said(4, "OK BUSY WR 0"))]  # fmt: skip
+    with scripted(ZaberStage, wire) as stage:
+        stage.home(4.0)
