@@ -162,7 +162,9 @@ def rig_effect(kind, rng, span, near):
     if kind == "field-gradient":
         g = rng.normal(size=(3, 3))
         g = g + g.T - np.eye(3) * 2 * np.trace(g) / 3
-        return lambda s: into(s, s.cage @ g)
+        if rng.random() < 0.5:
+            return lambda s: into(s, s.cage @ g)
+        return lambda s: into(s, np.linalg.norm(s.cage, axis=1)[:, None] * (np.einsum("nji,j->ni", s.to_body, d) @ g))
     if kind == "cage-field":
         e, f = rng.normal(size=3), rng.normal(size=3)
         if rng.random() < 0.5:

@@ -1,7 +1,8 @@
 """The device is off the centre: the field there differs from the reference's in proportion to the cage's field.
 
 A constant place off the axis gives Δv = A v with A symmetric and traceless (curl and divergence are zero); a device
-off the platform axis moves on a circle, and the difference turns with the angle.
+off the platform axis moves on a circle, and the difference turns with the angle. Where the sensor sits off the middle
+of the device, the circle is another one for each mounting, Δv = |v| G r with r a place fixed in the body.
 """
 
 from __future__ import annotations
@@ -16,19 +17,24 @@ SYMMETRIC = {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """`a_xy` … an element of A; `cos_x` … along x of C in proportion to |v| and the cosine of the angle."""
+    """`a_xy` … an element of A; `cos_x` … along x of C in proportion to |v| and the cosine of the angle.
+
+    `gxy_z` … an element of G times z of the place in the body.
+    """
     assert scene.rig is not None
     v, angle = scene.rig.reference_nT, scene.rig.angle_rad
     turning = np.isfinite(angle)
-    size = np.linalg.norm(v, axis=1) * turning
+    size = np.linalg.norm(v, axis=1)
     out = np.empty((len(scene), 3, len(form.parameters)))
     for column, (name, _) in enumerate(form.parameters):
         kind, which = name.split("_")
         if kind == "a":
             cage = v @ _traceless(which)
-        else:
+        elif kind in ("cos", "sin"):
             wave = np.cos if kind == "cos" else np.sin
-            cage = (size * wave(np.nan_to_num(angle)))[:, None] * np.eye(3)[AXES.index(which)]
+            cage = (size * turning * wave(np.nan_to_num(angle)))[:, None] * np.eye(3)[AXES.index(which)]
+        else:
+            cage = size[:, None] * (scene.rig.to_body[:, AXES.index(which)] @ _traceless(kind.removeprefix("g")))
         out[:, :, column] = np.einsum("nij,nj->ni", scene.rig.to_body, cage)
     return out
 
@@ -41,12 +47,13 @@ def _traceless(which: str) -> Array:
 
 
 def candidates(run: Run) -> list[Form]:
-    """A constant place off the centre; a circle about the platform axis; both."""
+    """A constant place off the centre; a circle about the platform axis; both; a place fixed in the body."""
     if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
         return []
     place = tuple((f"a_{w}", "1") for w in SYMMETRIC)
     circle = tuple((f"{w}_{a}", "1") for w in ("cos", "sin") for a in AXES)
-    return [Form(kernel, p) for p in (place, circle, place + circle)]
+    aboard = tuple((f"g{w}_{a}", "1") for w in SYMMETRIC for a in AXES)
+    return [Form(kernel, p) for p in (place, circle, place + circle, aboard)]
 
 
 FAMILY = Family(
