@@ -9,13 +9,16 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.steps import Procedure, energise, record
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Step
 from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
+from labcal.runner.drive import Drive
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
@@ -120,6 +123,27 @@ ONCE = [
     (unplug("dut"), UNPLUGGED.format("dut")),
     (unplug("stage"), "failed: stage: the link is gone"),
 ]
+
+
+@pytest.mark.parametrize(("say", "on_the_way_out"), [(Control.stop, 0.3), (Control.abort, 0.0)])
+def test_an_abort_zeroes_the_coils_before_the_procedure_undoes_anything_and_a_stop_after_it(
+    bench_file: BenchFile, say: Callable[[Control], None], on_the_way_out: float
+) -> None:
+    seen, control = list[float](), Control()
+
+    def procedure() -> Procedure:
+        try:
+            yield from energise(bench, bench.cage.field_nT() + [15_000.0, 0.0, 0.0], confirm_signs=False)
+            say(control)
+            yield from record(bench, 5.0)
+        finally:
+            seen.append(float(np.abs(bench.cage.currents_A()).max()))
+
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
+        ending = Drive(bench, list[Item]().append, yes_to_all(True), control).run(procedure())
+        assert np.abs(bench.cage.currents_A()).max() < 0.002
+    assert ending.status == ("stopped" if say is Control.stop else "failed: aborted by the operator")
+    assert seen == [pytest.approx(on_the_way_out, abs=0.01)]
 
 
 def test_a_supply_that_cannot_be_asked_is_said_to_be_unconfirmed_and_the_other_coils_are_at_zero(

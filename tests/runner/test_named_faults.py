@@ -15,12 +15,20 @@ from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.errors import InstrumentError
 from labcal.home import home
-from labcal.record.stream import Item, Step
+from labcal.record.stream import Event, Item, Step
 from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
 from labcal.store import Store, database, writer
 
 BenchFile = Callable[..., Path]
-SHORT = {"rate_deg_per_s": "20", "zero_s": "3", "dwell_s": "1", "modes": "nominal"}
+SHORT = {
+    "axes": "z",
+    "modes": "nominal",
+    "magnitudes_nT": "20000",
+    "reverse": "no",
+    "rate_deg_per_s": "20",
+    "zero_s": "3",
+    "dwell_s": "1",
+}
 
 
 class JumpingClock(VirtualClock):
@@ -112,18 +120,29 @@ def test_a_clock_that_is_set_back_is_named(bench_file: BenchFile) -> None:
         assert store.status("R") == outcome.status
 
 
+class Patient(Control):
+    """A person who goes on at the third look, and not before."""
+
+    looks = 0
+
+    def wait_for_resume(self, at_most_s: float) -> None:
+        self.looks += 1
+        if self.looks == 3:
+            self.resume()
+
+
 def test_a_pause_waits_with_the_coils_at_zero_and_goes_on(bench_file: BenchFile) -> None:
-    control, currents = Control(), list[float]()
+    control, pauses = Patient(), list[Event]()
 
     def tell(item: Item) -> None:
-        if isinstance(item, Step) and item.name == "x+20uT-nominal":
+        if isinstance(item, Step) and item.name == "z+20uT-nominal":  # coils on
             control.pause()
-        if control.paused() and getattr(item, "kind", "") == "pause":
-            currents.append(max(map(abs, item.data["current_A"])))
-            control.resume()
+        if isinstance(item, Event) and item.kind == "pause":
+            pauses.append(item)
 
     with opened(bench_file) as bench:
         outcome = preflight(bench, tell, control=control)
     assert outcome.status == "finished"
-    assert len(currents) == 1
-    assert currents[0] < 0.002
+    assert [p.text for p in pauses] == ["paused, coils at zero", "goes on"]
+    assert max(map(abs, pauses[0].data["current_A"])) < 0.002
+    assert control.looks == 3

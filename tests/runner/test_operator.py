@@ -12,7 +12,6 @@ from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -21,7 +20,7 @@ from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.errors import InputError, InstrumentError
 from labcal.record.stream import Event, Item, Prompt, Step
-from labcal.runner import Outcome, find, run_procedure
+from labcal.runner import Control, Outcome, find, run_procedure
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
@@ -54,6 +53,8 @@ def with_a_stuck_stage(bench: Path, said: dict[str, str]) -> tuple[Outcome, list
                 turning.append(item)
 
         def answer(prompt: Prompt) -> str:
+            if prompt.key.startswith("failed-"):
+                assert max(map(abs, lab.cage.currents_A())) < 0.002
             return said.get(prompt.key, prompt.choices[0] if prompt.choices else "")
 
         lab.platform.move_to = sticking
@@ -106,37 +107,62 @@ def test_ctrl_c_stops_in_order_and_still_prints_the_run_id(bench_file: BenchFile
         assert store.status(out.strip()) == "stopped"
 
 
-@pytest.mark.parametrize(
-    ("change", "says"),
-    [
-        (('serial = "SIM-0001"\nmodel', 'serial = "SIM-0002"\nmodel'), "is of DUT SIM-0001, the bench has SIM-0002"),
-        (None, "was not interrupted: it is finished"),
-    ],
-)
-def test_only_the_same_run_is_resumed(bench_file: BenchFile, change: Any, says: str) -> None:
-    given = SHORT | {"magnitudes_nT": "20000"}
-    outcome = session.run("preflight", bench_file(), given, seed=2)
-    with pytest.raises(InputError, match=says):
-        session.resume(outcome.run_id, bench_file("", *([change] if change else [])), seed=2)
+def perhaps(prompt: Prompt) -> str:
+    return "perhaps"
+
+
+def test_only_the_same_run_is_resumed(bench_file: BenchFile) -> None:
+    begun = session.run("preflight", bench_file(), SHORT, answer=perhaps, seed=2)
+    with Store.open() as store:
+        for run_id, changed in {"R": {}, "other-text": {"source_sha256": "00"}}.items():
+            store.begin(replace(store.header(begun.run_id), run_id=run_id, **changed)).finish("interrupted")
+    for run_id, change, says in (
+        (
+            "R",
+            [('serial = "SIM-0001"\nmodel', 'serial = "SIM-0002"\nmodel')],
+            "is of DUT SIM-0001, the bench has SIM-0002",
+        ),
+        ("R", [('"v_bus"], serial = "SIM-0001"', '"v_bus"], serial = "SIM-0003"')], "dut was .* now it is .*SIM-0003"),
+        ("other-text", [], "preflight was changed since run other-text began: start it anew"),
+        (begun.run_id, [], "was not interrupted: it is failed"),
+    ):
+        with pytest.raises(InputError, match=says):
+            session.resume(run_id, bench_file("", *change), seed=2)
+    with Store.open() as store:
+        assert store.status("R") == "interrupted"
 
 
 def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_interrupted(bench_file: BenchFile) -> None:
-    bench, given = bench_file(), SHORT | {"magnitudes_nT": "20000"}
+    bench, asked = bench_file(), list[str]()
+
+    def remounted(prompt: Prompt) -> str:
+        asked.append(prompt.key)
+        return "no" if prompt.key == "mounting-stands" else "perhaps"
+
     with Store.open() as store:
-        break_off(bench, given, store)
-    outcome = session.resume("R", bench, seed=2, answer=lambda prompt: "perhaps")
+        break_off(bench, store)
+    outcome = session.resume("R", bench, seed=2, answer=remounted)
     assert (outcome.status, outcome.at_rest) == ("interrupted", "coils at zero")
+    assert asked == ["mounting-stands", "mount-z"]
     assert "'perhaps' is no answer" in str(outcome.fault)
     with pytest.raises(InputError, match="run R is of preflight, not of ambient"):
         session.resume("R", bench, "ambient", seed=2)
-    assert session.resume("R", bench, seed=2).status == "finished"
+    moved = session.resume("R", bench_file("ambient = { earth_nT = [20400.0, 3150.0, -43700.0] }"), seed=2)
+    assert moved.status.startswith("failed: zero since the interruption: 2000 nT is beyond 500 nT")
 
 
-def break_off(bench: Path, given: dict[str, str], store: Store) -> None:
+def break_off(bench: Path, store: Store) -> None:
     """A run R whose program died while the axes were checked."""
-    outcome = session.run("preflight", bench, given, seed=2)
+    control, seen = Control(), list[Item]()
+
+    def tell(item: Item) -> None:
+        seen.append(item)
+        if isinstance(item, Step) and item.name == "axes-check":
+            control.stop()
+
+    outcome = session.run("preflight", bench, SHORT, seed=2, control=control, tell=tell)
     writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))
-    for item in store.items(outcome.run_id):
+    for item in seen:
         writer.write(item)
         if isinstance(item, Step) and item.name == "axes-check":
             break
