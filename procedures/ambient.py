@@ -58,11 +58,15 @@ def _mains(bench: Bench, mains_hz: float, harmonics: int, seconds: float, limit_
             afterwards.callback(reference.set_rate, reference.rate_hz)
             reference.set_rate(max(reference.rates_hz()))
         fast, faults = samples((yield from record(bench, seconds)), "reference"), list[str]()
+        rate, told = 1 / fast.period_s, dict[int, float]()
         for n in range(1, harmonics + 1):
-            seen = tone(fast, n * mains_hz, n * MAINS_OFF_HZ)
-            if seen is None:
-                yield note(bench, f"{n * mains_hz:g} Hz is not told from a steady field at {1 / fast.period_s:.4g}/s")
+            seen, folded = tone(fast, n * mains_hz, n * MAINS_OFF_HZ), alias(n * mains_hz, rate)
+            same = [f"{k * mains_hz:g} Hz" for k, at in told.items() if abs(at - folded) < (k + n) * MAINS_OFF_HZ]
+            if seen is None or same:
+                other = same[0] if same else "a steady field"
+                yield note(bench, f"{n * mains_hz:g} Hz is not told from {other} at {rate:.4g}/s")
                 continue
+            told[n] = folded
             found = yield from measured(bench, f"amplitude of {n * mains_hz:g} Hz", *seen, "nT", limit_nT)
             faults += [f"{found.name} {found.value:.3g} nT"] if found.verdict == "FAIL" else []
     return faults

@@ -29,6 +29,9 @@ def test_ambient_finds_mean_and_noise_and_names_the_mains_that_a_rate_folds_to_z
     quantised = np.hypot(10.0, 1e5 / 15000 / np.sqrt(12))
     assert xyz(found, "noise ref_{}") == pytest.approx([quantised] * 3, rel=0.15)
     assert "50 Hz is seen as a steady field at 10 dut samples/s" in found.event("ambient").text
+    notes = [i.text for i in found.items if getattr(i, "kind", "") == "note"]
+    assert "100 Hz is not told from 50 Hz at 30/s" in notes
+    assert [(s.id, s.kind) for s in session.load_run(found.outcome.run_id).segments] == [("room", "static")]
 
 
 def test_the_mains_is_measured_at_the_fastest_rate_and_the_rate_set_back(ran: Run) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from scipy.linalg import sqrtm
 
 from labcal import session
+from labcal.bench.clock import RealClock
 from labcal.errors import InputError, LimitNotMet
 from labcal.fit.ml import ml
 from labcal.record.stream import Event, Measurement, Prompt
@@ -169,3 +171,18 @@ def test_an_axis_is_redone_before_it_is_dismounted_and_the_first_try_is_kept_but
     measured = {item.name: item for item in items if isinstance(item, Measurement)}
     assert [measured[f"x+20uT-nominal: {what}"].verdict for what in ("noise", "wrong signs")] == ["PASS"] * 2
     assert measured["delay x"].verdict == "PASS"
+
+
+@pytest.mark.slow
+def test_at_true_speed_it_records_the_same_as_on_the_virtual_clock(bench_file: BenchFile) -> None:
+    given = SHORT | {"axes": "z", "modes": "nominal", "magnitudes_nT": "20000", "reverse": "no", "zero_s": "2"}
+    begun = time.monotonic()
+    outcome = session.run("preflight", bench_file(), given, clock=RealClock(), seed=3)
+    lasted_s = time.monotonic() - begun
+    assert outcome.status == "finished", outcome.fault
+    true = session.load_run(outcome.run_id)
+    virtual = session.load_run(session.run("preflight", bench_file(), given, seed=3).run_id)
+    assert lasted_s > np.ptp(true.t_s) > 17
+    assert [s.id for s in true.segments] == [s.id for s in virtual.segments]
+    assert len(true) == pytest.approx(len(virtual), rel=0.05)
+    assert np.median(np.diff(true.t_s)) == pytest.approx(0.1, abs=1e-6)
