@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -90,3 +91,30 @@ def test_an_open_run_is_closed_by_what_the_bench_measures(
     calibration = session.load_calibration(out)
     assert one_axis in calibration.run_id
     assert calibration.run_sha256 == session.run_bundle(calibration.run_id).sha256
+
+
+@pytest.mark.slow
+def test_an_ambiguous_run_ends_explained_by_what_really_is_at_work(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Turned in one field, a field of the cage is a tilt, a gradient or a dipole as well; field steps at rest tell."""
+    bench = tmp_path / "bench.toml"
+    bench.write_text(simulated_bench().read_text().replace("surprise = true", "[twin.effects.cage-field]"))
+    given = {"magnitudes_nT": "50000", "reverse": "false", "modes": "nominal"}
+    outcome = session.run("preflight", bench, given, seed=SEED)
+    assert outcome.fault is None
+    open_yet = session.close_loop(outcome.run_id)
+    assert open_yet.verdict == "ambiguous"
+    (first,) = open_yet.accepted
+    assert first.provisional
+    assert "cage-field" in {first.effect, *(rival.effect for rival in first.rivals)}
+    assert open_yet.next_experiment is not None
+    asked = ["close-loop", outcome.run_id, "--measure", "--bench", str(bench), "--seed", str(SEED), "--yes"]
+    assert cli._run([*asked, "--json", str(tmp_path / "result.json")]) == 0
+    capsys.readouterr()
+    result = json.loads((tmp_path / "result.json").read_text())
+    assert [r["procedure"] for r in result["rounds"]] == [open_yet.next_experiment.procedure]
+    (found,) = result["accepted"]
+    assert (result["verdict"], found["effect"], found["rivals"]) == ("explained", "cage-field", [])
+    truth = (250.0, -180.0, 120.0)  # nT, of the twin's cage
+    assert all(abs(p["value"] - true) < 3.0 for p, true in zip(found["parameters"], truth, strict=True))

@@ -98,18 +98,34 @@ def rms(values: Array) -> float:
 def held_out(
     search: Search, plan: Plan, choose: Callable[[Search], Sequence[Candidate]], before: Sequence[Candidate] = ()
 ) -> HeldOut:
-    """Residuals of every row by fits that did not see its block; `choose` picks the effects on the training rows."""
+    """Residuals of every row by fits that did not see its block; `choose` picks the effects on the training rows.
+
+    Left out are the rows between the last training row before a step and the first one after it: a fit that did not see
+    them cannot know on which side of the step they lie.
+    """
     problem, whole = search.problem, search.whole
     block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (plan.block, plan.fold))
     out = np.full((2, len(whole)), np.nan)
     for fold in np.unique(plan.fold):
         part = search.on(plan.training(problem.scene.t_s, int(fold)) & search.rows)
-        test = (folds == fold) & search.good
-        for which, effects in enumerate((before, choose(part))):
+        chosen = choose(part)
+        known = problem.scene.t_s[part.rows]
+        test = (folds == fold) & search.good & ~_at_a_step(whole.scene.t_s, known, [*before, *chosen])
+        for which, effects in enumerate((before, chosen)):
             A = np.concatenate([whole.T[test], *(search.whole_columns(c)[test] for c in effects)], axis=2)
             out[which, test] = lengths(whole, whole.y[test] - A @ part.solved(effects), test)
-    good = search.good
-    return HeldOut(block[good], out[0, good], out[1, good])
+    seen = np.isfinite(out).all(axis=0)
+    return HeldOut(block[seen], out[0, seen], out[1, seen])
+
+
+def _at_a_step(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDArray[np.bool_]:
+    """Rows (n,) between the two known times that a step of one of these effects lies between."""
+    out = np.zeros(len(t_s), dtype=bool)
+    for shape in (shape for c in effects for shape in c.form.shape if shape.name == "t_step_s"):
+        after = int(np.searchsorted(known_s, shape.value))
+        low, high = np.concatenate([[-np.inf], known_s, [np.inf]])[after : after + 2]
+        out |= (t_s > low) & (t_s < high)
+    return out
 
 
 def lengths(problem: Problem, whitened: Array, rows: NDArray[np.bool_]) -> Array:

@@ -18,7 +18,7 @@ from labcal.loop.decide import forward
 from labcal.loop.delays import delays
 from labcal.loop.evidence import search_of, weighed
 from labcal.loop.floor import Floor
-from labcal.loop.holdout import HeldOut
+from labcal.loop.holdout import HeldOut, held_out, plan
 from labcal.loop.problem import Problem
 from labcal.loop.search import Candidate, Search, Weighed
 from labcal.loop.spectrum import Likelihood
@@ -75,6 +75,17 @@ def test_a_step_is_found_at_its_moment_and_its_drop_is_that_of_a_fit(started: St
     row = int(np.searchsorted(problem.scene.t_s, best.form.at("t_step_s")))
     fell = np.sum(search.residual(()) ** 2) - np.sum(search.residual([best]) ** 2)
     assert np.isclose(drops(search, ())[row], fell, rtol=1e-6)
+
+
+def test_a_block_that_hides_the_moment_of_a_step_does_not_count_against_it(started: Started) -> None:
+    """Only the rows among which the step lies are left out, of before and after alike."""
+    search = _search(started(lambda rows: 300.0 * (rows["t_s"] > 200.0)[:, None] * np.array([1.0, -0.7, 0.5])))
+    blocks = plan(search.problem, 0.0)
+    honest = held_out(search, blocks, lambda part: steps(part, ())[:1])
+    hidden = len(search.problem) - len(honest.after_nT)
+    assert 0 < hidden <= np.bincount(blocks.block).max() + 2
+    assert honest.after < 1.1 * np.sqrt(3) * 20.0 / 1.05  # the readings' own noise
+    assert honest.before > 4 * honest.after
 
 
 def _switched(t_s: np.ndarray) -> np.ndarray:
