@@ -67,7 +67,7 @@ def pair(name: str, link: Link, clock: RealClock) -> tuple[Callable[[], object],
         return partial(link.ask, b":MEAS:CURR? CH1\n", end=b"\n", timeout_s=2.0), supply.measure_current
     if name == "hmr2300":
         sensor = Hmr2300(name, link, clock, HmrSettings())
-        return partial(link.ask, b"*00#\r", end=b"\r", timeout_s=2.0), partial(sensor._ask, "#", "SER#")
+        return partial(link.ask, b"*00#\r", end=b"\r", timeout_s=2.0), partial(sensor._words.ask, "#", "SER#")
     riden = RidenSupply(name, ModbusLink(link, clock), clock, RidenSettings(gap_s=0.0))
     riden._scale = 100, 1000
     return partial(link.ask, STATE, end=len(REPLIES[name]), timeout_s=2.0), riden.measure_current

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 import tomllib
 from pathlib import Path
@@ -21,6 +22,8 @@ def read_toml(path: Path) -> tuple[str, dict[str, Any]]:
         data = file.read(MOST_BYTES + 1)
     if len(data) > MOST_BYTES:
         raise InputError(f"is longer than {MOST_BYTES // 1024} KiB: no file of this kind is", file=path)
+    if data.startswith(codecs.BOM_UTF8):
+        raise InputError("begins with a byte order mark: save it as UTF-8 without one", file=path, line=1)
     try:
         text = data.decode()
     except UnicodeDecodeError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
@@ -21,7 +22,17 @@ RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "platform", "refere
 
 
 def _each_axis(value: Any) -> Any:
-    return (value,) * 3 if isinstance(value, (int, float)) else value
+    if isinstance(value, (int, float)):
+        return (value,) * 3
+    if not isinstance(value, (list, tuple)) or len(value) != 3:
+        raise ValueError("must be one number, or three, one for each axis")
+    return value
+
+
+def _for_people(value: str) -> str:
+    if not value.isprintable():
+        raise ValueError("has characters that cannot be printed")
+    return value
 
 
 def _of_length_one(value: Vector) -> Vector:
@@ -31,6 +42,7 @@ def _of_length_one(value: Vector) -> Vector:
 
 
 PerAxis = Annotated[tuple[Positive, Positive, Positive], BeforeValidator(_each_axis)]  # one number, or one an axis
+Text = Annotated[str, AfterValidator(_for_people)]
 Unit = Annotated[Vector, AfterValidator(_of_length_one)]
 
 
@@ -129,8 +141,8 @@ class DutLimits(_Table):
 class DutConfig(_Table):
     """The device under test."""
 
-    serial: str = Field(min_length=1)
-    model: str = ""
+    serial: Text = Field(min_length=1)
+    model: Text = ""
     unit: Literal["nT", "count"] = "nT"
     nominal_nT_per_unit: Positive = 1.0
     noise_nT: Positive | None = None  # of one axis of one sample
@@ -151,8 +163,8 @@ class InstrumentConfig(_Table):
 class BenchConfig(_Table):
     """A whole bench.toml. `twin` is for the simulated lab alone and is never dumped into a record."""
 
-    name: str = Field(min_length=1)
-    datum: str = "z along the platform axis, x along the mark on its base"
+    name: Text = Field(min_length=1)
+    datum: Text = "z along the platform axis, x along the mark on its base"
     cage: CageConfig
     platform: PlatformConfig = PlatformConfig()
     reference: ReferenceConfig = ReferenceConfig()
@@ -202,14 +214,27 @@ def read_config(path: Path) -> BenchConfig:
         # a misspelt key also leaves a key missing: name the misspelt one
         first = next((f for f in faults if f["type"] == "extra_forbidden"), faults[0])
         keys = tuple(str(part) for part in first["loc"])
-        raise InputError(_sentence(first["type"], first["msg"], keys), file=path, line=line_of(text, keys)) from error
+        name, said = ".".join(keys), sentence(first)
+        between = "" if not name else " " if said.startswith(("is ", "has ", "must ")) else ": "
+        what = f"{name}{between}{said}"
+        raise InputError(what, file=path, line=line_of(text, keys)) from error
 
 
-def _sentence(kind: str, message: str, keys: tuple[str, ...]) -> str:
-    name = ".".join(keys) or "the file"
-    if kind == "extra_forbidden":
-        return f"{name} is not a key that is known here"
-    return f"{name}: {message.removeprefix('Value error, ')}"
+WORDS = {
+    "extra_forbidden": "is not a key that is known here",
+    "missing": "is missing",
+    "dict_type": "must be a table",
+    "model_type": "must be a table",
+    "tuple_type": "must be a list",
+    "string_pattern_mismatch": "must begin with serial://, tcp://, modbus-rtu://, emulated:// or the like",
+    "string_too_short": "must not be empty",
+}
+
+
+def sentence(fault: Mapping[str, Any]) -> str:
+    """What pydantic found wrong, as words that follow the name of the key."""
+    said = str(fault["msg"]).removeprefix("Value error, ").replace("Input should be", "must be")
+    return WORDS.get(str(fault["type"]), said)
 
 
 def line_of(text: str, keys: tuple[str, ...]) -> int | None:

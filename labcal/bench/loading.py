@@ -17,12 +17,13 @@ from pydantic import TypeAdapter, ValidationError
 from labcal.bench.bench import Bench, Reopens, temperatures_of
 from labcal.bench.cage_file import CageCalibration, calibrated
 from labcal.bench.clock import Clock, RealClock, VirtualClock
-from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config
+from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config, sentence
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
 from labcal.bench.hands import SimulatedHands
 from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
+from labcal.bench.links.urls import split
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
 from labcal.bench.roles import CoilSupply, DutStream, Instrument, PolarityRelay
@@ -94,7 +95,15 @@ class Loader:
             return TypeAdapter(kind).validate_python(stated)
         except ValidationError as error:
             first = error.errors()[0]
-            self.refuse(f"{first['msg'].removeprefix('Value error, ')}", (*where, *map(str, first["loc"])))
+            self.refuse(sentence(first), (*where, *map(str, first["loc"])))
+
+    def look_at(self, name: str) -> None:
+        """See that the instrument's driver, settings and link are sound; opens nothing. Raises InputError."""
+        self.driver(name)
+        try:
+            split(self.config.instruments[name].link)
+        except InputError as error:
+            self.refuse(error.what, ("instruments", name, "link"))
 
     def link(self, name: str, entry: InstrumentConfig, settings: Any) -> Link:
         """The link of one instrument; instruments that state the same link share it."""
@@ -123,10 +132,7 @@ class Loader:
         from labcal.bench.links.modbus import modbus_link  # slow to import, and seldom needed
 
         if line.url not in self.masters:
-            try:
-                self.masters[line.url] = modbus_link(line, self.clock)
-            except InputError as error:
-                self.refuse(error.what, ("instruments", name, "link"))
+            self.masters[line.url] = modbus_link(line, self.clock)
         return self.masters[line.url]
 
     def close(self) -> None:
@@ -156,7 +162,7 @@ class Loader:
             return self._load(TWINS, kind, ("twin", "kind"))(table, self.seed)
         except ValidationError as error:
             first = error.errors()[0]
-            self.refuse(first["msg"], ("twin", *map(str, first["loc"])))
+            self.refuse(sentence(first), ("twin", *map(str, first["loc"])))
         except (ValueError, TypeError) as error:
             self.refuse(str(error), ("twin",))
 
@@ -212,8 +218,8 @@ def _guardian(loader: Loader) -> GuardianClient | None:
     config = loader.config
     if not config.guarded_links:
         return None
-    for name in config.guarded:
-        loader.driver(name)  # what is wrong with the file is said here, not by another process
+    for name in config.instruments:
+        loader.look_at(name)  # what is wrong with the file is said here, not by another process
     return GuardianClient(loader.path, config, loader.clock)
 
 

@@ -70,6 +70,12 @@ def test_a_good_file_is_read_and_the_twin_is_never_dumped(tmp_path: Path) -> Non
         ('link = "emulated://", role = "platform"', 'link = "ttyUSB0", role = "platform"', 15, "stage.link"),
         ("[50000, 100, 0], [0, 50000, 0]", "[50000, 100, 0], [50000, 100, 0]", 3, "singular"),
         ("name =", "name", 1, "is not TOML"),
+        ("name =", "\ufeffname =", 1, "byte order mark"),
+        ('name = "cage-2"', 'name = "cage\\u001b[31m"', 1, "name has characters that cannot be printed"),
+        ("current_A = 2.0", "current_A = [2.0, 2.0]", 5, "current_A must be one number, or three, one for each axis"),
+        ('serial = "EM-07"', 'model = "EM-07"', 7, "dut.serial is missing"),
+        ('serial = "EM-07"', 'serial = ""', 8, "dut.serial must not be empty"),
+        ("ramp_A_per_s = [2, 2, 2]", "ramp_A_per_s = [2, 0, 2]", 5, "ramp_A_per_s.1 must be greater than 0"),
     ],
 )
 def test_a_fault_names_file_line_and_key(tmp_path: Path, old: str, new: str, line: int | None, says: str) -> None:

@@ -5,14 +5,20 @@ from __future__ import annotations
 import json
 import select
 import socket
+import subprocess
+import sys
 from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
 from typing import Any
 
 import pytest
-from served_lab import until
+from served_lab import EXAMPLE, until
 
 from labcal.bench.guardian import wire
+from labcal.bench.guardian.client import Connection
 from labcal.bench.guardian.server import CALLERS, LINE_BYTES, Server
+from labcal.bench.links import ports
 
 BENCH = "f" * 64
 LONG_S = 60.0
@@ -144,3 +150,31 @@ def test_a_crowd_that_says_nothing_is_held_to_its_places(ear: Ear) -> None:
         assert hung_up(one_more)
     for caller in crowd:
         caller.close()
+
+
+CRASHES = """
+import runpy, sys
+from labcal.bench.guardian import keeper
+keeper.Guardian.zero = lambda *_, **__: (sys.stdin.readline(), 1 / 0)
+sys.argv = ["guardian", sys.argv[1]]
+runpy.run_module("labcal.bench.guardian", run_name="__main__")
+"""
+
+
+def test_a_guardian_that_fails_lets_go_of_its_ports_though_somebody_waits_for_it(tmp_path: Path) -> None:
+    link = f"tcp://{tmp_path.name}:1"
+    text = EXAMPLE.read_text(encoding="utf-8")
+    file = tmp_path / "bench.toml"
+    file.write_text(text[: text.rindex("[twin]")].replace("emulated://", link, 1), encoding="utf-8")
+    command = [sys.executable, "-c", CRASHES, str(file)]
+    with subprocess.Popen(command, stdin=-1, stdout=-1, stderr=-1, text=True) as guardian:
+        assert guardian.stdin is not None
+        until(lambda: "address" in (ports.holder(link) or {}))
+        card = ports.holder(link) or {}
+        assert card["bench"] == str(file.resolve())
+        with closing(Connection(card)) as caller:
+            caller.order("status")
+            guardian.stdin.write("\n")
+            guardian.stdin.flush()
+            assert guardian.wait(LONG_S) == 1
+    assert ports.holder(link) is None

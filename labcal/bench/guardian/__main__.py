@@ -12,6 +12,7 @@ import subprocess
 import sys
 import threading
 import time
+import traceback
 from contextlib import suppress
 from pathlib import Path
 
@@ -32,6 +33,7 @@ LONELY_S, SUCCEEDED_S = 20.0, 2.0  # without a session so long after its start, 
 TO_ZERO_S = 2.0  # from the last sign of life to zero
 READ_BACK_S = 0.35  # of that, for the read-back
 PULSE_S = 0.2  # at least so often the standby hears that this one lives
+AGAIN_S = 5.0  # until another one is started, where the standby has ended by itself: the file may be spoilt meanwhile
 FREE_S = 2.0  # until the kernel has freed the ports of a process that died
 
 
@@ -46,6 +48,7 @@ class Watch:
         self._guardian = Guardian(path, config, note, handed)
         self._told_to_end = threading.Event()
         self._standby: subprocess.Popen[bytes] | None = None
+        self._next_standby_s = 0.0
         self._one_standby = threading.Lock()
 
     def live(self) -> None:
@@ -104,7 +107,9 @@ class Watch:
         while not self._told_to_end.is_set():
             changed.clear()
             with self._one_standby:
-                if self._standby is None or self._standby.poll() is not None:
+                missing = self._standby is None or self._standby.poll() is not None
+                if missing and time.monotonic() > self._next_standby_s:
+                    self._next_standby_s = time.monotonic() + AGAIN_S
                     self._standby = spawn(self._path, STANDBY, stdin=subprocess.PIPE)
                 self._tell_standby(self._guardian.handover().line())
             changed.wait(PULSE_S)
@@ -158,6 +163,10 @@ def main(path: Path, how: str) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), "".join(sys.argv[2:]))
+    try:
+        main(Path(sys.argv[1]), "".join(sys.argv[2:]))
+    except Exception:
+        traceback.print_exc()  # into guardian.log; its standby takes the ports, which this process must let go of
+        os._exit(1)
     written(at_most_s=2.0)
     os._exit(0)  # wait for no thread that still listens to a silent instrument

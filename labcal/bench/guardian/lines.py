@@ -12,7 +12,7 @@ from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig
 from labcal.bench.loading import Loader
 from labcal.bench.roles import Identity, Instrument, PolarityRelay
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 
 if TYPE_CHECKING:
     from labcal.bench.links.modbus import ModbusLink
@@ -39,7 +39,10 @@ class Line:
         """The driver of `name`; its link is opened when it is asked for first. Raises InstrumentError (link lost)."""
         with self.lock:
             if name not in self._open:
-                self._open[name] = self.loader.instrument(name)
+                try:
+                    self._open[name] = self.loader.instrument(name)
+                except InputError as error:  # in the file; a session says so before it starts a guardian
+                    raise InstrumentError(f"{error}.", fault="not reached") from error
             return self._open[name]
 
     def identify(self, name: str) -> Identity:

@@ -5,12 +5,10 @@ from __future__ import annotations
 from labcal.bench.clock import Clock
 from labcal.bench.links.emulated import EmulatedLink, Emulator
 from labcal.bench.links.line import Link, read_reply
+from labcal.bench.links.urls import split
 from labcal.bench.links.wired import WiredLink
-from labcal.errors import InputError
 
 __all__ = ["EmulatedLink", "Emulator", "Link", "Nobody", "WiredLink", "open_link", "read_reply"]
-
-SCHEMES = ("serial", "tcp", "udp", "usbtmc", "modbus-rtu", "modbus-tcp", "manual")
 
 
 class Nobody:
@@ -26,7 +24,5 @@ class Nobody:
 
 def open_link(url: str, clock: Clock) -> Link:
     """Open the byte line of a URL. Raises InputError for a scheme that is not known, InstrumentError (link lost)."""
-    scheme = url.split("://", 1)[0]
-    if scheme not in SCHEMES:
-        raise InputError(f"link {url!r}: {scheme}:// is none of {', '.join(f'{s}://' for s in (*SCHEMES, 'emulated'))}")
+    scheme, _, _ = split(url)
     return EmulatedLink(url, Nobody(), clock) if scheme == "manual" else WiredLink(url, clock)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
-from urllib.parse import parse_qsl
 
 from pymodbus.client.base import ModbusBaseSyncClient
 from pymodbus.exceptions import ModbusException
@@ -13,7 +12,8 @@ from pymodbus.transport import CommParams, CommType
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.line import Link, wait_for_quiet
-from labcal.errors import InputError, InstrumentError
+from labcal.bench.links.urls import split
+from labcal.errors import InstrumentError
 
 T = TypeVar("T")
 EXCEPTIONS = {
@@ -135,12 +135,7 @@ class _LineClient(ModbusBaseSyncClient):
 
 
 def modbus_link(line: Link, clock: Clock) -> ModbusLink:
-    """The Modbus master on an open line: RTU frames, but for modbus-tcp://; `timeout_ms` in its URL, 600 if not.
-
-    Raises InputError for a time that is none.
-    """
-    stated = dict(parse_qsl(line.url.partition("?")[2])).get("timeout_ms", "600")
-    if not stated.isdigit() or not int(stated):
-        raise InputError(f"link {line.url!r}: timeout_ms={stated} is no number of milliseconds")
-    framer = "socket" if line.url.startswith("modbus-tcp://") else "rtu"
-    return ModbusLink(line, clock, framer=framer, timeout_s=int(stated) / 1000)
+    """The Modbus master on an open line: RTU frames, but for modbus-tcp://; `timeout_ms` in its URL, 600 if not."""
+    scheme, _, options = split(line.url)
+    framer = "socket" if scheme == "modbus-tcp" else "rtu"
+    return ModbusLink(line, clock, framer=framer, timeout_s=int(options.get("timeout_ms", "600")) / 1000)

@@ -8,7 +8,6 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Protocol
-from urllib.parse import parse_qsl, urlsplit
 
 import serial
 
@@ -17,10 +16,10 @@ from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
 from labcal.bench.links.line import read_reply
 from labcal.bench.links.ports import claim
+from labcal.bench.links.urls import place, split
 from labcal.bench.links.usbtmc import UsbtmcPort
 from labcal.errors import InputError, InstrumentError
 
-OPTIONS = ("baud", "bytesize", "parity", "stopbits", "rtscts", "xonxoff", "gap_ms", "timeout_ms", "echo")
 CONNECT_S = 3.0
 BUSY = (errno.EAGAIN, errno.EBUSY, errno.EADDRINUSE)
 DATAGRAM_BUFFER = 4 << 20  # what comes while nobody looks is lost beyond this (Linux caps it at rmem_max)
@@ -54,10 +53,8 @@ class WiredLink:
 
     def __init__(self, url: str, clock: Clock) -> None:
         self.url, self._clock = url, clock
-        self._options, self._address = _split(url)
-        if not (gap_ms := self._options.get("gap_ms", "0")).isdigit():
-            raise InputError(f"link {url!r}: gap_ms={gap_ms} is no number of milliseconds")
-        self._gap_s = int(gap_ms) / 1000
+        _, self._address, self._options = split(url)
+        self._gap_s = int(self._options.get("gap_ms", "0")) / 1000
         self.never = DenyList()
         self._echo = Echo(url) if self._options.get("echo") == "1" else None
         self._arrived: list[tuple[float, bytes]] = []
@@ -161,9 +158,7 @@ class SerialPort:
     """Any port that pyserial opens by URL."""
 
     def __init__(self, address: str, options: dict[str, str]) -> None:
-        if not (rate := options.get("baud", "9600")).isdigit() or not int(rate):
-            raise ValueError(f"baud={rate} is no baud rate")
-        baud = int(rate)
+        baud = int(options.get("baud", "9600"))
         self._port = serial.serial_for_url(
             address,
             baudrate=baud,
@@ -258,17 +253,5 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
         return SerialPort(address, options)
     if scheme == "usbtmc":
         return UsbtmcPort(address)
-    place = urlsplit(f"//{address}")
-    port = place.port or (502 if scheme == "modbus-tcp" else None)
-    if port is None:
-        raise InputError(f"link {url!r} states no port")
-    return UdpPort(place.hostname or "", port) if scheme == "udp" else TcpPort(place.hostname or "localhost", port)
-
-
-def _split(url: str) -> tuple[dict[str, str], str]:
-    """Our options of a URL, and the address that is left: other options belong to pyserial."""
-    rest = url.split("://", 1)[1]
-    address, _, query = rest.partition("?")
-    pairs = parse_qsl(query)
-    foreign = "&".join(f"{key}={value}" for key, value in pairs if key not in OPTIONS)
-    return {key: value for key, value in pairs if key in OPTIONS}, address + (f"?{foreign}" if foreign else "")
+    host, port = place(url, scheme, address)
+    return UdpPort(host, port) if scheme == "udp" else TcpPort(host or "localhost", port)

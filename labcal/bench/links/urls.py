@@ -1,0 +1,60 @@
+"""What a link's URL must state, looked at before any port is opened."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from urllib.parse import parse_qsl, urlsplit
+
+from labcal.errors import InputError
+
+SERIAL = ("serial", "modbus-rtu")
+NETWORK = ("tcp", "udp", "modbus-tcp")
+OTHERS = ("usbtmc", "manual", "emulated")
+NUMBERS = {"baud": 1, "gap_ms": 0, "timeout_ms": 1}  # the least of each
+CHOICES = {
+    "bytesize": ("5", "6", "7", "8"), "parity": ("N", "E", "O", "M", "S"), "stopbits": ("1", "1.5", "2"),
+    "rtscts": ("0", "1"), "xonxoff": ("0", "1"), "echo": ("0", "1"),
+}  # fmt: skip
+OPTIONS = (*NUMBERS, *CHOICES)
+
+
+def split(url: str) -> tuple[str, str, dict[str, str]]:
+    """Scheme, address and our options of a URL; other options of a port that pyserial opens by URL stay in its address.
+
+    Raises InputError for a scheme, an option or a port that is none.
+    """
+    scheme, _, rest = url.partition("://")
+    if scheme not in (*SERIAL, *NETWORK, *OTHERS):
+        known = ", ".join(f"{s}://" for s in (*SERIAL, *NETWORK, *OTHERS))
+        raise InputError(f"link {url!r}: {scheme}:// is none of {known}")
+    address, _, query = rest.partition("?")
+    pairs = parse_qsl(query, keep_blank_values=True)
+    options = {key: value for key, value in pairs if key in OPTIONS}
+    foreign = "&".join(f"{key}={value}" for key, value in pairs if key not in OPTIONS)
+    if foreign and "://" not in address:
+        raise InputError(f"link {url!r}: {foreign.split('=')[0]} is none of {', '.join(OPTIONS)}")
+    _refuse_values(url, options)
+    if scheme in NETWORK:
+        place(url, scheme, address)
+    return scheme, address + (f"?{foreign}" if foreign else ""), options
+
+
+def place(url: str, scheme: str, address: str) -> tuple[str, int]:
+    """Host and port of a network address; "" where it names none. Raises InputError where the port is none."""
+    try:
+        stated = urlsplit(f"//{address}")
+        port = stated.port or (502 if scheme == "modbus-tcp" else None)
+    except ValueError as error:
+        raise InputError(f"link {url!r}: its port is no number from 1 to 65535") from error
+    if port is None:
+        raise InputError(f"link {url!r} states no port")
+    return stated.hostname or "", port
+
+
+def _refuse_values(url: str, options: Mapping[str, str]) -> None:
+    for key, value in options.items():
+        if key in CHOICES and value not in CHOICES[key]:
+            raise InputError(f"link {url!r}: {key}={value} is none of {', '.join(CHOICES[key])}")
+        if key in NUMBERS and not (value.isascii() and value.isdigit() and int(value) >= NUMBERS[key]):
+            what = "baud rate" if key == "baud" else "number of milliseconds"
+            raise InputError(f"link {url!r}: {key}={value} is no {what}")
