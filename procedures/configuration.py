@@ -13,6 +13,7 @@ from labcal.record.stream import Event, Prompt
 
 NEEDS, LASTS_MIN = "the DUT as it will fly, and a camera", 1
 
+FILE = {"file": "photograph"}
 ITEMS = (
     ("covers", "Are all covers of the DUT as they will fly, and the others off?"),
     ("batteries", "Are the batteries those that will fly, and connected?"),
@@ -42,8 +43,10 @@ def configuration(
 def _photograph(bench: Bench, key: str) -> Work[None]:
     """Ask for the file until there is one, or none is wanted; its name and SHA-256 go into the record."""
     text = f"File of the photograph ({key}), or empty:"
-    picture = yield Prompt(bench.clock.now(), f"photo-{key}", text, ())
+    picture = yield Prompt(bench.clock.now(), f"photo-{key}", text, (), drawing=FILE)
     while picture and not Path(picture).expanduser().is_file():
-        picture = yield Prompt(bench.clock.now(), f"photo-{key}", f"There is no file {picture}. {text}", ())
+        picture = yield Prompt(
+            bench.clock.now(), f"photo-{key}", f"There is no file {picture}. {text}", (), drawing=FILE
+        )
     digest = {"sha256": hashlib.sha256(Path(picture).expanduser().read_bytes()).hexdigest()} if picture else {}
     yield Event(bench.clock.now(), "photograph", picture or "none", {"item": key} | digest)

@@ -7,11 +7,12 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 HOLD_MS = 700
+KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)  # a button's own is one of these
 
 
 def hear(watched: QWidget, event: QKeyEvent) -> bool:
     """Hand a key to the button of the same window whose own it is, wherever the focus is."""
-    return any(button.hear(event) for button in watched.window().findChildren(HoldButton))
+    return event.key() in KEYS and any(button.hear(event) for button in watched.window().findChildren(HoldButton))
 
 
 class HoldButton(QPushButton):

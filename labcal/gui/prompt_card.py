@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
+from PySide6.QtWidgets import QApplication, QFileDialog, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
 
 from labcal.gui.drawing import Mounting
-from labcal.gui.hold import HoldButton
+from labcal.gui.hold import KEYS, HoldButton
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, named, shrinking
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
 LARGEST_PT, SMALLEST_PT = 30, 13  # the words are as large as their place allows, to be read from the cage
-HOLD_KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)
+FILE = "file"  # in a prompt's drawing: the words are the path of one
 WORDS = {
     "done": "Done",
     "yes": "Yes",
@@ -22,6 +22,7 @@ WORDS = {
     "stop": "Stop the run",
     "retry": "Try again",
     "skip": "Skip this step",
+    "send": "Send",
 }
 
 
@@ -50,8 +51,13 @@ class PromptCard(Card):
         words.addWidget(self.text, 1)
         self.entry = QLineEdit()
         self.entry.setPlaceholderText(self.tr("Write it here"))
-        self.entry.returnPressed.connect(self._send_text)
-        words.addWidget(self.entry)
+        self.entry.returnPressed.connect(self._enter)
+        self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
+        self.choose.clicked.connect(self._choose)
+        answer = QHBoxLayout()
+        answer.addWidget(self.entry, 1)
+        answer.addWidget(self.choose)
+        words.addLayout(answer)
         words.addWidget(self.hint)
         self._buttons = QHBoxLayout()
         words.addLayout(self._buttons)
@@ -61,6 +67,7 @@ class PromptCard(Card):
         row.addWidget(self.drawing, 1)
         self.body.addLayout(row, 1)
         self.choices: dict[str, QPushButton] = {}
+        self.send: QPushButton | None = None  # where the answer is in words
         self._call = QTimer(self, interval=CALLS_EVERY_MS)
         self._call.timeout.connect(QApplication.beep)
 
@@ -78,6 +85,7 @@ class PromptCard(Card):
         self.drawing.show_drawing(prompt.drawing)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
+        self.choose.setVisible(FILE in prompt.drawing)
         self._make_buttons(prompt)
         enlarge(self.text)
 
@@ -91,21 +99,29 @@ class PromptCard(Card):
             if (widget := old.widget()) is not None:
                 widget.setParent(None)  # from now on it hears no key
                 widget.deleteLater()
-        self.choices = {}
-        keys = iter(HOLD_KEYS)
+        self.choices, self.send = {}, None
+        keys = iter(KEYS)
         for choice in prompt.choices:
-            made = self._button(choice, next(keys, HOLD_KEYS[-1]) if acting(prompt, choice) else None)
+            made = self._button(choice, next(keys, KEYS[-1]) if acting(prompt, choice) else None)
             named(made, "primary" if choice == prompt.choices[0] else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
             self._buttons.addWidget(made)
         if not prompt.choices:
-            send = button(self.tr("Send"), self.tr("Put this into the record"), primary=True)
-            send.clicked.connect(self._send_text)
-            self._buttons.addWidget(send)
+            self._make_senders(prompt)
         self._buttons.addStretch()
-        held = [b for b in self.choices.values() if isinstance(b, HoldButton)]
+        held = [b for b in (*self.choices.values(), self.send) if isinstance(b, HoldButton)]
         self.hint.setText(self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else "")
+
+    def _make_senders(self, prompt: Prompt) -> None:
+        """What sends the words; where they say that something was moved, by click or held key alone."""
+        self.send = self._button("send", KEYS[0] if prompt.acts else None)
+        named(self.send, "primary").clicked.connect(self._send_text)
+        self._buttons.addWidget(self.send)
+        if FILE in prompt.drawing:
+            self.choices[""] = button(self.tr("None"), self.tr("Go on without a file; the record says so"))
+            self.choices[""].clicked.connect(lambda: self.answered.emit(""))
+            self._buttons.addWidget(self.choices[""])
 
     def _button(self, choice: str, key: Qt.Key | None) -> QPushButton:
         redo, _, axis = choice.partition(" ")
@@ -115,6 +131,15 @@ class PromptCard(Card):
         made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
         made.setToolTip(self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_")))
         return made
+
+    def _enter(self) -> None:
+        if self._prompt is not None and not self._prompt.acts:
+            self._send_text()
+
+    def _choose(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("A file for the record"))
+        if path:
+            self.entry.setText(path)
 
     def _send_text(self) -> None:
         if self._prompt is not None and not self._prompt.choices and self.entry.text().strip():

@@ -1,5 +1,6 @@
 """The window under test: its own home, its own settings, the simulated bench at once."""
 
+import time
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from labcal.gui.theme import LIGHT
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
+SCAN_WAIT_MS = 40
 PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a slow computer does not
 
 
@@ -94,6 +96,9 @@ def still(deaf_window):
     window.activateWindow()
     for worker in (desk.clerk, desk.bench_worker, desk.study, desk.switch):
         worker.asked, worker.said, worker.killed = [], [], 0
+    scanner = window.scanner
+    scanner._now, scanner._kept = time.monotonic, []
+    scanner._wait.setInterval(SCAN_WAIT_MS)
     desk._force.setInterval(3_600_000)  # a test calls it, and no clock does
     desk._force.stop()
     desk.run._forget()
