@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any
+from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QStackedWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QStackedWidget, QWidget
 
 from labcal.gui.plots import Loci, named_curves, plot
 from labcal.gui.study_plots import Residuals, faint
+from labcal.gui.take_away import take_away
 from labcal.gui.theme import Theme
 from labcal.gui.widgets import Card, label
 from labcal.gui.wire import unpack
 
 Array = NDArray[np.float64]
+W = TypeVar("W", bound=QWidget)
+FACES = ("loci", "residual", "magnitude", "histogram", "growth")  # pictures, by the names of their widgets
 BINS = 60
 SIGMAS = 3.0  # the papers' bounds
 
@@ -36,36 +40,64 @@ class FitViews(Card):
         self.view.setAccessibleName(self.tr("View"))
         self.against.setToolTip(self.tr("What the residual is drawn against"))
         self.against.setAccessibleName(self.tr("Against"))
+        self.faces = QStackedWidget()
         row = QHBoxLayout()
         row.addWidget(self.view)
         row.addWidget(self.against)
         row.addStretch()
         row.addWidget(self.words)
+        for widget in take_away(self, lambda: getattr(self, self.shown())):
+            row.addWidget(widget)
         self.body.addLayout(row)
-        self.faces = QStackedWidget()
         self.body.addWidget(self.faces, 1)
-        self._make_faces()
+        self.view.addItems(self._titles())
         self.view.activated.connect(self._chosen)
         self.against.activated.connect(self._draw)
         self._chosen()
 
-    def _make_faces(self) -> None:
-        theme = self._theme
-        self.loci, self.residual = Loci(theme, clouds=2), Residuals(theme, "residual of |b|  nT")
-        self.magnitude, self.histogram = (
-            plot(theme, "time  s", "|b|  nT"),
-            plot(theme, "residual of |b|  nT", "samples"),
+    @cached_property
+    def loci(self) -> Loci:
+        """Directions as read and calibrated."""
+        return self._face(Loci(self._theme, clouds=2))
+
+    @cached_property
+    def residual(self) -> Residuals:
+        """Of the magnitude, against anything."""
+        return self._face(Residuals(self._theme, self.tr("residual of |b|  nT")))
+
+    @cached_property
+    def magnitude(self) -> pg.PlotWidget:
+        """As read, calibrated, and of the reference."""
+        return self._face(plot(self._theme, self.tr("time  s"), self.tr("|b|  nT")))
+
+    @cached_property
+    def histogram(self) -> pg.PlotWidget:
+        """Of the residual, with the noise that the method states."""
+        return self._face(plot(self._theme, self.tr("residual of |b|  nT"), self.tr("samples")))
+
+    @cached_property
+    def growth(self) -> pg.PlotWidget:
+        """A filter's bias with its bounds."""
+        return self._face(plot(self._theme, self.tr("time  s"), self.tr("bias of the reading  nT")))
+
+    def _face(self, widget: W) -> W:
+        """A picture is built when it is first looked at."""
+        self.faces.addWidget(widget)
+        return widget
+
+    def _titles(self) -> tuple[str, ...]:
+        """Of `FACES`."""
+        return (
+            self.tr("Loci on the sphere (Riwanto 2017, figs. 5, 7)"),
+            self.tr("Residual of the magnitude (Crassidis 2003, fig. 3)"),
+            self.tr("Magnitude and reference (Springmann 2011, figs. 2, 4)"),
+            self.tr("Histogram of the residual (Springmann 2011, fig. 7)"),
+            self.tr("Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)"),
         )
-        self.growth = plot(theme, "time  s", "bias of the reading  nT")
-        for words, face in (
-            (self.tr("Loci on the sphere (Riwanto 2017, figs. 5, 7)"), self.loci),
-            (self.tr("Residual of the magnitude (Crassidis 2003, fig. 3)"), self.residual),
-            (self.tr("Magnitude and reference (Springmann 2011, figs. 2, 4)"), self.magnitude),
-            (self.tr("Histogram of the residual (Springmann 2011, fig. 7)"), self.histogram),
-            (self.tr("Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)"), self.growth),
-        ):
-            self.view.addItem(words)
-            self.faces.addWidget(face)
+
+    def shown(self) -> str:
+        """Which of `FACES` is looked at."""
+        return FACES[self.view.currentIndex()]
 
     def show_fit(self, look: dict[str, Any] | None, method: str, said: dict[str, Any] | None) -> None:
         """Draw what is known of a run (`look`) and of one method's answer (`said`)."""
@@ -96,9 +128,8 @@ class FitViews(Card):
         self.growth.autoRange()
 
     def _chosen(self) -> None:
-        at = self.view.currentIndex()
-        self.faces.setCurrentIndex(at)
-        self.against.setVisible(self.faces.currentWidget() is self.residual)
+        self.faces.setCurrentWidget(getattr(self, self.shown()))
+        self.against.setVisible(self.shown() == "residual")
         words = (
             self.tr("orange: as read   blue: calibrated   faint: behind the sphere"),
             self.tr("band: the noise this method states, k=2"),
@@ -106,28 +137,33 @@ class FitViews(Card):
             self.tr("line: the noise this method states"),
             self.tr("the ekf, or the filter that is chosen above"),
         )
-        self.words.setText(words[at])
-        if self.faces.currentWidget() is self.growth:
+        self.words.setText(words[self.view.currentIndex()])
+        if self.shown() == "growth":
             self.filter_wanted.emit()
         self._draw()
 
     def _draw(self) -> None:
+        """The picture that is looked at."""
         look, said = self._look, self._said
-        if look is None:
+        if look is None or self.shown() == "growth":
             return
-        self.loci.show_field(unpack(look["before"]), 1)
-        fitted = said is not None and "residual" in said
-        self.loci.show_field(unpack(said["after"]) if said and fitted else np.empty((0, 3)), 0)
-        self._draw_magnitude(look, said if fitted else None)
-        if not (said and fitted):
-            self.histogram.clear()
-            self.residual.clear()
-            return
-        residual = unpack(said["residual"])
+        fitted = said if said is not None and "residual" in said else None
+        if self.shown() == "loci":
+            self.loci.show_field(unpack(look["before"]), 1)
+            self.loci.show_field(unpack(fitted["after"]) if fitted else np.empty((0, 3)), 0)
+        elif self.shown() == "magnitude":
+            self._draw_magnitude(look, fitted)
+        elif self.shown() == "residual":
+            self._draw_residual(look, fitted)
+        else:
+            self._draw_histogram(fitted)
+
+    def _draw_residual(self, look: dict[str, Any], said: dict[str, Any] | None) -> None:
+        if said is None:
+            return self.residual.clear()
         against = self.against.currentText()
-        cloud = (self._method, self._theme.accent, residual)
-        self.residual.show_residual(against, unpack(look["against"][against]), [cloud], said["noise_nT"])
-        self._draw_histogram(residual[np.isfinite(residual)], said["noise_nT"])
+        cloud = (self._method, self._theme.accent, unpack(said["residual"]))
+        return self.residual.show_residual(against, unpack(look["against"][against]), [cloud], said["noise_nT"])
 
     def _draw_magnitude(self, look: dict[str, Any], said: dict[str, Any] | None) -> None:
         self.magnitude.clear()
@@ -139,10 +175,13 @@ class FitViews(Card):
             curves.append((self.tr("reference"), self._theme.text, against["field"]))
         named_curves(self.magnitude, against["time"], curves)
 
-    def _draw_histogram(self, residual: Array, noise_nT: float | None) -> None:
+    def _draw_histogram(self, said: dict[str, Any] | None) -> None:
         self.histogram.clear()
-        if not len(residual):
+        residual = unpack(said["residual"]) if said else np.empty(0)
+        residual = residual[np.isfinite(residual)]
+        if said is None or not len(residual):
             return
+        noise_nT = said["noise_nT"]
         counts, edges = np.histogram(residual, BINS)
         bars = pg.BarGraphItem(
             x0=edges[:-1], width=np.diff(edges), y0=0, height=counts, pen=None, brush=faint(self._theme.accent, 160)

@@ -21,8 +21,8 @@ VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and 
 
 
 def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
-    """An empty plot with named axes (units in the name) in the theme's colours."""
-    widget = pg.PlotWidget(background=theme.surface)
+    """An empty plot with named axes (units in the name) in the theme's colours, without pyqtgraph's own menus."""
+    widget = pg.PlotWidget(background=theme.surface, enableMenu=False)
     item = widget.getPlotItem()
     item.showGrid(x=True, y=True, alpha=0.15)
     item.hideButtons()

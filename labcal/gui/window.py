@@ -43,14 +43,14 @@ class Later(QWidget):
         return self.page
 
     def forget(self) -> None:
-        """Build it anew when it is next seen: another theme."""
+        """Build it anew: at once where it is in sight, else when it is next seen."""
         if self.page is not None:
             self.page.hide()
             self.page.setParent(None)
             self.page.deleteLater()
             self.page = None
         if self.isVisible():
-            self.made()
+            QTimer.singleShot(0, self, self.made)
 
     def showEvent(self, event: object) -> None:
         """Build it now."""
@@ -124,16 +124,15 @@ class Window(Frame):
     def set_theme(self, theme: Theme) -> None:
         """Show everything in `theme`; what is known stays."""
         self.theme = theme
-        self._look()
         for later in self.later.values():
             later.forget()
+        self._look()
 
     def _look(self) -> None:
+        """The style sheet is the window's own: the application's is looked up by widgets that nobody sees, too."""
         scale = WALL_SCALE if self.wall else 1.0
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.setPalette(_palette(self.theme))
-            application.setStyleSheet(style_sheet(self.theme, scale))
+        QApplication.setPalette(_palette(self.theme))
+        self.setStyleSheet(style_sheet(self.theme, scale))
         self.set_scale(scale)
 
     def _lock(self) -> None:

@@ -4,8 +4,12 @@ import json
 from datetime import UTC, datetime
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QApplication, QPushButton
+
+from labcal.gui.wire import unpack
 
 LONG_MS = 180_000
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -108,6 +112,25 @@ def test_every_view_of_a_fit_has_something_to_show(qtbot, lab):
     assert len(views.magnitude.getPlotItem().listDataItems()) == 3
     assert "rms" in views.histogram.getPlotItem().titleLabel.text
     assert len(views.residual._clouds) == 1
+
+
+@pytest.mark.parametrize(("face", "columns"), [("residual", 2), ("histogram", 4), ("magnitude", 6)])
+def test_a_picture_is_saved_and_its_numbers_are_copied(qtbot, lab, tmp_path, face, columns):
+    from labcal.gui import take_away
+    from labcal.gui.fit_views import FACES
+
+    views = lab.page("Fit").views
+    views.view.setCurrentIndex(FACES.index(face))
+    views.view.activated.emit(FACES.index(face))
+    copier = next(b for b in views.findChildren(QPushButton) if b.text() == "Copy numbers")
+    qtbot.mouseClick(copier, Qt.MouseButton.LeftButton)
+    rows = [row.split("\t") for row in QApplication.clipboard().text().splitlines()]
+    assert {len(row) for row in rows} == {columns}
+    if face == "residual":
+        drawn = unpack(lab.desk.study_vm.fits["ml"]["residual"])
+        assert sorted(float(row[1]) for row in rows[1:]) == pytest.approx(sorted(drawn[np.isfinite(drawn)]))
+    take_away.save(getattr(views, face), str(tmp_path / "picture"))
+    assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_the_loop_tells_its_story_and_leaves_a_draft(qtbot, lab):
@@ -226,6 +249,7 @@ def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
 
     lab.open_page("Fit")
     lab.set_theme(DARK)
+    assert all(later.page is None for name, later in lab.later.items() if name != "Fit")  # built when next seen
     assert lab.page("Fit").table.horizontalHeaderItem(1).text() == "ml"
     before = lab.rail.width()
     lab.toggle_wall()

@@ -145,7 +145,7 @@ class FitPage(QWidget):
     def _show_pictures(self) -> None:
         method = self.method() or ""
         self.views.show_fit(self._study.look, method, self._study.fits.get(method))
-        if self.views.faces.currentWidget() is self.views.growth:
+        if self.views.shown() == "growth":
             self._show_growth()
 
     def _show_growth(self) -> None:

@@ -15,6 +15,7 @@ from labcal.gui.measurement_table import Table
 from labcal.gui.numbers import number
 from labcal.gui.study_plots import Bars, Residuals
 from labcal.gui.study_vm import cause_name
+from labcal.gui.take_away import take_away
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, set_primary, set_state, shrinking
 from labcal.gui.wire import unpack
@@ -153,7 +154,11 @@ class LoopPage(QWidget):
         self.change_why = label("", "caption", wrap=True)
         self.change_why.hide()
         card.body.addWidget(self.change_why)
-        card.body.addWidget(self.against)
+        row = QHBoxLayout()
+        row.addWidget(self.against, 1)
+        for widget in take_away(self, lambda: self.change):
+            row.addWidget(widget)
+        card.body.addLayout(row)
         card.body.addWidget(self.change, 1)
         return card
 
