@@ -92,6 +92,14 @@ def _on_bench(talk: Talk, bench: str, pace: str, seed: int | None, work: Callabl
     return {"run_id": ended.run_id, "status": ended.status, "fault": fault, "failed": [m.name for m in ended.failed]}
 
 
+def plan(talk: Talk, procedure: str, bench: str, given: Mapping[str, str], seed: int | None = None) -> list[str]:
+    """What a procedure would do, a line each, as rehearsed on the simulated lab; nothing real is touched."""
+    from labcal.runner import find
+    from labcal.runner.rehearsal import rehearsed
+
+    return rehearsed(Path(bench), find(procedure), given, seed).lines()
+
+
 def procedures(talk: Talk) -> list[dict[str, Any]]:
     """What there is to run, with what each may be told."""
     from labcal.runner import procedures as installed
@@ -110,5 +118,6 @@ VERBS: dict[str, Callable[..., Any]] = {
     "off": off,
     "run": run,
     "resume": resume,
+    "plan": plan,
     "procedures": procedures,
 }

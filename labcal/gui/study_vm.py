@@ -41,6 +41,10 @@ class StudyViewModel(QObject):
         """Whether the worker has something to do."""
         return bool(self.waiting)
 
+    def prepare(self) -> None:
+        """Have the worker loaded before a run is opened: what it computes with takes a second to import."""
+        self._worker.ask("methods", self._methods_known, lambda _: None)  # whoever opens a run asks again, and is told
+
     def open(self, run: str) -> None:
         """Take `run` as the run under study."""
         if run == self.run and self.look is not None:

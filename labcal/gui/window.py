@@ -105,11 +105,16 @@ class Window(Frame):
         QShortcut(QKeySequence("F11"), self, self.toggle_wall)
 
     def build_ahead(self) -> None:
-        """Build the next page that nobody has seen, and again a moment later: none is to be built during a run."""
+        """Build the next page that nobody has seen, and again a moment later: none is to be built during a run.
+
+        Then have the worker of fits ready.
+        """
         waiting = [later for later in self.later.values() if later.page is None]
         if waiting and not self.desk.run.alive:
             waiting[0].made()
             QTimer.singleShot(AHEAD_MS, self, self.build_ahead)
+        elif not waiting:
+            self.desk.study_vm.prepare()
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""

@@ -123,6 +123,8 @@ def _samples(blocks: Sequence[Block], columns: Sequence[str]) -> tuple[Array, Ar
         return np.empty(0), np.empty((0, len(columns)))
     t = np.concatenate([block.t_s for block in useful])
     picked = [block.values[:, [block.columns.index(c) for c in columns]] for block in useful]
+    if np.all(np.diff(t) > 0):
+        return t, np.concatenate(picked)
     t, first = np.unique(t, return_index=True)
     return t, np.concatenate(picked)[first]
 
@@ -130,7 +132,10 @@ def _samples(blocks: Sequence[Block], columns: Sequence[str]) -> tuple[Array, Ar
 def _at(when: Array, t: Array, values: Array) -> Array:
     """`values` (n, k) at stamps `t` (n,) brought to `when` (m,): shape (m, k), NaN where a neighbour is too far."""
     period = float(np.median(np.diff(t))) if len(t) > 1 else 0.0
-    return np.stack([_column_at(when, t, column, period) for column in values.T], axis=1)
+    if not len(t) or not np.isfinite(values).all():
+        return np.stack([_column_at(when, t, column, period) for column in values.T], axis=1)
+    beyond = _beyond(when, t, period)
+    return np.stack([np.where(beyond, np.nan, np.interp(when, t, column)) for column in values.T], axis=1)
 
 
 def _column_at(when: Array, t: Array, values: Array, period: float) -> Array:
@@ -138,11 +143,15 @@ def _column_at(when: Array, t: Array, values: Array, period: float) -> Array:
     t, values = t[there], values[there]
     if not len(t):
         return np.full(len(when), np.nan)
+    return np.where(_beyond(when, t, period), np.nan, np.interp(when, t, values))
+
+
+def _beyond(when: Array, t: Array, period: float) -> NDArray[np.bool_]:
+    """Which of `when` (m,) have a neighbour among `t` (n,) that is too far, or none on one side."""
     after = np.clip(np.searchsorted(t, when, side="left"), 0, len(t) - 1)
     before = np.where(t[after] == when, after, after - 1).clip(0)
     far = np.maximum(np.abs(when - t[before]), np.abs(t[after] - when)) > REACH * period * (1 + 1e-9)
-    outside = (when < t[0]) | (when > t[-1])
-    return np.where(far | outside, np.nan, np.interp(when, t, values))
+    return np.asarray(far | (when < t[0]) | (when > t[-1]))
 
 
 def _angle(when: Array, blocks: Sequence[Block]) -> Array:

@@ -116,6 +116,13 @@ def test_a_study_forgets_what_belongs_to_another_run(worker):
     assert study.fits == {}
 
 
+def test_a_worker_made_ready_ahead_is_not_given_up_when_a_run_is_opened(worker):
+    study = StudyViewModel(worker)
+    study.prepare()
+    study.open("one")
+    assert (worker.killed, [one[0] for one in worker.asked]) == (0, ["methods", "look", "methods"])
+
+
 def test_a_study_that_crashes_waits_for_nothing(worker):
     study = StudyViewModel(worker)
     study.open("one")
