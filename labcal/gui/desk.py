@@ -27,6 +27,7 @@ class Desk(QObject):
     went = Signal(str)  # a page is asked for, by name
     study_asked = Signal(str)  # a run to fit
     procedure_asked = Signal(str)  # to be chosen on the Run page; several names: the first that there is
+    plan_asked = Signal(str)  # the same, with its plan before it may be started
     store_changed = Signal()
     calibrations_changed = Signal(str)  # the path of the one that is new
     report_asked = Signal(object)  # a Fault, for a problem report

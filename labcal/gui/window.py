@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
@@ -20,6 +21,9 @@ from labcal.gui.scanner import Scanner
 from labcal.gui.theme import DARK, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.widgets import named
 from labcal.gui.wire import Fault
+
+if TYPE_CHECKING:
+    from labcal.gui.pages.run import RunPage
 
 AHEAD_MS = 400
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
@@ -101,6 +105,7 @@ class Window(Frame):
         desk.report_asked.connect(self._save_problem)
         desk.study_asked.connect(self._study)
         desk.procedure_asked.connect(self._procedure)
+        desk.plan_asked.connect(self._plan)
         desk.run.changed.connect(self._lock)
         QShortcut(QKeySequence("F11"), self, self.toggle_wall)
 
@@ -149,13 +154,17 @@ class Window(Frame):
         self.open_page("Fit")
         self.desk.study_vm.open(run)
 
-    def _procedure(self, names: str) -> None:
+    def _procedure(self, names: str) -> RunPage:
         from labcal.gui.pages.run import RunPage
 
         self.open_page("Run")
         page = self.page("Run")
         assert isinstance(page, RunPage)
         page.open_procedure(names)
+        return page
+
+    def _plan(self, name: str) -> None:
+        self._procedure(name).choose.rehearse()
 
     def _save_problem(self, fault: Fault | None) -> None:
         start = str(Path.home() / "labcal-problem.zip")

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 
 from labcal.gui.wire import unpack
 
@@ -198,6 +198,27 @@ def test_after_signing_the_serial_stands(qtbot, lab):
     qtbot.waitUntil(page.fault.isVisible, timeout=LONG_MS)
     assert "is signed" in page.fault.text.text()
     page.fault.show_fault(None)
+
+
+def test_the_dcc_is_written_by_a_click_and_a_laboratory_that_is_not_stated_is_asked_for_in_words(
+    qtbot, lab, tmp_path, monkeypatch
+):
+    etree = pytest.importorskip("lxml.etree", reason="the DCC is written by lxml, of the extra `dcc`")
+    lab.open_page("Certificate")
+    page, out = lab.page("Certificate"), tmp_path / "calibration.xml"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *said: (str(out), "DCC (*.xml)"))
+    qtbot.waitUntil(page.report.isEnabled, timeout=LONG_MS)
+    qtbot.mouseClick(page.report, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(page.fault.isVisible, timeout=LONG_MS)
+    assert "laboratory.toml" in page.fault.text.text()
+    page.fault.show_fault(None)
+    assert not page.said.text()
+    place = 'name = "A"\ncity = "Bern"\ncountry = "CH"\n'
+    (Path(lab.home) / "laboratory.toml").write_text(f"{place}[customer]\n{place}")
+    qtbot.mouseClick(page.report, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: page.said.text() == f"Written: {out}" or page.fault.isVisible(), timeout=LONG_MS)
+    assert not page.fault.isVisible(), page.fault.text.text()
+    assert etree.QName(etree.parse(out).getroot()).localname == "digitalCalibrationCertificate"
 
 
 def test_a_calibration_is_handed_out_and_applied(qtbot, lab, tmp_path):

@@ -17,6 +17,7 @@ from labcal.gui.measurement_table import Table
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, named, set_state
+from labcal.gui.wire import Fault
 
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 
@@ -304,11 +305,9 @@ class CertificatePage(QWidget):
 
     def write_report(self, source: str, out: str) -> None:
         """Write the report of a calibration to `out`."""
-        self.said.setText(self.tr("Writing the report …"))
         written = self.tr("Written: {0}").format(out)
-        self._desk.clerk.ask(
-            "report", lambda _: self.said.setText(written), self.fault.show_fault, source=source, out=out
-        )
+        self._tell("report", lambda _: written, source=source, out=out)
+        self.said.setText(self.tr("Writing the report …"))
 
     def _hand_out(self) -> None:
         if folder := QFileDialog.getExistingDirectory(self, self.tr("Copy the calibration to")):
@@ -336,8 +335,13 @@ class CertificatePage(QWidget):
 
     def _tell(self, do: str, words: Callable[[Any], str], **what: str) -> None:
         """Ask the clerk, and say what came of it beside the buttons."""
+
+        def failed(fault: Fault) -> None:
+            self.said.clear()
+            self.fault.show_fault(fault)
+
         self.fault.show_fault(None)
-        self._desk.clerk.ask(do, lambda said: self.said.setText(words(said)), self.fault.show_fault, **what)
+        self._desk.clerk.ask(do, lambda said: self.said.setText(words(said)), failed, **what)
 
     def verify(self, path: str) -> None:
         """Check the file at `path` and say how it stands."""

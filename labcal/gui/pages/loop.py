@@ -166,7 +166,9 @@ class LoopPage(QWidget):
         card = Card(self.tr("4  What we still do not know"), "")
         self.unknown = QPlainTextEdit()
         self.unknown.setReadOnly(True)
-        self.next = button("", self.tr("Start the procedure that would tell the candidates apart"), primary=True)
+        self.next = button(
+            "", self.tr("Its plan is shown on the Run page before anything moves; Start is pressed there"), primary=True
+        )
         self.next.clicked.connect(self._measure)
         card.body.addWidget(self.unknown, 1)
         card.body.addWidget(self.next)
@@ -175,7 +177,7 @@ class LoopPage(QWidget):
     def _measure(self) -> None:
         proposed = (self._study.loop or {}).get("loop", {}).get("next_experiment") or {}
         if proposed.get("procedure"):
-            self._desk.procedure_asked.emit(proposed["procedure"])
+            self._desk.plan_asked.emit(proposed["procedure"])
 
     def _show(self) -> None:
         study = self._study

@@ -22,7 +22,9 @@ class Choose(QWidget):
         self._desk = desk
         self._procedures: dict[str, dict[str, Any]] = {}
         self.form: Form | None = None
-        self._wanted = "preflight"
+        self._wanted, self._plan_wanted = "preflight", False
+        self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
+        self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
@@ -50,6 +52,9 @@ class Choose(QWidget):
         card.body.addWidget(self.title)
         card.body.addWidget(self.needs)
         card.body.addWidget(self._area, 1)
+        self.plan = label("", wrap=True)
+        self.plan.setAccessibleName(self.tr("The plan"))
+        card.body.addWidget(self.plan)
         self.objection = label("", "caption")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
         self.pace.addItems(list(PACES))
@@ -61,19 +66,59 @@ class Choose(QWidget):
         tip = self.tr("Asks every instrument who it is, then begins. Nothing is energised before you are asked.")
         self.start = button(self.tr("Start"), tip, primary=True)
         self.start.clicked.connect(self._start)
+        self.show_plan = button(
+            self.tr("The plan"),
+            self.tr(
+                "Rehearse this on the simulated lab: field, rate, angles, temperature, time, and what you are asked"
+            ),
+        )
+        self.show_plan.clicked.connect(self.rehearse)
         row = QHBoxLayout()
         for widget in (self.pace_label, self.pace):
             row.addWidget(widget)
         row.addStretch()
         row.addWidget(self.objection)
-        row.addWidget(self.start)
+        for act in (self.show_plan, self.start):
+            row.addWidget(act)
         card.body.addLayout(row)
         return card
+
+    def rehearse(self) -> None:
+        """Say what the chosen procedure would do, before anything real moves; Start waits for it."""
+        self._plan_wanted = self.form is None
+        if self.form is None or self._desk.run.alive or not self._desk.bench:
+            return
+        self._rehearsed = mine = object()
+        self._planned = name, given = self.list.currentItem().text(), self.form.given()
+
+        def say(text: str) -> None:
+            if self._rehearsed is mine:
+                self._rehearsed = None
+                self.plan.setText(text)
+                self._check()
+
+        self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
+        self.plan.show()
+        self._check()
+        self._desk.bench_worker.ask(
+            "plan", lambda lines: say("\n".join(lines)), lambda fault: say(f"✕ {fault.text} {fault.remedy}"),
+            procedure=name, bench=self._desk.bench, given=given,
+        )  # fmt: skip
+
+    def _other_settings(self) -> None:
+        """A plan is that of its settings."""
+        if self.form is not None and (self.list.currentItem().text(), self.form.given()) != self._planned:
+            self._rehearsed = self._planned = None
+            self.plan.clear()
+            self.plan.hide()
+        self._check()
 
     def _known(self, procedures: list[dict[str, Any]]) -> None:
         self._procedures = {one["name"]: one for one in procedures}
         self.list.addItems(list(self._procedures))
         self.choose(self._wanted)
+        if self._plan_wanted:
+            self.rehearse()
 
     def choose(self, names: str) -> None:
         """Choose the first procedure there is of `names`, apart by |; also before the list is known."""
@@ -89,9 +134,9 @@ class Choose(QWidget):
         self.title.setText(one["title"])
         self.needs.setText(needs_words(one))
         self.form = Form([spec_of(p) for p in one["parameters"]])
-        self.form.changed.connect(self._check)
+        self.form.changed.connect(self._other_settings)
         self._area.setWidget(named(self.form, "form"))
-        self._check()
+        self._other_settings()
 
     def _check(self) -> None:
         simulated = bool(self._desk.facts.get("simulated"))
@@ -101,7 +146,9 @@ class Choose(QWidget):
         if not objection and self.form is not None and not self.form.valid():
             objection = self.tr("A setting is not accepted: see above.")
         self.objection.setText(objection)
-        self.start.setEnabled(not objection and self.form is not None and not self._desk.run.alive)
+        ready = not objection and self.form is not None and not self._desk.run.alive and self._rehearsed is None
+        self.start.setEnabled(ready)
+        self.show_plan.setEnabled(ready)
 
     def _start(self) -> None:
         if self.form is not None:
