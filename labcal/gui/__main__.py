@@ -18,10 +18,15 @@ def main() -> int:
     except ImportError as error:
         print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {NEEDED}", file=sys.stderr)
         return 2
+    from PySide6.QtCore import QLocale
+
     from labcal.gui.window import open_window
+    from labcal.gui.words import speak
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("labcal")
+    QLocale.setDefault(QLocale(QLocale.Language.English))
+    speak(application, QLocale.system())
     window = open_window(given.bench)
     code = application.exec()
     window.desk.close()

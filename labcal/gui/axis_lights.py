@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout
 from labcal.gui.run_vm import RunViewModel
 from labcal.gui.theme import GRID, STATES, Theme
 from labcal.gui.widgets import label, named, set_state
+from labcal.gui.words import say
 
 NOT_YET = ("○", "")
 
@@ -41,7 +42,7 @@ class AxisLights(QFrame):
             shape, state = ("…", "") if going_on else STATES.get(verdict, NOT_YET)
             worst.setText(f"{axis.upper()}  {shape} {'' if going_on else verdict}".strip())
             set_state(worst, state)
-            self.looks[axis].setText("&nbsp; ".join(self._look(self.tr(look), found) for look, found in looks.items()))
+            self.looks[axis].setText("&nbsp; ".join(self._look(say(look), found) for look, found in looks.items()))
 
     def _look(self, look: str, verdict: str) -> str:
         shape, state = STATES.get(verdict, NOT_YET)

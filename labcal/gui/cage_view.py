@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from labcal.gui.lab_vm import Triple
 from labcal.gui.theme import Theme
+from labcal.gui.words import say
 
 Array = NDArray[np.float64]
 Corner = tuple[float, float, float]
@@ -102,7 +103,7 @@ class CageView(QWidget):
             self._view(painter, QRectF(0, 0, space, self.height()), "", seen_from(*self._eye), 0.30)
             for n, (title, eye) in enumerate(FLAT):
                 area = QRectF(space + n * flat, 0, flat, self.height())
-                self._view(painter, area, self.tr(title), seen_from(*eye), 0.34)
+                self._view(painter, area, say(title), seen_from(*eye), 0.34)
 
     def _view(self, painter: QPainter, area: QRectF, title: str, eye: Array, share: float) -> None:
         centre = QPointF(area.center().x(), area.center().y() + (10 if title else 0))

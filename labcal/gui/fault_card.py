@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit
 
 from labcal.gui.widgets import Card, button, label, named, set_state
 from labcal.gui.wire import Fault
+from labcal.gui.words import say
 
 TITLES = {
     "input": "✕ This cannot be done as asked",
@@ -15,7 +16,6 @@ TITLES = {
     "stopped": "■ Stopped",
     "crash": "✕ Something in labcal broke",
 }
-COILS = "The coils are at zero."
 
 
 class FaultCard(Card):
@@ -60,7 +60,7 @@ class FaultCard(Card):
         self.setVisible(fault is not None)
         if fault is None:
             return
-        self.heading.setText(self.tr(TITLES[fault.kind]))
+        self.heading.setText(say(TITLES[fault.kind]))
         set_state(self.heading, "" if fault.kind == "stopped" else "bad")
         self.text.setText(fault.text)
         self.remedy.setText(fault.remedy)

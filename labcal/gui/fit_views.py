@@ -68,7 +68,7 @@ class FitViews(Card):
     @cached_property
     def magnitude(self) -> pg.PlotWidget:
         """As read, calibrated, and of the reference."""
-        return self._face(plot(self._theme, self.tr("time  s"), self.tr("|b|  nT")))
+        return self._face(plot(self._theme, "time  s", self.tr("|b|  nT")))
 
     @cached_property
     def histogram(self) -> pg.PlotWidget:
@@ -78,7 +78,7 @@ class FitViews(Card):
     @cached_property
     def growth(self) -> pg.PlotWidget:
         """A filter's bias with its bounds."""
-        return self._face(plot(self._theme, self.tr("time  s"), self.tr("bias of the reading  nT")))
+        return self._face(plot(self._theme, "time  s", self.tr("bias of the reading  nT")))
 
     def _face(self, widget: W) -> W:
         """A picture is built when it is first looked at."""

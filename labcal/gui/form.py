@@ -11,6 +11,7 @@ from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
 from labcal.gui.theme import GRID
 from labcal.gui.widgets import label, set_state
+from labcal.gui.words import say
 
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
 
@@ -39,7 +40,7 @@ def _one(value: Any) -> str:
 def range_of(spec: ParameterSpec) -> str:
     """What is allowed, short: "1000 … 100000 nT"."""
     if spec.limits is None:
-        return "several, with commas" if spec.many else ""
+        return say("several, with commas") if spec.many else ""
     return f"{spec.limits.lo:g} … {spec.limits.hi:g} {spec.unit}".rstrip()
 
 
@@ -87,8 +88,8 @@ class Form(QWidget):
         if spec.kind == "switch":
             box = QCheckBox()
             box.setChecked(bool(spec.default))
-            box.setText("yes" if spec.default else "no")
-            box.toggled.connect(lambda on: box.setText("yes" if on else "no"))
+            box.setText(say("yes" if spec.default else "no"))
+            box.toggled.connect(lambda on: box.setText(say("yes" if on else "no")))
             box.toggled.connect(self._check)
             return box
         if spec.kind == "choice" and not spec.many:

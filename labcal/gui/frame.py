@@ -25,6 +25,7 @@ from labcal.gui.lab_vm import LabState, LabViewModel
 from labcal.gui.numbers import field, number
 from labcal.gui.theme import GRID
 from labcal.gui.widgets import Numbers, label, named, set_state, shrinking
+from labcal.gui.words import say
 
 LIGHT_SHAPES = {"ok": ("✓", "good"), "waiting": ("…", ""), "fault": ("✕", "bad"), "absent": ("○", "")}
 UNITS = ("nT", "µT", "mG")
@@ -191,9 +192,9 @@ class Frame(QMainWindow):
         column.setContentsMargins(0, 2 * GRID, 0, 2 * GRID)
         column.setSpacing(0)
         for index, (name, page) in enumerate(pages.items()):
-            entry = named(QPushButton(name), "rail")
+            entry = named(QPushButton(say(name)), "rail")
             entry.setCheckable(True)
-            entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(name, index + 1))
+            entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(say(name), index + 1))
             QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click)
             self._rail_buttons.addButton(entry, index)
             column.addWidget(entry)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTab
 from labcal.gui.numbers import number
 from labcal.gui.theme import STATES, Theme
 from labcal.gui.widgets import tabular
+from labcal.gui.words import say
 from labcal.record.stream import Measurement
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -53,7 +54,7 @@ class Table(QTableWidget):
         if headings != self._headings:
             self._headings = headings
             self.setColumnCount(len(headings))
-            self.setHorizontalHeaderLabels(headings)
+            self.setHorizontalHeaderLabels([say(heading) for heading in headings])
 
     def set_cell(
         self, row: int, column: int, text: str, *, right: bool = False, colour: str = "", tip: str = ""
@@ -80,7 +81,7 @@ class Table(QTableWidget):
     def copy(self) -> None:
         """Selected rows to the clipboard, or all where none is."""
         rows = sorted({i.row() for i in self.selectedIndexes()}) or range(self.rowCount())
-        lines = ["\t".join(self._headings)]
+        lines = ["\t".join(say(heading) for heading in self._headings)]
         lines += ["\t".join(self.text(row, c) for c in range(self.columnCount())) for row in rows]
         QApplication.clipboard().setText("\n".join(lines))
 

@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from labcal.gui.theme import Theme
+from labcal.gui.words import say
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
@@ -28,7 +29,7 @@ def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
     item.hideButtons()
     for side, text in (("bottom", bottom), ("left", left)):
         axis = item.getAxis(side)
-        axis.setLabel(text, color=theme.muted)
+        axis.setLabel(say(text), color=theme.muted)
         axis.setPen(pg.mkPen(theme.line))
         axis.setTextPen(pg.mkPen(theme.muted))
         axis.enableAutoSIPrefix(False)

@@ -10,6 +10,7 @@ from labcal.gui.drawing import Mounting
 from labcal.gui.hold import KEYS, HoldButton
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, named, shrinking
+from labcal.gui.words import say
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
@@ -125,7 +126,7 @@ class PromptCard(Card):
 
     def _button(self, choice: str, key: Qt.Key | None) -> QPushButton:
         redo, _, axis = choice.partition(" ")
-        words = self.tr("Redo axis {0}").format(axis.upper()) if redo == "redo" else self.tr(WORDS.get(choice, choice))
+        words = self.tr("Redo axis {0}").format(axis.upper()) if redo == "redo" else say(WORDS.get(choice, choice))
         if key is None:
             return button(words, self.tr("Answer: {0}").format(words))
         made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)

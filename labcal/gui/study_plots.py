@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from labcal.gui.plots import plot
 from labcal.gui.theme import Theme
+from labcal.gui.words import say
 
 Array = NDArray[np.float64]
 
@@ -103,7 +104,7 @@ class Bars(QWidget):
             pg.mkPen(self._theme.text, width=1.5, dash=(4, 3)),
             {"position": 0.06, "color": self._theme.muted},
         )
-        line = pg.InfiniteLine(noise_nT, 90, pen=pen, label="noise alone", labelOpts=options)
+        line = pg.InfiniteLine(noise_nT, 90, pen=pen, label=say("noise alone"), labelOpts=options)
         self.plot.addItem(line)
         self.plot.getAxis("left").setTicks([[(float(at), row[0]) for at, row in zip(y, rows, strict=True)]])
         top = max([noise_nT, *widths, *(i[1] for _, _, i, _ in rows if i is not None)], default=1.0)

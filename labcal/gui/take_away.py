@@ -8,19 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
 
 from labcal.gui.widgets import button
+from labcal.gui.words import say
 
 PICTURE = "PNG (*.png)"
 
 
 def take_away(parent: QWidget, picture: Callable[[], QWidget]) -> tuple[QPushButton, QPushButton]:
     """Two buttons for what `picture` gives when they are clicked."""
-
-    def say(text: str) -> str:
-        return QCoreApplication.translate("TakeAway", text)
 
     def save_as() -> None:
         out, _ = QFileDialog.getSaveFileName(parent, title, str(Path.home() / "picture.png"), PICTURE)

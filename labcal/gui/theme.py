@@ -80,7 +80,7 @@ STATES = {"PASS": ("✓", "good"), "MARGINAL": ("▲", "warning"), "FAIL": ("✕
 _SHEET = Template(
     """
 * { font-size: ${text_pt}pt; color: $text; }
-QMainWindow, QWidget#page, QStackedWidget { background: $page; }
+QMainWindow, QWidget#page { background: $page; }
 QFrame#card, QFrame#panel, QFrame#topbar { background: $surface; border: 1px solid $line; border-radius: 6px; }
 QFrame#topbar { border-radius: 0; border-width: 0 0 1px 0; }
 QFrame#panel { border-radius: 0; border-width: 0 0 0 1px; }

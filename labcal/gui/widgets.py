@@ -9,6 +9,7 @@ from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.gui.theme import GRID
+from labcal.gui.words import say
 
 W = TypeVar("W", bound=QWidget)
 
@@ -106,7 +107,7 @@ class Numbers(QWidget):
         grid.setVerticalSpacing(GRID // 2)
         self._values, self._words = [label("–") for _ in names], [label("", "caption") for _ in names]
         for row, name in enumerate(names):
-            grid.addWidget(label(name, "caption"), row, 0)
+            grid.addWidget(label(say(name), "caption"), row, 0)
             grid.addWidget(self._values[row], row, 1)
             self._values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(self._words[row], row, 2)

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
@@ -18,6 +17,7 @@ from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, named, set_state
 from labcal.gui.wire import Fault
+from labcal.gui.words import say
 
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 
@@ -356,7 +356,6 @@ class CertificatePage(QWidget):
 
 def next_step(one: dict[str, Any], operator: str) -> str:
     """What is to be done with a calibration now, in one sentence."""
-    say = partial(QCoreApplication.translate, "CertificatePage")
     if one["signatures"] and not one["valid"]:
         return say("Do not use it: make a new draft on the Fit page.")
     if not one["signatures"] and not one["approvers"]:

@@ -16,6 +16,7 @@ from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, set_primary, shrinking
+from labcal.gui.words import say
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
@@ -130,7 +131,7 @@ class FitPage(QWidget):
         names = (*QUALITY, *OFFSETS, *GAINS)
         self.table.setRowCount(len(names))
         for row, name in enumerate(names):
-            self.table.set_cell(row, 0, name, colour=self._colour(name))
+            self.table.set_cell(row, 0, say(name), colour=self._colour(name))
         for column, said in enumerate(fits.values(), start=1):
             for row, text in enumerate(cells(said["fit"])):
                 self.table.set_cell(row, column, text, right=True, tip=said["fit"]["why_not"] or "")
@@ -172,7 +173,7 @@ def cells(fit: dict[str, Any]) -> list[str]:
     worst = max(fit["axis_error_deg"], default=None) if fit["axis_error_deg"] else None
     quality = ((fit["holdout_rms_scalar_nT"], 1), (worst, 3), (fit["seconds"], 2))
     said = ["–" if value is None else number(value, decimals, signed=False) for value, decimals in quality]
-    said.append("known" if fit["frame_known"] else "free")
+    said.append(say("known") if fit["frame_known"] else say("free"))
     values = [(n + 9, k) for n, k in enumerate(fit["k_nT"])]
     values += list(enumerate(v for row in fit["K"] for v in row))
     return said + [_with_U(value, fit["covariance"], at) for at, value in values]

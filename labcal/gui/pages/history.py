@@ -16,6 +16,7 @@ from labcal.gui.measurement_table import Table
 from labcal.gui.plots import plot
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label
+from labcal.gui.words import say
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
 HEADINGS = ("started (UTC)", "DUT", "procedure", "operator", "status", "verdict", "run")
@@ -97,7 +98,8 @@ class HistoryPage(QWidget):
         card = Card(self.tr("Calibrations over time"), self.tr("bars: U, k=2"))
         self.trend_heading = card.heading
         self.parameter = QComboBox()
-        self.parameter.addItems(list(PARAMETERS))
+        for name in PARAMETERS:
+            self.parameter.addItem(say(name), name)
         self.parameter.setToolTip(self.tr("k: offsets in nT; gain: the diagonal of K, ppm from the first calibration"))
         self.parameter.activated.connect(self._draw)
         self.plot = plot(self._theme, "", "")
@@ -204,8 +206,10 @@ class HistoryPage(QWidget):
         for widget, shown in ((self.none, not mine), (self.plot, bool(mine)), (self.parameter, bool(mine))):
             widget.setVisible(shown)
         times = [self._when(one) for one in mine]
-        start, names, unit = PARAMETERS[self.parameter.currentText()]
-        self.plot.getPlotItem().setLabel("left", f"{self.parameter.currentText()}  {unit}", color=self._theme.muted)
+        start, names, unit = PARAMETERS[self.parameter.currentData()]
+        self.plot.getPlotItem().setLabel(
+            "left", f"{self.parameter.currentText()}  {say(unit)}", color=self._theme.muted
+        )
         for axis, (name, colour) in enumerate(zip(names, self._theme.axes, strict=True)):
             self._line(np.array(times), mine, start, axis, name, colour)
         if times:

@@ -19,6 +19,7 @@ from labcal.gui.take_away import take_away
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, set_primary, set_state, shrinking
 from labcal.gui.wire import unpack
+from labcal.gui.words import say
 
 WORDS = {
     "clean": ("✓ CLEAN", "good"),
@@ -49,7 +50,9 @@ def candidates(loop: dict[str, Any]) -> list[tuple[str, dict[str, Any], str]]:
     """Every cause there was: its standing, itself, and why; the named ones first."""
     found = [("accepted", effect, effect["why"]) for effect in loop["accepted"]]
     for effect in loop["accepted"]:
-        found += [("rival", rival, f"does about as well as {cause(effect)}") for rival in effect["rivals"]]
+        found += [
+            ("rival", rival, say("does about as well as {0}").format(cause(effect))) for rival in effect["rivals"]
+        ]
     return found + [("rejected", effect, effect["why"]) for effect in loop["rejected"]]
 
 
@@ -202,7 +205,7 @@ class LoopPage(QWidget):
 
     def _show_loop(self, loop: dict[str, Any], remarks: list[str]) -> None:
         words, state = WORDS[loop["verdict"]]
-        self.verdict.setText(words)
+        self.verdict.setText(say(words))
         set_state(self.verdict, state)
         self.summary.setText(loop["summary"])
         before, after = loop["before"]["holdout_rms_nT"], loop["after"]["holdout_rms_nT"]

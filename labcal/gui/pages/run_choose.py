@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QScrollArea, QWidget
 
 from labcal.gui.desk import Desk
@@ -12,6 +12,7 @@ from labcal.gui.form import Form, spec_of
 from labcal.gui.pace import PACES
 from labcal.gui.theme import GRID
 from labcal.gui.widgets import Card, button, label, named
+from labcal.gui.words import say
 
 
 class Choose(QWidget):
@@ -57,12 +58,13 @@ class Choose(QWidget):
         card.body.addWidget(self.plan)
         self.objection = label("", "caption")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
-        self.pace.addItems(list(PACES))
-        self.pace.setCurrentText(str(self._desk.settings.value("pace", "20 times")))
+        for pace in PACES:
+            self.pace.addItem(say(pace), pace)
+        self.pace.setCurrentIndex(self.pace.findData(str(self._desk.settings.value("pace", "20 times"))))
         self.pace.setToolTip(
             self.tr("How fast simulated time passes: true speed, faster, or as fast as the computer goes")
         )
-        self.pace.currentTextChanged.connect(lambda pace: self._desk.settings.setValue("pace", pace))
+        self.pace.currentIndexChanged.connect(lambda _: self._desk.settings.setValue("pace", self.pace.currentData()))
         tip = self.tr("Asks every instrument who it is, then begins. Nothing is energised before you are asked.")
         self.start = button(self.tr("Start"), tip, primary=True)
         self.start.clicked.connect(self._start)
@@ -157,8 +159,6 @@ class Choose(QWidget):
 
 def needs_words(one: dict[str, Any]) -> str:
     """What a procedure needs and how long it takes, in one line."""
-    needs = QCoreApplication.translate("Choose", "Needs: {0}").format(one["needs"]) if one["needs"] else ""
-    lasts = QCoreApplication.translate("Choose", "About {0:g} min of measuring, and your own time beside it").format(
-        one["lasts_min"] or 0
-    )
+    needs = say("Needs: {0}").format(one["needs"]) if one["needs"] else ""
+    lasts = say("About {0:g} min of measuring, and your own time beside it").format(one["lasts_min"] or 0)
     return "\n".join(part for part in (needs, lasts if one["lasts_min"] else "") if part)

@@ -28,6 +28,7 @@ from labcal.gui.prompt_card import PromptCard
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, shrinking
 from labcal.gui.wire import Fault
+from labcal.gui.words import say
 
 FRAME_MS = 40
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
@@ -252,11 +253,11 @@ class Live(QWidget):
         run = self._run
         if run.state == "ended":
             shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
-            return f"{shape} {run.status.partition(':')[0].capitalize()}"
+            return f"{shape} {say(run.status.partition(':')[0]).capitalize()}"
         words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
         if run.state in words:
             return words[run.state]
-        doing = self.tr("measuring {0}").format(run.segment) if run.segment else run.step.name if run.step else ""
+        doing = self.tr("measuring") if run.segment else run.step.name if run.step else ""
         left = run.step_left_s()
         wait = "" if left is None else f" · {left:.0f} s"
         return self.tr("Hands off · {0}{1}").format(doing, wait)

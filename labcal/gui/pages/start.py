@@ -6,6 +6,7 @@ import re
 from datetime import UTC, date, datetime
 from typing import Any
 
+from PySide6.QtCore import QDate, QLocale
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from labcal.gui.chooser import run_words
@@ -64,7 +65,10 @@ class StartPage(QWidget):
 
     def _hello_card(self) -> Card:
         card = Card()
-        self.date, self.question = label(f"{datetime.now(UTC):%A, %d %B}", "large"), label("", wrap=True)
+        self.date, self.question = (
+            label(QLocale().toString(QDate.currentDate(), "dddd, d MMMM"), "large"),
+            label("", wrap=True),
+        )
         self.morning = button(
             self.tr("Morning check"),
             self.tr("Zero and axes, about 3 minutes; you are asked before anything is energised"),

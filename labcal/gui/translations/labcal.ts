@@ -1,0 +1,1667 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" sourcelanguage="en">
+<context>
+    <name>BenchPage</name>
+    <message>
+        <source>Instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask every instrument who it is. Nothing is energised or moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go of every link, read the bench file again and ask every instrument who it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bench.toml: what stands in the lab, on which lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated lab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A whole lab without hardware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench file, or take the simulated lab.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all arrows to one scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run goes on and holds the instruments; check them after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instruments of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ not asked yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing in this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as read back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0:.1f} s before the newest of all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>applied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ambient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;&lt;br&gt;at most {0} A a coil&lt;br&gt;at most {1} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CageView</name>
+    <message>
+        <source>The cage with its field vectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys, to look from another side</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CertificatePage</name>
+    <message>
+        <source>Calibrations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrations, the newest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimate a calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chosen calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U: k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approver, by the name of their key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write this name into the draft. After the first signature nobody can be added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who signs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose key; a name without a key here can be given a new one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asked each time, never kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign these exact bytes. A signed file can no longer be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a key for this name under this passphrase, and trust it in this lab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand out …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the file, its signatures and the public keys to a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply to readings …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ provisional</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draft: not signed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operator {0}; approved by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has no key here: New key makes one under the passphrase that you type.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} To sign as {1}, type the passphrase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the calibration to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied to {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings of this DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the field goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Choose</name>
+    <message>
+        <source>Procedures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast simulated time passes: true speed, faster, or as fast as the computer goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks every instrument who it is, then begins. Nothing is energised before you are asked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rehearse this on the simulated lab: field, rate, angles, temperature, time, and what you are asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rehearsing on the simulated lab …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A setting is not accepted: see above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Client</name>
+    <message>
+        <source>The work ended by itself (exit {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Desk</name>
+    <message>
+        <source>Scanned {0}; a run goes on, its DUT stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned: DUT {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a bench on the Bench page first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan or type the DUT&apos;s serial at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the operator&apos;s name at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coils off: reading them back …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils are NOT confirmed at zero. Switch the supplies off at their mains switches.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hands off, measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silent {0:.0f} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Drop</name>
+    <message>
+        <source>Drop a calibration file here to verify it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A calibration .json with its .sshsig beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify a calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FaultCard</name>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what labcal itself says about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a problem report …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A .zip with the details, settings and versions, no keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put this card away</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FitPage</name>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimate by maximum likelihood, the default method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimate by every method, to see whether they agree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End what is being computed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a draft calibration from the selected method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace the residual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find what causes what is left over: the Loop page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value ± U, k=2; choose a column to see its pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a run above, then Fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>computing: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit estimates K and k of this run; All methods compares eleven ways.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FitViews</name>
+    <message>
+        <source>The figures of the papers that the methods are from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the residual is drawn against</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residual of |b|  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|b|  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bias of the reading  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loci on the sphere (Riwanto 2017, figs. 5, 7)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residual of the magnitude (Crassidis 2003, fig. 3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Magnitude and reference (Springmann 2011, figs. 2, 4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Histogram of the residual (Springmann 2011, fig. 7)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>band: the noise this method states, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line: the noise this method states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ekf, or the filter that is chosen above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Form</name>
+    <message>
+        <source>needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Frame</name>
+    <message>
+        <source>{0} (Ctrl+{1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPage</name>
+    <message>
+        <source>Runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search: DUT, date, operator, procedure, verdict …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Several words narrow it down: EM-07 2026-11 explained</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at this run on the Fit page; nothing recorded is ever changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As bundle, CSV, HDF5 or MATLAB file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct serial …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The DUT was another one: an event of the record, until a calibration of the run is signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a run bundle (.zip) into the store, byte for byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No run fits. A run from the Run page, or an imported bundle, comes up here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrations over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bars: U, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k: offsets in nT; gain: the diagonal of K, ppm from the first calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the serial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial of the DUT that this run was made with:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run {0}: DUT {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a run bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrations of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Live</name>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note, Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a remark with its time into the record: &quot;lift moved&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Photo …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a photograph into the record, with the note as its words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait where the next step begins, with the coils at zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End this run now, in order. The coils go to zero; what was measured is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the procedures; the run is in the History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimate the calibration from this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happens now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the turn this segment has seen, in sectors of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A photograph for the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0:3d} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hands off · {0}{1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} · run {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LoopPage</name>
+    <message>
+        <source>Choose a run above, then let its residual be traced to a cause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace the residual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find what causes what is left over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End what is being computed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The draft with the accepted effects: approve and sign it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1  What is left over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>band: noise, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2  Who could have done it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3  What changes if it is added</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the residual is drawn against; the named cause first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4  What we still do not know</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its plan is shown on the Run page before anything moves; Start is pressed there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracing … {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the residual; a whole preflight takes about a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace the residual of this run to its cause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held-out rms; noise alone: {0} nT, {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>or {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? rival</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>– not named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows set aside: {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} explains it about as well as {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that this run could show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure what would tell them apart: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rms over all rows, before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Mounting</name>
+    <message>
+        <source>Drawing: body {0} up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing of a dial</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PromptCard</name>
+    <message>
+        <source>Question to you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YOUR TURN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the path of a file into the answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click, or hold the key for a moment. Enter does nothing here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on without a file; the record says so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo axis {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click, or hold {0} for 0.7 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file for the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RunChooser</name>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run to look at, the newest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a run</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RunViewModel</name>
+    <message>
+        <source>Asking every instrument who it is …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pauses where the next step begins; the coils go to zero there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping: the coils go to zero …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coils off: the coils go to zero, the run ends …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: measuring, hands off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FIELD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS   A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>INSTRUMENTS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ all at zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● energised</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StartPage</name>
+    <message>
+        <source>▲ An interrupted run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last closing check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cage calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Morning check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero and axes, about 3 minutes; you are asked before anything is energised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate a DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preflight on the Run page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated lab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A whole lab without hardware, to learn on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready. {0} stands on {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench file states no calibration of the reference with a date.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated {0}, {1} days ago.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ in date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No bench is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench file states coil constants only; run cage-calibration to measure the matrix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The matrix is that of the approved cage calibration {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ approved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench file states a matrix without a date: run cage-calibration to see whether it holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked {0}, {1} days ago.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No finished run in the store has a closing check.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with  {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After its last finished step; you are asked whether the mounting stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyViewModel</name>
+    <message>
+        <source>history of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Serial number of the device under test: type it, or scan it at any moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who works here now; stands in the record and in the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF   F12</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Window</name>
+    <message>
+        <source>Save a problem report</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skip this step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ This cannot be done as asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ An instrument failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ A limit is not met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>■ Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ Something in labcal broke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ CLEAN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ EXPLAINED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ PARTLY EXPLAINED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? AMBIGUOUS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ UNEXPLAINED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cage X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cage Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>who answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>last reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>started (UTC)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>procedure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U (k=2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held-out |b|  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis error, worst  deg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time  s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several, with commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>20 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>100 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ppm from the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DUT  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residual  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held-out rms  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write this picture to a .png file, as it is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every point that is drawn to the clipboard, as columns x and y of each curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Needs: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {0:g} min of measuring, and your own time beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does about as well as {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not use it: make a new draft on the Fit page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approved by {0}. Now sign, each under the own name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good to use as PROVISIONAL: nobody approved it before it was signed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done: hand it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

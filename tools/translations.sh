@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# Brings every labcal/gui/translations/*.ts up to the words that stand in the window, and makes the .qm of each language.
+set -euo pipefail
+bin="${BIN:-.venv/bin}" folder=labcal/gui/translations
+mapfile -t sources < <(find labcal/gui -name '*.py' | sort)
+"$bin/pyside6-lupdate" "${sources[@]}" -locations none -no-obsolete -source-language en -ts "$folder"/labcal*.ts
+find "$folder" -name 'labcal_*.ts' -exec "$bin/pyside6-lrelease" {} \;
