@@ -21,13 +21,14 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 
 ROOT = Path(__file__).parents[1]
-SIZE = 1360, 860
+SIZE, WALL = (1360, 860), (1920, 1080)
 METHODS = ("ml", "centered", "twostep", "ekf", "foster-elkaim")
 NAMES = (
     "start",
     "bench",
     "run-choose",
     "run-prompt",
+    "run-prompt-wall",
     "run-live",
     "run-over",
     "fault",
@@ -83,17 +84,20 @@ class Studio:
         end = time.monotonic() + seconds
         self.wait(lambda: time.monotonic() > end)
 
-    def shoot(self, name: str, page: str) -> None:
+    def shoot(self, name: str, page: str, size: tuple[int, int] = SIZE) -> None:
         """One picture in each theme."""
         if self.only and name not in self.only:
             return
         for theme in self.themes:
+            self.window.resize(*size)
             self.window.set_theme(theme)
             self.window.open_page(page)
             self.window.rail.setFocus()
             self.live(0.5)
             self.wait(lambda: not self.desk.clerk.busy)
             self.live(0.7)
+            if (self.window.width(), self.window.height()) != size:
+                print(f"{name}: {self.window.width()} x {self.window.height()}, wider or higher than {size}")
             file = self.out / f"{name}-{theme.name}.png"
             kept = [QColor(getattr(theme, name)).rgb() for name in theme.__dataclass_fields__ if name != "name"]
             small(self.window.grab().toImage(), kept).save(str(file))
@@ -115,6 +119,9 @@ class Studio:
             if run.state == "asking":
                 if run.prompt.key == "mount-y":
                     self.shoot("run-prompt", "Run")
+                    self.window.toggle_wall()
+                    self.shoot("run-prompt-wall", "Run", WALL)
+                    self.window.toggle_wall()
                 run.answer(run.prompt.choices[0])
             elif not live:
                 self.shoot("run-live", "Run")
@@ -187,7 +194,11 @@ def render(studio: Studio) -> None:
     desk.ask("runs", runs.append)
     studio.wait(lambda: bool(runs))
     finished = [one["run_id"] for one in runs[0] if one["status"] == "finished"]
-    run = finished[0] if finished and not studio.wants("run-prompt", "run-live", "run-over") else studio.preflight()
+    run = (
+        finished[0]
+        if finished and not studio.wants("run-prompt", "run-prompt-wall", "run-live", "run-over")
+        else studio.preflight()
+    )
     studio.shoot("run-over", "Run")
     studio.shoot("start", "Start")
     studio.shoot("bench", "Bench")

@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtWidgets import QComboBox, QSizePolicy
 
 from labcal.gui.desk import Desk
 
+LETTERS = 20  # of a run's line are seen where there is no room for all
 USABLE = ("finished", "imported", "stopped", "failed")
 
 
@@ -26,7 +27,9 @@ class RunChooser(QComboBox):
     def __init__(self, desk: Desk) -> None:
         super().__init__()
         self._desk = desk
-        self.setMinimumWidth(370)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(LETTERS)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(self.tr("Run"))
         self.setToolTip(self.tr("The run to look at, the newest first"))
         self.setPlaceholderText(self.tr("Choose a run"))

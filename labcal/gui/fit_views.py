@@ -9,13 +9,13 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QStackedWidget, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 
-from labcal.gui.plots import Loci, named_curves, plot
+from labcal.gui.plots import Loci, legend_of, named_curves, plot, words_only
 from labcal.gui.study_plots import Residuals, faint
 from labcal.gui.take_away import take_away
 from labcal.gui.theme import Theme
-from labcal.gui.widgets import Card, label
+from labcal.gui.widgets import Card, chooser, label, shrinking
 from labcal.gui.wire import unpack
 
 Array = NDArray[np.float64]
@@ -35,21 +35,18 @@ class FitViews(Card):
         self._theme = theme
         self._look: dict[str, Any] | None = None
         self._said: dict[str, Any] | None = None
-        self.view, self.against, self.words = QComboBox(), QComboBox(), label("", "caption")
-        self.view.setToolTip(self.tr("The figures of the papers that the methods are from"))
-        self.view.setAccessibleName(self.tr("View"))
-        self.against.setToolTip(self.tr("What the residual is drawn against"))
-        self.against.setAccessibleName(self.tr("Against"))
+        self.view = chooser(self.tr("The figures of the papers that the methods are from"), self.tr("View"), letters=24)
+        self.against = chooser(self.tr("What the residual is drawn against"), self.tr("Against"))
+        self.words = shrinking(label("", "caption"))
         self.faces = QStackedWidget()
         row = QHBoxLayout()
-        row.addWidget(self.view)
-        row.addWidget(self.against)
-        row.addStretch()
-        row.addWidget(self.words)
+        row.addWidget(self.view, 2)
+        row.addWidget(self.against, 1)
         for widget in take_away(self, lambda: getattr(self, self.shown())):
             row.addWidget(widget)
         self.body.addLayout(row)
         self.body.addWidget(self.faces, 1)
+        self.body.addWidget(self.words)
         self.view.addItems(self._titles())
         self.view.activated.connect(self._chosen)
         self.against.activated.connect(self._draw)
@@ -114,8 +111,7 @@ class FitViews(Card):
         if said is None:
             return
         t, bias, u = unpack(said["t_s"]), unpack(said["bias_nT"]), unpack(said["u_nT"])
-        legend = self.growth.getPlotItem().legend or self.growth.addLegend(offset=(-8, 8))
-        legend.clear()
+        legend = legend_of(self.growth)
         for axis, colour in enumerate(self._theme.axes):
             upper, lower = (
                 pg.PlotCurveItem(t, bias[:, axis] + s * u[:, axis], pen=pg.mkPen(faint(colour, 120)))
@@ -125,6 +121,7 @@ class FitViews(Card):
                 self.growth.addItem(item)
             name = f'<span style="color: {colour}">{method}  b{"xyz"[axis]}</span>'
             self.growth.plot(t, bias[:, axis], pen=pg.mkPen(colour, width=2), name=name)
+        words_only(legend)
         self.growth.autoRange()
 
     def _chosen(self) -> None:

@@ -98,13 +98,26 @@ class Loci(QWidget):
             behind.setData(x, np.where(toward, np.nan, y), connect="finite")
 
 
+def legend_of(widget: pg.PlotWidget, ground: object = None) -> pg.LegendItem:
+    """The plot's legend at its upper right, empty."""
+    legend = widget.getPlotItem().legend or widget.addLegend(offset=(-8, 8), brush=ground)
+    legend.clear()
+    return legend
+
+
+def words_only(legend: pg.LegendItem) -> None:
+    """No samples beside the words: a word has the colour of what it names."""
+    for sample, _ in legend.items:
+        sample.hide()
+
+
 def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:
     """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour."""
-    legend = widget.getPlotItem().legend or widget.addLegend(offset=(-8, 8))
-    legend.clear()
+    legend = legend_of(widget)
     for name, colour, values in curves:
         inked = f'<span style="color: {colour}; font-weight: 600">{name}</span>'
         widget.plot(t_s, values, pen=pg.mkPen(colour), name=inked, connect="finite")
+    words_only(legend)
     widget.autoRange()
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from labcal.gui.plots import plot
+from labcal.gui.plots import legend_of, plot, words_only
 from labcal.gui.theme import Theme
 from labcal.gui.words import say
 
@@ -48,10 +48,10 @@ class Residuals(QWidget):
             self.plot.removeItem(old)
         self._clouds = []
         ground = pg.mkBrush(faint(self._theme.surface, 225))
-        legend = self.plot.getPlotItem().legend or self.plot.addLegend(offset=(-8, 8), brush=ground)
-        legend.clear()
+        legend = legend_of(self.plot, ground)
         for name, colour, values in clouds:
             self._add(name, colour, x, values.reshape(len(values), -1))
+        words_only(legend)
         self._band.setRegion((-2 * (noise_nT or 0.0), 2 * (noise_nT or 0.0)))
         self._band.setVisible(noise_nT is not None)
         self.plot.getPlotItem().setLabel("bottom", against, color=self._theme.muted)

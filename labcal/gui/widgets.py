@@ -6,7 +6,17 @@ from typing import TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from labcal.gui.theme import GRID
 from labcal.gui.words import say
@@ -33,6 +43,17 @@ def label(text: str = "", name: str = "", *, wrap: bool = False) -> QLabel:
 def shrinking(widget: W) -> W:
     """`widget` with its text cut off where there is no room: a long sentence widens no window."""
     widget.setMinimumWidth(1)
+    return widget
+
+
+def chooser(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
+    """A list to choose from, as wide as it may be and no wider than `letters` where there is no room."""
+    widget = QComboBox()
+    widget.setToolTip(tip)
+    widget.setAccessibleName(name or tip)
+    widget.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    widget.setMinimumContentsLength(letters)
+    widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
     return widget
 
 

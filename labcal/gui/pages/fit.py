@@ -64,7 +64,7 @@ class FitPage(QWidget):
         self.trace.clicked.connect(self._trace)
         self.waiting = shrinking(label("", "caption"))
         row = QHBoxLayout()
-        row.addWidget(self.chooser)
+        row.addWidget(self.chooser, 2)
         row.addWidget(self.waiting, 1)
         for widget in (self.cancel, self.fit, self.all, self.draft, self.trace):
             row.addWidget(widget)

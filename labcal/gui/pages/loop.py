@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
 
 from labcal.gui.chooser import RunChooser
 from labcal.gui.desk import Desk
@@ -17,7 +17,7 @@ from labcal.gui.study_plots import Bars, Residuals
 from labcal.gui.study_vm import cause_name
 from labcal.gui.take_away import take_away
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, set_primary, set_state, shrinking
+from labcal.gui.widgets import Card, button, chooser, label, set_primary, set_state, shrinking
 from labcal.gui.wire import unpack
 from labcal.gui.words import say
 
@@ -92,7 +92,7 @@ class LoopPage(QWidget):
         )
         self.sign.clicked.connect(lambda: self._desk.went.emit("Certificate"))
         row = QHBoxLayout()
-        row.addWidget(self.chooser)
+        row.addWidget(self.chooser, 2)
         row.addWidget(self.waiting, 1)
         for widget in (self.cancel, self.close_loop, self.sign):
             row.addWidget(widget)
@@ -150,8 +150,7 @@ class LoopPage(QWidget):
     def _change_card(self) -> Card:
         card = Card(self.tr("3  What changes if it is added"), "")
         self.change_heading, self.change_words = card.heading, card.unit
-        self.against = QComboBox()
-        self.against.setToolTip(self.tr("What the residual is drawn against; the named cause first"))
+        self.against = chooser(self.tr("What the residual is drawn against; the named cause first"))
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
         self.change_why = label("", "caption", wrap=True)

@@ -13,7 +13,7 @@ from labcal.gui.chooser import run_words
 from labcal.gui.desk import Desk
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, STATES, Theme
-from labcal.gui.widgets import Card, button, flat, label, set_state
+from labcal.gui.widgets import Card, button, flat, label, set_state, shrinking
 
 DUE_DAYS = 365
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
@@ -66,7 +66,7 @@ class StartPage(QWidget):
     def _hello_card(self) -> Card:
         card = Card()
         self.date, self.question = (
-            label(QLocale().toString(QDate.currentDate(), "dddd, d MMMM"), "large"),
+            label(QLocale().toString(QDate.currentDate(), "dddd, d MMMM"), "large")),
             label("", wrap=True),
         )
         self.morning = button(
