@@ -65,10 +65,8 @@ class StartPage(QWidget):
 
     def _hello_card(self) -> Card:
         card = Card()
-        self.date, self.question = (
-            label(QLocale().toString(QDate.currentDate(), "dddd, d MMMM"), "large")),
-            label("", wrap=True),
-        )
+        today = QLocale().toString(QDate.currentDate(), "dddd, d MMMM")
+        self.date, self.question = shrinking(label(today, "large")), label("", wrap=True)
         self.morning = button(
             self.tr("Morning check"),
             self.tr("Zero and axes, about 3 minutes; you are asked before anything is energised"),
