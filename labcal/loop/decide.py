@@ -27,11 +27,8 @@ SHARE = 0.01  # of all that was explained: a smaller part is a detail of the fir
 SHARE_OF_REST = 0.08  # of what still lies above the noise, beside all looks of the first: this is more than a detail
 SECANTS = 6  # rounds of a lag's own
 COMPANION = 0.7  # of the drop of the heaviest
-RELATED = {  # what a more general form of the first would also do
-    "offset-current": ("offset-current-squared",),
-    "offset-current-squared": ("offset-current",),
-    "hysteresis": ("nonlinearity",),
-}
+OWN_PART = 0.03  # of the drop of a cause that extends another: what is its own has to bring as much,
+OWN_PART_OF_NOISE = 0.25  # or this part of the noise's square
 
 
 def forward(
@@ -92,7 +89,20 @@ def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed],
     fit = [w for w in ranking if w.drop >= least and w.weight >= NAMED]
     used = {name for c in accepted for name in c.form.channels}
     companions = [w for w in fit if used & set(w.candidate.form.channels) and w.drop >= COMPANION * fit[0].drop]
-    return next(iter([*companions, *fit]), None)
+    return next((w for w in [*companions, *fit] if earned(search, accepted, w)), None)
+
+
+def earned(search: Search, accepted: Sequence[Candidate], found: Weighed) -> bool:
+    """Whether what a cause adds to those that it extends weighs as much as a cause of its own would have to.
+
+    A reference that drifts is a constant field where the drift is nought, a loop a curve where it has no width: the
+    larger model always does a little better, and that little may be misfit of the smaller one's form.
+    """
+    smaller = _spanned(search, found.candidate, found.candidate.family.extends)
+    if not smaller:
+        return True
+    own = search.weigh(found.candidate, search.stage(accepted, smaller))
+    return own.weight >= NAMED and own.drop >= min(OWN_PART * found.drop, OWN_PART_OF_NOISE * search.lowest**2)
 
 
 def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
@@ -103,20 +113,21 @@ def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
 
 def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
     """The same cause twice; steps and periods may come twice, at another time or frequency."""
-    return any(c.cause == candidate.cause for c in accepted) and candidate.family.id not in ("offset-step", "periodic")
+    return candidate.family.sought == "grid" and any(c.cause == candidate.cause for c in accepted)
 
 
 def neighbourhood(search: Search, accepted: Sequence[Candidate]) -> list[Array]:
     """All other looks of the accepted causes, as a few transformed columns that span them."""
     parts = []
     for chosen in accepted:
-        ids = (chosen.family.id, *RELATED.get(chosen.family.id, ()))
-        if chosen.family.id in ("offset-step", "periodic"):
-            continue
-        kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
-        if kin:
-            parts.append(spanning(np.concatenate([search.columns(c)[search.rows] for c in kin], axis=2)))
+        parts += _spanned(search, chosen, (chosen.family.id, *chosen.family.extends, *chosen.family.akin))
     return parts
+
+
+def _spanned(search: Search, chosen: Candidate, ids: Collection[str]) -> list[Array]:
+    """All looks of these families on the channels of `chosen`, spanned; nothing where there is none."""
+    kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
+    return [spanning(np.concatenate([search.columns(c)[search.rows] for c in kin], axis=2))] if kin else []
 
 
 def spanning(columns: Array, least: float = 1e-4) -> Array:

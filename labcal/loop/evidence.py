@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.bins import binned
 from labcal.loop.correlation import correlation_s
-from labcal.loop.decide import Cause, forward, looks, refined
+from labcal.loop.decide import Cause, earned, forward, looks, refined
 from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan
 from labcal.loop.problem import Problem
@@ -22,12 +22,14 @@ from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
-SHARE_OF_EXCESS = 0.5  # of the mean square above the noise that the effects together have to carry
+SHARE_OF_EXCESS = 0.75  # of the mean square above the noise that the effects together have to carry
 REMAINS = 0.03  # of what all effects took away: as much left is an unnamed process, not a drift, a step or a mode,
 HARMONICS = 0.1  # and as much is no line with its harmonics
+REST = 1 / 3  # and as much of what a later cause took away shows that it took misfit of an earlier one's form
 SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
 SECOND_OF_NOISE = 0.25  # or this part of the noise's square
 AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
+NEAREST = 2  # causes of other physics that a doubtful one is held against
 CONTENDERS = 4  # rivals that are tried on held-out data
 RIVAL = 8.0  # nats: what comes closer does as well
 REFUSALS = 6  # causes refused on held-out data before the loop gives up
@@ -68,6 +70,7 @@ def weighed(search: Search, level: Floor) -> Evidence:
         accepted = _plainer(search, blocks, accepted)
         steps = [_proof(search, blocks, accepted, i) for i in range(len(accepted))]
         idle = _idle(search, accepted, steps, level)
+        idle = _in_doubt(search, blocks, accepted, steps, level) if idle is None else idle
         if idle is None:
             break
         refused.add(accepted[idle].cause)
@@ -115,18 +118,52 @@ def _idle(search: Search, accepted: Sequence[Candidate], steps: Sequence[HeldOut
         if not (_helps(step) and _adds(steps[: i + 1], level)):
             return i
     for i, chosen in reversed(list(enumerate(accepted))):
-        share = HARMONICS if chosen.family.id == "periodic" else REMAINS
-        if _vague(search, chosen) and _remains(steps, level, share):
+        share = HARMONICS if chosen.family.harmonics else REMAINS
+        mine = steps if level.source == "differences" else steps[i:]
+        if _vague(search, chosen) and _remains(mine, level, share):
             return i
+    if level.source == "differences":
+        return None
+    return next((i for i in range(len(steps) - 1, 0, -1) if _remains(steps[i:], level, REST)), None)
+
+
+def _in_doubt(
+    search: Search, blocks: Plan, accepted: Sequence[Candidate], steps: Sequence[HeldOut], level: Floor
+) -> int | None:
+    """The first accepted effect whose lead over other physics is smaller than what its own form misses; else None.
+
+    Where no form reaches the noise, the one that comes nearest may do so by the accident of its shape.
+    """
+    missed = steps[-1].after ** 2 - level.nT**2 if steps else 0.0
+    if not steps or level.source == "differences" or steps[-1].after <= AT_FLOOR * level.nT:
+        return None
+    for i, chosen in enumerate(accepted):
+        for other in _other_physics(search, accepted, chosen):
+            swapped = [other if c is chosen else c for c in accepted]
+            if held_out(search, blocks, _always(swapped)).after ** 2 - steps[-1].after ** 2 < missed:
+                return i
     return None
+
+
+def _other_physics(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """The causes of other families that would take most off the residual in the place of `chosen`."""
+    others = [c for c in accepted if c is not chosen]
+    named, kin = {o.cause for o in others}, (chosen.family.id, *chosen.family.extends, *chosen.family.akin)
+    strange = [
+        c
+        for c in looks(search, others)
+        if c.family.id not in kin and chosen.family.id not in c.family.extends and c.cause not in named
+    ]
+    return [w.candidate for w in sorted(search.rank(strange, others), key=lambda w: -w.drop)[:NEAREST]]
 
 
 def _vague(search: Search, chosen: Candidate) -> bool:
     """Whether any process in time, or a jump at each change of segment, would have some of the effect's shape."""
-    if chosen.family.id == "offset-mode":
-        mode, segment = search.whole.run.mode, search.whole.scene.segment
-        return all(bool((mode[part] == mode[part][0]).all()) for part in stretches(segment))
-    return chosen.family.bound_to_run
+    scene = search.whole.scene
+    if chosen.family.bound_to_run:
+        return True
+    columns = chosen.form.columns(scene)
+    return not any(bool(np.ptp(columns[part], axis=0).any()) for part in stretches(scene.segment))
 
 
 def _remains(steps: Sequence[HeldOut], level: Floor, share: float) -> bool:
@@ -229,7 +266,7 @@ def _simpler(search: Search, chosen: Candidate, others: Sequence[Candidate]) -> 
 
 def _standing(candidate: Candidate) -> tuple[int, int]:
     """Low goes first: what readings alone can correct, then the rig's, then time's; the simpler before the richer."""
-    kind = 1 if candidate.family.id == "offset-channel" else 0
+    kind = 1 if candidate.family.generic else 0
     if candidate.family.bound_to_run:
         kind = 3
     elif candidate.family.belongs_to == "rig":
@@ -244,7 +281,7 @@ def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) ->
     near = _near(search.rank([*open_to, chosen], others), chosen)
     if search.problem.whole is not None and len(near) > 1:
         near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen)
-    return near
+    return [near[0], *(w for w in near[1:] if earned(search, others, w))]
 
 
 def _near(ranking: Sequence[Weighed], chosen: Candidate) -> list[Weighed]:

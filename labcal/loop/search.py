@@ -62,7 +62,7 @@ def expand(problem: Problem) -> list[Candidate]:
     """Every form of every family at every point of its grid; those that need no residual to look at."""
     found = []
     for family in families():
-        if family.id not in ("periodic", "offset-step") and _at_home(problem, family):
+        if family.sought == "grid" and _at_home(problem, family):
             at_once = [form for form in family.candidates(problem.run) if not _delayed(form)]
             for points in map(_points, at_once):
                 found += [Candidate(family, point, len(points)) for point in points]
@@ -81,7 +81,7 @@ def _at_home(problem: Problem, family: Family) -> bool:
     """
     if family.of_field and problem.base != "affine":
         return False
-    return (family.belongs_to != "rig" and family.id != "lag") or problem.scene.rig is not None
+    return not (family.belongs_to == "rig" or family.from_vectors) or problem.scene.rig is not None
 
 
 def _points(form: Form) -> list[Form]:
@@ -93,14 +93,13 @@ def _points(form: Form) -> list[Form]:
 
 
 def periodic(problem: Problem, residual: Array) -> list[Candidate]:
-    """The periodic effect at the highest peaks against their neighbourhood, for a residual (n, q).
+    """What shows as a line, at the highest peaks against their neighbourhood, for a residual (n, q).
 
     What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
     the turning of the field.
     """
-    family = next((f for f in families() if f.id == "periodic"), None)
-    forms = family.candidates(problem.run) if family is not None else ()
-    if family is None or not forms:
+    forms = [(f, form) for f in families() if f.sought == "lines" for form in f.candidates(problem.run)]
+    if not forms:
         return []
     offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
     frequency, power = periodogram(problem.scene.t_s, offsets)
@@ -113,8 +112,9 @@ def periodic(problem: Problem, residual: Array) -> list[Candidate]:
         peak = int(np.argmax(contrast))
         if contrast[peak] <= 0:
             break
-        form = replace(forms[0], shape=(replace(forms[0].shape[0], value=float(frequency[peak]), grid=(0.0,)),))
-        found.append(Candidate(family, form, len(frequency)))
+        for family, form in forms:
+            at = replace(form.shape[0], value=float(frequency[peak]), grid=(0.0,))
+            found.append(Candidate(family, replace(form, shape=(at,)), len(frequency)))
         contrast[max(peak - 8, 0) : peak + 9] = 0.0
     return found
 
@@ -188,8 +188,10 @@ class Search:
 
     def stage(self, accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()) -> Stage:
         """The base, what is accepted and other transformed columns, ready for candidates to stand beside."""
-        parts = [self.base, *(self.moved(c) for c in accepted), *beside]
-        return Stage.of(np.concatenate(parts, axis=2), self.y, self.bands, self.lowest)
+        columns = self.base
+        for part in (*(self.moved(c) for c in accepted), *beside):
+            columns = np.concatenate([columns, new_to(columns, part)], axis=2)
+        return Stage.of(columns, self.y, self.bands, self.lowest)
 
     def weigh(self, candidate: Candidate, stage: Stage) -> Weighed:
         """The evidence for a candidate beside what the stage holds."""
@@ -240,6 +242,17 @@ class Search:
     def whole_columns(self, candidate: Candidate) -> Array:
         """Its whitened columns on every row of the whole problem (N, q, p)."""
         return self.columns(candidate) if self.problem.whole is None else self.whole.columns(candidate.form)
+
+
+def new_to(columns: Array, part: Array) -> Array:
+    """Combinations of `part` (n, q, p) of which more than SEEN of the square is new to `columns` (n, q, b)."""
+    X, own = (
+        a.reshape(-1, a.shape[2]) / np.maximum(np.sqrt(np.sum(a**2, axis=(0, 1))), 1e-300) for a in (columns, part)
+    )
+    cross = X.T @ own
+    left = own.T @ own - cross.T @ np.linalg.pinv(X.T @ X, rcond=NOTHING, hermitian=True) @ cross
+    values, vectors = np.linalg.eigh(left)
+    return np.asarray((own @ vectors[:, values > SEEN]).reshape(*part.shape[:2], -1))
 
 
 def minimise(A: Array, y: Array, base: int) -> Array:

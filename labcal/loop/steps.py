@@ -24,9 +24,8 @@ APART = 60  # peaks lie at least the run's length over this apart
 
 def steps(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
     """The step at the moments where it takes most off the residual that the accepted effects leave."""
-    family = next((f for f in families() if f.id == "offset-step"), None)
-    forms = family.candidates(search.problem.run) if family is not None else ()
-    if family is None or not forms:
+    forms = [(f, form) for f in families() if f.sought == "moments" for form in f.candidates(search.problem.run)]
+    if not forms:
         return []
     t = search.problem.scene.t_s[search.rows]
     drop = drops(search, accepted)
@@ -35,9 +34,10 @@ def steps(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
         row = int(np.argmax(drop))
         if drop[row] <= 0:
             break
-        moment = 0.5 * (t[row - 1] + t[row])
-        shape = replace(forms[0].shape[0], value=float(moment), grid=(float(t[row - 1]), float(moment), float(t[row])))
-        found.append(Candidate(family, replace(forms[0], shape=(shape,)), len(t)))
+        grid = (float(t[row - 1]), float(t[row - 1] + t[row]) / 2, float(t[row]))
+        for family, form in forms:
+            at = replace(form.shape[0], value=grid[1], grid=grid)
+            found.append(Candidate(family, replace(form, shape=(at,)), len(t)))
         drop[max(row - len(t) // APART, 0) : row + len(t) // APART + 1] = 0.0
     return found
 

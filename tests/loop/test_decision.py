@@ -14,7 +14,7 @@ from labcal.loop import evidence
 from labcal.loop.bins import binned, rows_in_a_bin
 from labcal.loop.close import prepared
 from labcal.loop.correlation import correlation_s, follows_itself
-from labcal.loop.decide import forward
+from labcal.loop.decide import earned, forward
 from labcal.loop.delays import delays
 from labcal.loop.evidence import search_of, weighed
 from labcal.loop.floor import Floor
@@ -132,6 +132,25 @@ def test_a_second_effect_brings_a_quarter_of_the_noises_square_at_least(after: f
 @pytest.mark.parametrize(("after", "too_much"), [(110.0, False), (180.0, False), (250.0, True)])
 def test_what_leaves_more_than_its_share_is_no_drift(after: float, too_much: bool) -> None:
     assert evidence._remains([_held(1000, after)], LEVEL, evidence.REMAINS) is too_much
+
+
+@pytest.mark.parametrize(("after", "misfit"), [(130.0, False), (180.0, True)])
+def test_a_later_cause_that_leaves_a_third_of_what_it_took_is_misfit_of_the_first(after: float, misfit: bool) -> None:
+    assert evidence._remains([_held(250, after)], LEVEL, evidence.REST) is misfit
+
+
+@pytest.mark.parametrize(("drifts", "name"), [(0.0, "cage-field"), (2.0, "reference-drift")])
+def test_a_field_that_stands_is_no_drift_though_a_drift_contains_it(started: Started, drifts: float, name: str) -> None:
+    field = np.array([420.0, -260.0, 510.0])
+
+    def missed(rows: dict[str, np.ndarray]) -> float:
+        rows["ref"] = rows["ref"] + (1 + drifts * rows["t_s"][:, None] / 500.0) * field
+        return 0.0
+
+    search = _search(started(missed))
+    weighed_alone = {w.candidate.family.id: w for w in search.rank(search.candidates)}
+    assert earned(search, (), weighed_alone["reference-drift"]) is (drifts > 0)
+    assert [c.family.id for c in forward(search, most=1)[0]] == [name]
 
 
 def test_a_random_walk_is_given_no_name(started: Started) -> None:

@@ -2,7 +2,9 @@
 
 import numpy as np
 
-from labcal.model.effects.hysteresis import dahl, stop
+from labcal.model.effects import Form, Scene
+from labcal.model.effects.hysteresis import dahl, kernel, stop
+from labcal.model.effects.protocol import Shape
 from labcal.model.effects.regressors import low_passed, shifted
 
 
@@ -14,6 +16,32 @@ def test_a_stop_follows_until_its_threshold_and_back() -> None:
 def test_a_dahl_loop_comes_within_one_part_in_e_of_its_branch_over_its_width() -> None:
     drive = np.linspace(0, 3000, 301)[:, None]
     assert np.isclose(dahl(drive, 3000.0)[-1, 0], 1 - np.exp(-1))
+
+
+def test_relays_of_many_widths_are_a_saturating_loop_and_no_curve() -> None:
+    draw = np.random.default_rng(4)
+    s = 45e3 * np.sin(np.linspace(0, 12, 1500))[:, None] * np.array([1.0, 0.7, 0.9])
+    centre, half = draw.normal(0, 8000.0, (300, 1)), draw.gamma(3.0, 700.0, (300, 1))
+    state, seen = np.sign(s[0] - centre), np.empty_like(s)
+    for row, field in enumerate(s):
+        state = np.where(field > centre + half, 1.0, np.where(field < centre - half, -1.0, state))
+        seen[row] = state.mean(axis=0)
+    left = [_left(columns, seen) for columns in _saturating(s)]
+    assert left[0] < 0.35 * left[1]
+
+
+def _saturating(s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Columns along x of the saturating loop about its curve, and of the curve alone."""
+    scene = Scene(np.arange(float(len(s))), np.zeros(len(s), dtype=np.intp), s)
+    shape = (Shape("r_nT", 2000.0, "nT"), Shape("s_nT", 10000.0, "nT"))
+    columns = kernel(Form(kernel, (("c_x", "nT"),), shape=shape), scene)[:, 0, ::3]
+    columns = np.column_stack([columns / np.abs(columns).max(axis=0), s[:, 0] / 45e3, np.ones(len(s))])
+    return columns, columns[:, 1:]
+
+
+def _left(columns: np.ndarray, seen: np.ndarray) -> float:
+    found = np.linalg.lstsq(columns, seen[:, 0], rcond=None)[0]
+    return float(np.std(columns @ found - seen[:, 0]))
 
 
 def test_a_first_order_response_to_a_step_reaches_63_per_cent_after_tau() -> None:

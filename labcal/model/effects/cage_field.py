@@ -10,7 +10,7 @@ from labcal.record import Run, offers
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body and θ the platform angle."""
+    """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body, θ the platform angle; `rest_x` … where none is."""
     assert scene.rig is not None
     angle = np.nan_to_num(scene.rig.angle_rad)
     turning = np.isfinite(scene.rig.angle_rad)
@@ -18,7 +18,9 @@ def kernel(form: Form, scene: Scene) -> Array:
     for column, (name, _) in enumerate(form.parameters):
         kind, axis = name.split("_")
         drive = np.ones(len(scene))
-        if kind != "c":
+        if kind == "rest":
+            drive = (~turning).astype(float)
+        elif kind != "c":
             wave = np.cos if kind.startswith("cos") else np.sin
             drive = wave(int(kind[3:]) * angle) * turning
         out[:, :, column] = scene.rig.to_body[:, :, AXES.index(axis)] * drive[:, None]
@@ -26,10 +28,15 @@ def kernel(form: Form, scene: Scene) -> Array:
 
 
 def candidates(run: Run) -> list[Form]:
-    """A constant; and one that changes with the angle, up to the second harmonic."""
-    if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
+    """A constant; and one that changes with the angle, up to the second harmonic.
+
+    Segments at rest do not say at which angle the platform stands: what changes with it is another constant there.
+    """
+    seen = [s for s in run.segments if offers(run, s) == "vector" and s.reference_frame == "cage"]
+    if not seen:
         return []
-    sets = (("c",), ("c", "cos1", "sin1"), ("c", "cos1", "sin1", "cos2", "sin2"))
+    rest = ("rest",) if any(s.kind != "rotation" for s in seen) else ()
+    sets = (("c",), ("c", *rest, "cos1", "sin1"), ("c", *rest, "cos1", "sin1", "cos2", "sin2"))
     return [Form(kernel, tuple((f"{k}_{a}", "nT") for k in kinds for a in AXES)) for kinds in sets]
 
 

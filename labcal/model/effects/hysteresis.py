@@ -3,7 +3,8 @@
 A stop of threshold r follows the field until it is r away from where it turned, several of them make a rounded loop
 (Prandtl-Ishlinskii; Visintin, Differential Models of Hysteresis, 1994, ch. III). Dahl's loop (ASME J. Dyn. Syst. 98,
 1976) approaches its branch exponentially over a field w. A magnetic part near saturation is a bounded function of the
-play, the field less the stop: Preisach's relays of one width (Visintin, ch. IV), about a curve of powers.
+play, the field less the stop: Preisach's relays of one width (Visintin, ch. IV), about a curve of its own: the relays'
+saturation, and powers for what is uneven in it.
 Each segment starts at rest. The loop follows the field along the sensor's own axes, or along those of the body
 (`body_…`: a part beside the sensor, which knows nothing of the sensor's misalignment).
 """
@@ -16,6 +17,7 @@ from functools import partial
 
 import numpy as np
 
+from labcal.model.effects.nonlinearity import SATURATION_nT
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.recursion import affine, clipped
 from labcal.model.effects.regressors import BODY, driving, per_axis, powered, stretches
@@ -24,9 +26,8 @@ from labcal.record import Run, offers
 THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
 SEVERAL_nT = (500.0, 1500.0, 4000.0, 12000.0)
 WIDTHS_nT = (1000.0, 4000.0)
-SATURATION_nT = (10000.0, 20000.0, 40000.0)
 OWN_NOISE = 90.0  # deviations of a reading: a narrower loop, driven by the readings, would take off their noise
-BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop
+BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
 
 
 def stop(drive: Array, threshold: float) -> Array:
@@ -54,7 +55,8 @@ def kernel(form: Form, scene: Scene) -> Array:
     elif "s_nT" in names:
         play = s - _by_segment(scene, s, partial(stop, threshold=form.at("r_nT")))
         level = form.at("s_nT")
-        loops = [np.tanh(play / level) - np.tanh(s / level), *(s**k for k in BENDS)]
+        middle = np.tanh(s / level)
+        loops = [np.tanh(play / level) - middle, middle, *(s**k for k in BENDS)]
     else:
         loops = [_by_segment(scene, s, partial(stop, threshold=r)) for r in _thresholds(form)]
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
@@ -84,8 +86,8 @@ def candidates(run: Run) -> list[Form]:
             found.append(Form(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
         if widths:
             shapes = (Shape("r_nT", 0.0, "nT", widths), Shape("s_nT", 0.0, "nT", SATURATION_nT))
-            bends = (p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k)))
-            found.append(Form(kernel, (*per_axis(f"{drive}c", "nT"), *bends), shape=shapes))
+            curve = (*per_axis(f"{drive}t1", "nT"), *(p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k))))
+            found.append(Form(kernel, (*per_axis(f"{drive}c", "nT"), *curve), shape=shapes))
     return found
 
 
@@ -105,4 +107,5 @@ FAMILY = Family(
     shapes=("r_nT", "w_nT", "s_nT"),
     experiment="step the field up and down through the same values, or turn backwards",
     of_field=True,
+    extends=("nonlinearity",),
 )

@@ -31,4 +31,5 @@ FAMILY = Family(
     candidates,
     shapes=("secant_s",),
     experiment="turn faster, and backwards: a lag grows with the rate and changes sign with it",
+    from_vectors=True,
 )

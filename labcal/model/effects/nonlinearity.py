@@ -1,35 +1,50 @@
 """Readings that are not proportional to the field along their own axis: powers two to five, and the odd square.
 
-A saturating characteristic (tanh) shows as a negative third power, an uneven bridge as the second, a weak magnet in
-Rayleigh's range as s |s|.
+A core that bends shows as a negative third power, one that saturates within the range as a tanh, an uneven bridge as
+the second power, a weak magnet in Rayleigh's range as s |s|.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import BODY, driving, per_axis, powered
 from labcal.record import Run
 
 TERMS = (("c3",), ("c2",), ("c2", "c3"), ("c3", "c5"), ("c2", "c3", "c4", "c5"), ("o2",), ("o2", "c3"))
+SATURATING = (("t1",), ("t1", "c2", "c3", "c4", "c5"))
+SATURATION_nT = (10000.0, 20000.0, 40000.0)
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = Σ_k c_k s_i^k + o2 s_i |s_i| along sensor axis i, s the field along it (`body_…`: along the body's axis)."""
+    """E = Σ_k c_k s_i^k + o2 s_i |s_i| + t1 tanh(s_i / s_nT) along sensor axis i.
+
+    Here s is the field along the sensor's axes, for `body_…` along the body's.
+    """
     s = driving(form, scene)
     terms = dict.fromkeys(name.removeprefix(BODY)[:2] for name, _ in form.parameters)
-    powers = [s * np.abs(s) if term == "o2" else s ** int(term[1]) for term in terms]
-    return np.concatenate([power[:, None, :] * scene.axes for power in powers], axis=2)
+    return np.concatenate([_bent(s, term, form)[:, None, :] * scene.axes for term in terms], axis=2)
+
+
+def _bent(s: Array, term: str, form: Form) -> Array:
+    if term == "t1":
+        return np.tanh(s / form.at("s_nT"))
+    return s * np.abs(s) if term == "o2" else s ** int(term[1])
 
 
 def candidates(run: Run) -> list[Form]:
-    """The sums of powers worth trying."""
+    """The sums of powers worth trying, and a saturation alone and with them."""
+    level = (Shape("s_nT", SATURATION_nT[0], "nT", SATURATION_nT),)
     return [
-        Form(kernel, tuple(p for term in terms for p in per_axis(f"{drive}{term}", powered(int(term[1])))))
+        Form(kernel, tuple(p for term in terms for p in per_axis(f"{drive}{term}", _unit(term))), shape=shape)
         for drive in ("", BODY)
-        for terms in TERMS
+        for terms, shape in (*((t, ()) for t in TERMS), *((t, level) for t in SATURATING))
     ]
+
+
+def _unit(term: str) -> str:
+    return "nT" if term == "t1" else powered(int(term[1]))
 
 
 FAMILY = Family(
@@ -37,6 +52,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    shapes=("s_nT",),
     experiment="step the field along each axis through its whole range",
     of_field=True,
 )

@@ -28,4 +28,5 @@ FAMILY = Family(
     candidates,
     shapes=("delay_s",),
     experiment="hold the attitude and step the quantity that the channel measures",
+    generic=True,
 )

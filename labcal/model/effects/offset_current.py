@@ -36,4 +36,5 @@ FAMILY = Family(
     candidates,
     shapes=("tau_s", "delay_s"),
     experiment="hold the attitude and switch the load that draws this current on and off",
+    akin=("offset-current-squared",),
 )

@@ -23,4 +23,5 @@ FAMILY = Family(
     kernel,
     candidates,
     experiment="hold the attitude and draw three or more levels of this current",
+    akin=("offset-current",),
 )

@@ -33,4 +33,5 @@ FAMILY = Family(
     shapes=("t_step_s",),
     experiment="repeat the segments before and after the step",
     bound_to_run=True,
+    sought="moments",
 )

@@ -32,4 +32,6 @@ FAMILY = Family(
     shapes=("f_Hz",),
     experiment="record at rest, and again at another sampling rate: an alias moves",
     bound_to_run=True,
+    sought="lines",
+    harmonics=True,
 )

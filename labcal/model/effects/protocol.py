@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,6 +74,7 @@ class Shape:
 
 
 Kernel = Callable[["Form", Scene], Array]
+Sought = Literal["grid", "lines", "moments"]  # at its grid's points, or at the residual's own frequencies or jumps
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +123,12 @@ class Family:
     experiment: str = ""  # what would show it, one sentence
     bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
     of_field: bool = False  # grows with the field itself: cannot be told from a gain that the run does not determine
+    from_vectors: bool = False  # only vectors show it: on magnitudes the noise alone would
+    sought: Sought = "grid"  # where to look; what is read off the residual may come again at another place
+    harmonics: bool = False  # what is left of it may be its own overtones
+    generic: bool = False  # follows whatever a channel measures: a cause with physics that does as well goes first
+    extends: tuple[str, ...] = ()  # families that it is, where its own part is nought: it has to earn that part
+    akin: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
 
     def restore(self, record: EffectRecord) -> Form:
         """The form that a calibration file describes."""

@@ -37,4 +37,5 @@ FAMILY = Family(
     shapes=("t_ref_s",),
     experiment="compare the reference with a second one before and after",
     bound_to_run=True,
+    extends=("cage-field",),
 )
