@@ -174,8 +174,8 @@ def linearise(
 ) -> Problem:
     """The problem about `theta`, `phase` and the effects' sum (n, 3).
 
-    Effects are driven by the field at the estimated true reading: driven by the readings, and the map's columns not, a
-    curve that nearly undoes the map would take their noise off itself.
+    Effects of the field act on a at the estimated true readings, where the map's columns stand too: driven by readings
+    with their noise, a curve that nearly undoes the map would take the noise off itself.
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
@@ -187,7 +187,7 @@ def linearise(
     turns = np.stack([at.tangent * (seen.group == g)[:, None] for g in groups], axis=2) if len(groups) else None
     tangent = moves if turns is None else np.concatenate([moves, turns], axis=2)
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
-    quiet = np.einsum("nap,p->na", dtheta, theta)  # K m̂ − k, where the base's own columns stand too
+    quiet = np.einsum("nap,p->na", dtheta, theta)
     scene = scene_of(run, seen, theta, phase, quiet, at.prediction)
     return Problem(
         run, seen, noise, base, allowed, theta, phase, scene, whiten, at.residual, y, whiten @ tangent, groups

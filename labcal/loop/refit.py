@@ -18,6 +18,8 @@ from labcal.model.effects.protocol import Shape
 Array = NDArray[np.float64]
 STEPS = 8
 HALVINGS = 6
+ROUNDS = 6  # of an effect of the field, which acts on what it adds to the field itself
+SAME_nT = 0.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,8 +120,18 @@ def _moved(
 def _about(bare: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...]) -> Problem:
     if not forms:
         return bare
-    effects = total(forms, beta, bare.scene)
+    effects = _acting(forms, beta, bare.scene)
     return linearise(bare.run, bare.seen, bare.noise, bare.base, bare.allowed, bare.theta, bare.phase, effects)
+
+
+def _acting(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:
+    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene of a field without them."""
+    effects = total(forms, beta, scene)
+    for _ in range(ROUNDS):
+        before, effects = effects, total(forms, beta, replace(scene, field_nT=scene.field_nT + effects))
+        if np.max(np.abs(effects - before)) < SAME_nT:
+            break
+    return effects
 
 
 def _settled(form: Form, beta: Array) -> Form:
