@@ -13,6 +13,7 @@ from drivers.framing.polling import Polls
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
@@ -35,7 +36,7 @@ class Settings:
     magnitude_part: float = 0.01
     relative: str = "REL|ZERO|TARE|NULL|OFFSET"
     off: tuple[str, ...] = ("0", "OFF", "NO", "FALSE", "0.0", "")
-    timeout_s: float = 0.5
+    timeout_s: Positive = 0.5
 
     def __post_init__(self) -> None:
         if not 0 < self.rate <= 10:

@@ -7,11 +7,15 @@ import struct
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.registers import Registers, register
 from labcal.bench.roles import Identity
+from labcal.bench.settings import NotNegative, Positive
 from labcal.errors import InstrumentError
 
 FULL, TOP = 52428, 53477  # 100 % and the 102 % that a set-point may have
@@ -27,14 +31,14 @@ class Settings:
     3 USB, 6 Ethernet. `trips`: whether its trips lie in 550 and 553, to be set and read back before it energises.
     """
 
-    address: int = 0
-    location: int = 3
-    max_current_A: float = 3.0
-    compliance_V: float = 20.0
+    address: Annotated[int, Field(ge=0, le=247)] = 0
+    location: Annotated[int, Field(ge=1, le=31)] = 3
+    max_current_A: Positive = 3.0
+    compliance_V: Positive = 20.0
     zero_current_A: float = 0.06
     ramp_A_per_s: float = 4.0
     trips: bool = True
-    gap_s: float = 0.05
+    gap_s: NotNegative = 0.05
 
 
 class EaSupply:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
+from pydantic import Field
 
 from drivers.framing.hmr2300 import LENGTH, BinaryFrames, BinaryReplies, TextFrames
 from drivers.framing.hmr2300_words import ESC, Words
@@ -13,6 +14,7 @@ from drivers.framing.mishaps import Mishaps, overloaded
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Positive
 from labcal.record.stream import Block, Event
 
 NT_PER_COUNT = 1e5 / 15000
@@ -29,14 +31,14 @@ class Settings:
     `invalid`: readings after the start that are dropped, for those after a pulse are not valid (data sheet, p. 10).
     """
 
-    id: int = 0
+    id: Annotated[int, Field(ge=0, le=98)] = 0
     format: Literal["ascii", "binary"] = "ascii"
     mode: Literal["continuous", "polled"] = "continuous"
     rate: int = 20
     baud: int = 9600
     set_reset: bool = True
-    invalid: int = 3
-    timeout_s: float = 0.5
+    invalid: Annotated[int, Field(ge=0)] = 3
+    timeout_s: Positive = 0.5
 
     def __post_init__(self) -> None:
         fastest = FASTEST.get((self.format, self.baud), 0)

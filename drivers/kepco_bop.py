@@ -10,6 +10,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.instrument import quantity
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import NotNegative, Positive
 from labcal.errors import InstrumentError
 
 CURRENT_MODE = 1
@@ -19,12 +20,12 @@ CURRENT_MODE = 1
 class Settings:
     """`gap_s`: the least pause after each message. Where its RS-232 echo mode is on, the link states `echo=1`."""
 
-    max_current_A: float = 3.0
-    compliance_V: float = 20.0
+    max_current_A: Positive = 3.0
+    compliance_V: Positive = 20.0
     zero_current_A: float = 0.01
     ramp_A_per_s: float = 4.0
-    gap_s: float = 0.01
-    timeout_s: float = 1.5
+    gap_s: NotNegative = 0.01
+    timeout_s: Positive = 1.5
 
 
 class KepcoBop(CurrentSource):

@@ -11,6 +11,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.instrument import quantity
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Output, Positive
 from labcal.errors import InstrumentError
 
 COUPLINGS = (("OUTP:PAIR?", "pairing"), ("OUTP:TRAC?", "tracking"))
@@ -21,13 +22,13 @@ UNCOUPLED = ("OFF", "0")
 class Settings:
     """`couplings`: what must answer OFF before the output goes on; an empty list where a model has neither."""
 
-    output: int = 1
-    max_current_A: float = 3.0
-    compliance_V: float = 6.0
+    output: Output = 1
+    max_current_A: Positive = 3.0
+    compliance_V: Positive = 6.0
     zero_current_A: float = 0.01
     ramp_A_per_s: float = 4.0
     couplings: tuple[str, ...] = ("pairing", "tracking")
-    timeout_s: float = 1.5
+    timeout_s: Positive = 1.5
 
 
 class KeysightSupply(CurrentSource):

@@ -10,6 +10,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.instrument import quantity
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import NotNegative, Positive
 from labcal.errors import InstrumentError
 
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")
@@ -22,12 +23,12 @@ class Settings:
     """`terminator`: "" for old firmware, "\\n" for some of version 5 and later."""
 
     terminator: str = ""
-    max_current_A: float = 3.0
-    compliance_V: float = 20.0
+    max_current_A: Positive = 3.0
+    compliance_V: Positive = 20.0
     zero_current_A: float = 0.005
     ramp_A_per_s: float = 4.0
-    gap_s: float = 0.06
-    timeout_s: float = 0.5
+    gap_s: NotNegative = 0.06
+    timeout_s: Positive = 0.5
 
 
 class KoradSupply(CurrentSource):

@@ -10,6 +10,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.registers import Registers, signed, words
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Address, Count, NotNegative, Positive
 from labcal.errors import InstrumentError, LimitError
 
 PULSES, STATUS, ALARM, TRIGGER = 0x0001, 0x1003, 0x2203, 0x6002
@@ -28,15 +29,15 @@ class Settings:
     the commanded one. `ramp_ms`: time from rest to 1000 rpm.
     """
 
-    address: int = 1
-    pulses_per_turn: int = 10_000
+    address: Address = 1
+    pulses_per_turn: Count = 10_000
     pulses_code: bool = False
-    gear: float = 90.0
+    gear: Positive = 90.0
     position_register: int = 0x602C
-    ramp_ms: int = 2000
-    tolerance_deg: float = 0.05
-    max_rate_deg_per_s: float = 30.0
-    gap_s: float = 0.02
+    ramp_ms: Count = 2000
+    tolerance_deg: Positive = 0.05
+    max_rate_deg_per_s: Positive = 30.0
+    gap_s: NotNegative = 0.02
 
 
 class LeadshineStage:

@@ -10,6 +10,7 @@ from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 
 ABORT = ("abort", "stop", "no")
@@ -23,9 +24,9 @@ class Settings:
     """
 
     serial: str = ""
-    dial_deg: float = 0.1
-    tolerance_deg: float = 2.0
-    max_rate_deg_per_s: float = 10.0
+    dial_deg: Positive = 0.1
+    tolerance_deg: Positive = 2.0
+    max_rate_deg_per_s: Positive = 10.0
 
 
 class ManualPlatform:

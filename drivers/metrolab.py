@@ -13,6 +13,7 @@ from drivers.framing.scpi import Scpi
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Count, Positive
 from labcal.record.stream import Block, Event
 
 VALUE = re.compile(r" *([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?) *([A-Za-zµ]+) *")
@@ -29,12 +30,12 @@ class Settings:
     """
 
     rate: float = 10.0
-    average: int = 100
+    average: Count = 100
     range_T: str = ""
     digits: int = 9
     full_scale_nT: float = 100_000.0
     models: str = "THM|TFM"
-    timeout_s: float = 2.0
+    timeout_s: Positive = 2.0
 
     def __post_init__(self) -> None:
         if not 0 < self.rate <= 50 or not 1 <= self.average <= 10_000 or not 1 <= self.digits <= 12:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
 
 from drivers.framing.newport import Axis
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 
 DEGREES = "7"
@@ -26,11 +30,11 @@ AXIS_ERRORS = {  # of axis · 100 + code
 class Settings:
     """`home_type`: how it homes, 0 to 6 (1: switch, then index). `tolerance_deg`: how far off a move may end."""
 
-    axis: int = 1
-    home_type: int = 1
-    tolerance_deg: float = 0.02
-    max_rate_deg_per_s: float = 20.0
-    timeout_s: float = 0.5
+    axis: Annotated[int, Field(ge=1, le=3)] = 1
+    home_type: Annotated[int, Field(ge=0, le=6)] = 1
+    tolerance_deg: Positive = 0.02
+    max_rate_deg_per_s: Positive = 20.0
+    timeout_s: Positive = 0.5
 
 
 class Esp301Stage:

@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
 
 from drivers.framing.newport import Axis
 from labcal.bench.arrival import refuse_fast_homing
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import NotNegative, Positive
 from labcal.errors import InstrumentError
 
 NOT_REFERENCED = range(0x0A, 0x12)
@@ -30,11 +34,11 @@ ERRORS = {
 class Settings:
     """`tolerance_deg`: how far from its target a finished move may end."""
 
-    address: int = 1
-    tolerance_deg: float = 0.02
-    max_rate_deg_per_s: float = 20.0
-    gap_s: float = 0.05
-    timeout_s: float = 0.5
+    address: Annotated[int, Field(ge=1, le=31)] = 1
+    tolerance_deg: Positive = 0.02
+    max_rate_deg_per_s: Positive = 20.0
+    gap_s: NotNegative = 0.05
+    timeout_s: Positive = 0.5
 
 
 class Smc100Stage:

@@ -10,6 +10,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.registers import Registers, signed, words
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Address, Count, NotNegative, Positive
 from labcal.errors import InstrumentError, LimitError
 
 DIRECT_DATA = 0x0058  # sixteen registers, which start the move as they arrive
@@ -32,12 +33,12 @@ class Settings:
     the first turn is made with a look at the table's scale.
     """
 
-    address: int = 1
-    steps_per_turn: int = 18_000
-    acceleration_deg_per_s2: float = 10.0
-    tolerance_deg: float = 0.05
-    max_rate_deg_per_s: float = 30.0
-    gap_s: float = 0.005
+    address: Address = 1
+    steps_per_turn: Count = 18_000
+    acceleration_deg_per_s2: Positive = 10.0
+    tolerance_deg: Positive = 0.05
+    max_rate_deg_per_s: Positive = 30.0
+    gap_s: NotNegative = 0.005
 
 
 class OrientalStage:

@@ -9,6 +9,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.registers import Registers, register
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Address, NotNegative, Positive
 from labcal.errors import InstrumentError
 
 IDENTITY, CURRENT_RANGE, POWER_ON_OUTPUT = 0, 20, 68
@@ -29,14 +30,14 @@ TRIPS = {1: "over-voltage", 2: "over-current"}
 class Settings:
     """`ovp_V`, `ocp_A`: where the supply's own protection trips; they are written before every switching on."""
 
-    address: int = 1
-    max_current_A: float = 3.0
-    compliance_V: float = 20.0
-    ovp_V: float = 22.0
-    ocp_A: float = 3.3
+    address: Address = 1
+    max_current_A: Positive = 3.0
+    compliance_V: Positive = 20.0
+    ovp_V: Positive = 22.0
+    ocp_A: Positive = 3.3
     zero_current_A: float = 0.02
     ramp_A_per_s: float = 4.0
-    gap_s: float = 0.11  # stock firmware bears fewer than ten requests a second
+    gap_s: NotNegative = 0.11  # stock firmware bears fewer than ten requests a second
 
 
 class RidenSupply(CurrentSource):

@@ -10,19 +10,20 @@ from labcal.bench.clock import Clock
 from labcal.bench.instrument import quantity
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import NotNegative, Output, Positive
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
     """`gap_s`: the least pause after each message. `compliance_V` bounds the voltage that drives the coil."""
 
-    channel: int = 1
-    max_current_A: float = 3.0
-    compliance_V: float = 20.0
+    channel: Output = 1
+    max_current_A: Positive = 3.0
+    compliance_V: Positive = 20.0
     zero_current_A: float = 0.005
     ramp_A_per_s: float = 4.0
-    gap_s: float = 0.05
-    timeout_s: float = 1.5
+    gap_s: NotNegative = 0.05
+    timeout_s: Positive = 1.5
 
 
 class RigolSupply(CurrentSource):

@@ -11,6 +11,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.instrument import after, decimal, quantity
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Output, Positive
 from labcal.errors import InstrumentError
 
 EVENTS = {
@@ -31,12 +32,12 @@ EXECUTION = {
 class Settings:
     """Outputs are numbered from right to left. `compliance_V` bounds the voltage that drives the coil."""
 
-    output: int = 1
-    max_current_A: float = 3.0
-    compliance_V: float = 20.0
+    output: Output = 1
+    max_current_A: Positive = 3.0
+    compliance_V: Positive = 20.0
     zero_current_A: float = 0.005
     ramp_A_per_s: float = 4.0
-    timeout_s: float = 1.5
+    timeout_s: Positive = 1.5
     interface_lock: bool = False  # while the output is on, no other interface may set anything (IFLOCK)
 
 

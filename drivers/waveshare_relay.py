@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Address
 from labcal.errors import InstrumentError
 
 VERSION, CONTROL_MODE = 0x8000, 0x1000  # control mode: of relay 0; 0 obeys this line alone
 GAP_S = 0.2  # between commands
+
+
+Contact = Annotated[int, Field(ge=0, le=31)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,11 +27,16 @@ class Settings:
     `inputs`: a (D) board, whose digital inputs could move its relays: each must be set to obey this line alone.
     """
 
-    x: int | None = None
-    y: int | None = None
-    z: int | None = None
-    address: int = 1
+    x: Contact | None = None
+    y: Contact | None = None
+    z: Contact | None = None
+    address: Address = 1
     inputs: bool = False
+
+    def __post_init__(self) -> None:
+        wired = [relay for relay in (self.x, self.y, self.z) if relay is not None]
+        if len(set(wired)) < len(wired):
+            raise ValueError("each axis has a relay of its own")
 
 
 class WaveshareRelay:

@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
 
 from drivers.framing.zaber import REPLY, Reply, checksum
 from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
 from labcal.bench.roles import Identity
+from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 
 WHOLE = re.compile(r"-?\d+", re.ASCII)
@@ -23,11 +27,11 @@ MOST_OLD = 20  # older replies and alerts before the reply to a request
 class Settings:
     """`tolerance_deg`: how far from its target a finished move may end."""
 
-    address: int = 1
-    axis: int = 1
-    tolerance_deg: float = 0.02
-    max_rate_deg_per_s: float = 24.0
-    timeout_s: float = 0.5
+    address: Annotated[int, Field(ge=1, le=99)] = 1
+    axis: Annotated[int, Field(ge=1, le=9)] = 1
+    tolerance_deg: Positive = 0.02
+    max_rate_deg_per_s: Positive = 24.0
+    timeout_s: Positive = 0.5
 
 
 class ZaberStage:

@@ -30,6 +30,7 @@ from labcal.bench.roles import CoilSupply, DutStream, Instrument, PolarityRelay
 from labcal.errors import InputError, LimitError
 
 DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"
+WHICH = ("address", "axis", "output", "channel", "id")  # settings that tell instruments on one line apart
 ZERO_IS = 0.25  # of the current limit, at most: what is read back below it counts as zero
 T = TypeVar("T")
 
@@ -97,13 +98,21 @@ class Loader:
             first = error.errors()[0]
             self.refuse(sentence(first), (*where, *map(str, first["loc"])))
 
-    def look_at(self, name: str) -> None:
-        """See that the instrument's driver, settings and link are sound; opens nothing. Raises InputError."""
-        self.driver(name)
-        try:
-            split(self.config.instruments[name].link)
-        except InputError as error:
-            self.refuse(error.what, ("instruments", name, "link"))
+    def look_over(self) -> None:
+        """See that drivers, settings and links are sound, and no supply is named twice; opens nothing.
+
+        Raises InputError.
+        """
+        places: dict[tuple[Any, ...], str] = {}
+        for name, entry in self.config.instruments.items():
+            _, _, settings = self.driver(name)
+            try:
+                split(entry.link)
+            except InputError as error:
+                self.refuse(error.what, ("instruments", name, "link"))
+            place = (self.line_of(name), *(getattr(settings, which, None) for which in WHICH))
+            if (other := places.setdefault(place, name)) != name:
+                self.refuse(f"{other} has the same link, address and output", ("instruments", name))
 
     def link(self, name: str, entry: InstrumentConfig, settings: Any) -> Link:
         """The link of one instrument; instruments that state the same link share it."""
@@ -200,6 +209,7 @@ def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
     if isinstance(clock, VirtualClock) and not config.simulated:
         raise InputError("a virtual clock is for a bench whose links are all emulated", file=path)
     loader = Loader(path, config, clock, seed or 0)
+    loader.look_over()  # what is wrong with the file is said here, not by another process
     with ExitStack() as on_failure:
         guardian = _guardian(loader)
         if guardian is not None:
@@ -218,8 +228,6 @@ def _guardian(loader: Loader) -> GuardianClient | None:
     config = loader.config
     if not config.guarded_links:
         return None
-    for name in config.instruments:
-        loader.look_at(name)  # what is wrong with the file is said here, not by another process
     return GuardianClient(loader.path, config, loader.clock)
 
 
