@@ -26,7 +26,7 @@ class AxisLights(QFrame):
         self.worst: dict[str, QLabel] = {}
         self.looks: dict[str, QLabel] = {}
         for axis in "xyz":
-            self.worst[axis], self.looks[axis] = label("", "title"), label("", "caption", wrap=True)
+            self.worst[axis], self.looks[axis] = label("", "title"), label("", "caption")
             self.looks[axis].setTextFormat(Qt.TextFormat.RichText)
             column = QVBoxLayout()
             column.setSpacing(0)
@@ -42,7 +42,8 @@ class AxisLights(QFrame):
             shape, state = ("…", "") if going_on else STATES.get(verdict, NOT_YET)
             worst.setText(f"{axis.upper()}  {shape} {'' if going_on else verdict}".strip())
             set_state(worst, state)
-            self.looks[axis].setText("&nbsp; ".join(self._look(say(look), found) for look, found in looks.items()))
+            said = [self._look(say(look), found) for look, found in looks.items()]
+            self.looks[axis].setText("<br>".join("&nbsp; ".join(said[n : n + 2]) for n in range(0, len(said), 2)))
 
     def _look(self, look: str, verdict: str) -> str:
         shape, state = STATES.get(verdict, NOT_YET)

@@ -4,17 +4,26 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+)
 
 from labcal.gui.drawing import Mounting
 from labcal.gui.hold import KEYS, HoldButton
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, named, shrinking
+from labcal.gui.widgets import Card, button, label, named
 from labcal.gui.words import say
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
-LARGEST_PT, SMALLEST_PT = 30, 13  # the words are as large as their place allows, to be read from the cage
+LARGEST_PT, SMALLEST_PT = 54, 13  # the words are as large as their place allows, to be read from the cage
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 WORDS = {
     "done": "Done",
@@ -32,6 +41,43 @@ def acting(prompt: Prompt, choice: str) -> bool:
     return choice != "no" and (prompt.acts or choice == "retry")
 
 
+class Words(QLabel):
+    """A text as large as its place allows, which has nothing to say about how large that is."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "ask")
+        self.setWordWrap(True)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._pt = 0
+
+    def say(self, text: str) -> None:
+        """Write `text`."""
+        self.setText(text)
+        self._enlarge()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The place is another."""
+        super().resizeEvent(event)
+        self._enlarge()
+
+    def _enlarge(self) -> None:
+        fitting = next((pt for pt in range(LARGEST_PT, SMALLEST_PT, -1) if self._fits(pt)), SMALLEST_PT)
+        if fitting != self._pt:
+            self._pt = fitting
+            self.setStyleSheet(f"font-size: {fitting}pt")
+
+    def _fits(self, pt: int) -> bool:
+        font, place = QFont(self.font()), self.contentsRect()
+        font.setPointSize(pt)
+        font.setWeight(QFont.Weight.DemiBold)
+        room = QRect(0, 0, place.width(), 10_000)
+        needed = QFontMetrics(font).boundingRect(room, int(Qt.TextFlag.TextWordWrap), self.text())
+        return needed.height() <= place.height() and needed.width() <= place.width()
+
+
 class PromptCard(Card):
     """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices."""
 
@@ -42,7 +88,7 @@ class PromptCard(Card):
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
         self.text, self.hint, self.drawing = (
-            shrinking(label("", "ask", wrap=True)),
+            Words(),
             label("", "caption", wrap=True),
             Mounting(theme),
         )
@@ -82,18 +128,12 @@ class PromptCard(Card):
             return
         QApplication.beep()
         self._call.start()
-        self.text.setText(prompt.text)
+        self.text.say(prompt.text)
         self.drawing.show_drawing(prompt.drawing)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
         self.choose.setVisible(FILE in prompt.drawing)
         self._make_buttons(prompt)
-        enlarge(self.text)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Words as large as they now may be."""
-        super().resizeEvent(event)
-        QTimer.singleShot(0, self, lambda: enlarge(self.text))
 
     def _make_buttons(self, prompt: Prompt) -> None:
         while (old := self._buttons.takeAt(0)) is not None:
@@ -145,16 +185,3 @@ class PromptCard(Card):
     def _send_text(self) -> None:
         if self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
             self.answered.emit(self.entry.text().strip())
-
-
-def enlarge(words: QLabel) -> None:
-    """Write `words` as large as its own rectangle allows."""
-    place, font = words.contentsRect(), QFont(words.font())
-    for size in range(LARGEST_PT, SMALLEST_PT - 1, -1):
-        font.setPointSize(size)
-        font.setWeight(QFont.Weight.DemiBold)
-        room = QRect(0, 0, place.width(), 10_000)
-        needed = QFontMetrics(font).boundingRect(room, int(Qt.TextFlag.TextWordWrap), words.text())
-        if needed.height() <= place.height() and needed.width() <= place.width():
-            break
-    words.setStyleSheet(f"font-size: {size}pt")

@@ -44,6 +44,8 @@ class Later(QWidget):
         if self.page is None:
             self.page = self._build()
             self._column.addWidget(self.page)
+            for part in self.page.findChildren(QWidget):
+                part.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
         return self.page
 
     def forget(self) -> None:

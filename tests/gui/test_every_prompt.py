@@ -35,7 +35,7 @@ INSTALLED = sorted(entry.name for entry in entry_points(group="labcal.procedures
 BESIDE = ("preflight, redone", "preflight, resumed", "rotate-axis, by hand", "configuration, no such file", "a fault")
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
-SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned"}  # their texts say it all
+SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away"}  # their texts say it all
 A_FAULT = """
 from labcal.bench.steps import attempt
 from labcal.errors import InstrumentError
@@ -177,6 +177,8 @@ class Asked:
             card.text.contentsRect(), Qt.TextFlag.TextWordWrap, prompt.text
         )
         assert card.text.contentsRect().contains(room), f"{prompt.text} is cut off"
+        lights = self.window.page("Run").live.lights
+        assert lights.height() >= lights.minimumSizeHint().height(), "the lights of the axes are squeezed"
         assert set(prompt.drawing) <= PICTURED | SAID_IN_WORDS, f"nobody shows {dict(prompt.drawing)}"
         assert card.drawing.isVisible() == bool({"body_from_cage", "angle_deg"} & set(prompt.drawing))
         assert card.entry.isVisible() == (not prompt.choices)
