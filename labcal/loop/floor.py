@@ -82,12 +82,11 @@ def _differences(y: Array, segment: NDArray[np.intp]) -> float:
 
 
 def _static(problem: Problem) -> float | None:
-    """Spread of the residual about its mean in static segments whose field stands still; None without any."""
+    """Spread of the residual about its mean in segments whose field stands still; None without any."""
     left = []
     for part in stretches(problem.scene.segment):
-        segment = problem.run.segments[int(problem.scene.segment[part][0])]
         field = problem.scene.field_nT[part]
         still = float(field.std(axis=0).max()) < STILL * float(np.linalg.norm(field.mean(axis=0)))
-        if segment.kind == "static" and still and len(field) > 10:
+        if still and len(field) > 10:
             left.append(problem.y[part] - problem.y[part].mean(axis=0))
     return float(np.sqrt(np.mean(np.concatenate(left) ** 2))) if left else None

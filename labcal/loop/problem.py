@@ -7,7 +7,7 @@ and X, each (n, q, …): n rows in time, q = 3 numbers a row for vectors, 2 with
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -102,7 +102,7 @@ class Problem:
 
 
 def usable(run: Run) -> tuple[Run, Observations]:
-    """The rows that the loop works on: vectors where most rows offer them, else axes and magnitudes.
+    """The rows that the loop works on: vectors where most rows offer them, else what lies along an axis, or magnitudes.
 
     Raises InputError where there are too few.
     """
@@ -118,14 +118,36 @@ def usable(run: Run) -> tuple[Run, Observations]:
         cut = run.select(rows)
         seen = observe(cut)
     elif vector.any():
-        cut = run.select(seen.rows)
-        seen = observe(cut, as_scalar=True)
+        cut = along_axes(run.select(seen.rows))
+        seen = observe(cut)
+        if bool((seen.kind == VECTOR).any()) or 2 * (seen.kind == AXIS).sum() < len(seen):
+            cut = run.select(seen.rows)
+            seen = observe(cut, as_scalar=True)
     else:
         cut = run.select(seen.rows)
         seen = observe(cut)
     if len(seen) < ROWS:
         raise InputError(f"run {run.run_id} has {len(seen)} rows with a reading and a reference; {ROWS} are needed")
     return cut, seen
+
+
+def along_axes(run: Run) -> Run:
+    """The run without its angles, where a segment at rest that knows its attitude offers one axis, as those turned do.
+
+    The rows of one run have to offer equally many numbers here; the frame is known from axes as well.
+    """
+    segments = tuple(
+        replace(s, kind="rotation", axis_cage=(0.0, 0.0, 1.0), axis_body=_third(s.body_from_cage), body_from_cage=None)
+        if s.kind == "static" and s.body_from_cage is not None and s.reference_frame == "cage"
+        else s
+        for s in run.segments
+    )
+    return replace(run, segments=segments, angle_deg=None)
+
+
+def _third(body_from_cage: tuple[tuple[float, ...], ...]) -> tuple[float, float, float]:
+    x, y, z = (row[2] for row in body_from_cage)
+    return x, y, z
 
 
 def declared_noise(run: Run) -> float:

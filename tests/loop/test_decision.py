@@ -8,8 +8,10 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from labcal import session
+from labcal.fit.observations import AXIS
 from labcal.loop import evidence
 from labcal.loop.bins import binned, rows_in_a_bin
 from labcal.loop.close import prepared
@@ -40,6 +42,25 @@ def started(making: ModuleType, tmp_path: Path) -> Started:
         return prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
 
     return make
+
+
+def test_without_angles_and_with_attitudes_at_rest_the_frame_is_known(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    for segment in segments:
+        del segment["body_from_cage"]
+    rows["angle"] = np.full(len(rows["t_s"]), np.nan)
+    attitude = Rotation.from_euler("xyz", [40, 10, 70], degrees=True).as_matrix()
+    segments.append({"id": "rest", "kind": "static", "body_from_cage": attitude.tolist()})
+    rest = {name: column[-60:].copy() for name, column in rows.items()}
+    rest["t_s"] += 120.0
+    rest["segment"] = np.full(60, "rest")
+    rest["dut"] = 1.05 * rest["ref"] @ attitude.T + 800
+    turned = Rotation.from_euler("xyz", [2, -1, 3], degrees=True).as_matrix()
+    both = {name: np.concatenate([rows[name], rest[name]]) for name in rows}
+    both["dut"] = both["dut"] @ turned.T
+    problem, _, _ = prepared(session.load_run(str(making.written(tmp_path, both, segments))))
+    assert (problem.seen.kind == AXIS).all()
+    assert np.allclose(problem.affine.K, turned.T / 1.05, atol=1e-3)
 
 
 def _search(problem: Problem) -> Search:
