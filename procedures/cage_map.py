@@ -48,16 +48,17 @@ def cage_map(
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "point 0")
-        centre = yield from _probed(bench, np.zeros(3), field_nT, dwell_s)
+        centre, u_nT = yield from _probed(bench, np.zeros(3), field_nT, dwell_s)
         seen: list[list[float]] = []
         for number, point in enumerate(points, 1):
             yield plan.begin(bench, f"point {number}")
-            here = yield from _probed(bench, point, field_nT, dwell_s)
+            here, u = yield from _probed(bench, point, field_nT, dwell_s)
+            u_nT = max(u_nT, u)
             seen.append([float(np.linalg.norm(h) / np.linalg.norm(c) - 1) for h, c in zip(here, centre, strict=True)])
         yield from coils_off(bench)
     expected = np.column_stack([departures(axis, side_m, spacing, points) for axis in range(3)])
     off = float(1e6 * np.abs(np.array(seen) - expected).max())
-    yield from measured(bench, "probe less computed", off, 0.0, "ppm", model_ppm)
+    yield from measured(bench, "probe less computed", off, 1e6 * np.sqrt(2) * u_nT / field_nT, "ppm", model_ppm)
     data = {"points_m": points.tolist(), "probed": seen, "computed": expected.tolist()}
     yield Event(bench.clock.now(), "cage-map", "departure from the centre, each coil", data)
 
@@ -81,21 +82,26 @@ def _points(radius_m: float, count: int) -> Array:
     return np.vstack([np.outer(steps[steps != 0], direction) for direction in np.eye(3)])
 
 
-def _probed(bench: Bench, point: Array, field_nT: float, dwell_s: float) -> Work[Array]:
-    """Field per coil (3, 3) [nT], rows the coils, at one point: half the difference of both signs, free of ambient."""
+def _probed(bench: Bench, point: Array, field_nT: float, dwell_s: float) -> Work[tuple[Array, float]]:
+    """Field per coil (3, 3) [nT], rows the coils, at one point: half the difference of both signs, free of ambient.
+
+    And the largest standard uncertainty of a component by noise.
+    """
     yield from coils_off(bench)
     x, y, z = 1000 * point
     text = f"Put the reference at {x:.0f}, {y:.0f}, {z:.0f} mm from the DUT's place, in C, turned as it always stands."
     yield Prompt(bench.clock.now(), "probe", text, acts=True, drawing={"reference_m": point.tolist()})
     yield from ready(bench, f"Each coil goes to ±{field_nT / 1000:g} µT. Hands off?")
-    seen = np.zeros((3, 3))
+    seen, u = np.zeros((3, 3)), 0.0
     for coil in range(3):
         current = field_nT / float(np.linalg.norm(bench.cage.matrix_nT_per_A[:, coil]))
         flows = 0.0
         for sign in (1, -1):
             yield from drive(bench, sign * current * np.eye(3)[coil])
             blocks = yield from record(bench, dwell_s)
-            seen[coil] += sign * samples(blocks, "reference").mean / 2
+            reading = samples(blocks, "reference")
+            seen[coil] += sign * reading.mean / 2
+            u = max(u, float(reading.u_mean.max()) / np.sqrt(2))
             flows += sign * float(bench.cage.currents_A()[coil]) / 2
         seen[coil] *= current / flows
-    return seen
+    return seen, u

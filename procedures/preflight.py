@@ -148,7 +148,7 @@ def _open(bench: Bench, setting: Setting, axis: str, resume: Resume | None) -> W
     yield from switch_mode(bench, setting.modes[0])
     strongest = max(abs(b) for b in setting.fields_nT) / 1000
     yield from ready(bench, f"The coils go to {strongest:g} µT and the platform turns. Hands off?")
-    first = yield from _zero_and_first_position(bench, setting, "zero")
+    first, _ = yield from _zero_and_first_position(bench, setting, "zero")
     if resume is None:
         return first
     moved = [resume.measured.get(f"zero: {c}", b) - b for c, b in zip(REFERENCE, bench.cage.ambient_nT, strict=True)]
@@ -241,14 +241,16 @@ def _closing(bench: Bench, setting: Setting, first: Array, last: str) -> Work[No
     yield setting.plan().begin(bench, "closing")
     axis = setting.axes[0]
     yield from _mount_or_redo(bench, setting, f"mount-{axis}-again", axis, last)
-    again = yield from _zero_and_first_position(bench, setting, "closing")
-    for name, moved in zip(POSITIONS, again - first, strict=True):
-        yield from _closed(bench, f"closure, {name}", float(abs(moved)), 0.0, setting.closure_nT)
+    again, u = yield from _zero_and_first_position(bench, setting, "closing")
+    for name, moved, u_nT in zip(POSITIONS, again - first, np.sqrt(2) * u, strict=True):
+        yield from _closed(bench, f"closure, {name}", float(abs(moved)), float(u_nT), setting.closure_nT)
     yield from coils_off(bench)
 
 
-def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[Array]:
-    """|DUT| − |reference| (2,) [nT], coils off and in the first field: what no remounting changes by much.
+def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[tuple[Array, Array]]:
+    """|DUT| − |reference| (2,) [nT], coils off and in the first field, with standard uncertainty (2,) by noise.
+
+    It is what no remounting changes by much.
 
     Signs are left to axes-check, which follows the first time and has the DUT as a second witness.
     """
@@ -258,10 +260,10 @@ def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[
     first_field = inclined_field(bench, setting.fields_nT[0], setting.inclination_deg)
     yield from energise(bench, first_field, confirm_signs=False)
     on = yield from record(bench, setting.dwell_s)
-    excess = np.array([position(bench, blocks).excess for blocks in (off, on)])
-    for what, value in zip(POSITIONS, excess, strict=True):
-        yield from measured(bench, f"{name}: {what}", value, 0.0, "nT")
-    return excess
+    spots = [position(bench, blocks) for blocks in (off, on)]
+    for what, spot in zip(POSITIONS, spots, strict=True):
+        yield from measured(bench, f"{name}: {what}", spot.excess, spot.u, "nT")
+    return np.array([spot.excess for spot in spots]), np.array([spot.u for spot in spots])
 
 
 def _first_position(bench: Bench, setting: Setting) -> Work[Position]:

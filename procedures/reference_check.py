@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import samples
+from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measured, ready, record
 from labcal.errors import InputError, LimitNotMet
 from labcal.geometry import rotation
@@ -43,10 +43,10 @@ def reference_check(
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "zero by half turns")
         yield from coils_off(bench)
-        ambient = yield from _zero(bench, dwell_s, zero_nT)
+        ambient, u = yield from _zero(bench, dwell_s, zero_nT)
         if standard_nT:
             off = float(np.linalg.norm(ambient)) - standard_nT
-            yield from measured(bench, "magnitude less the standard's", off, 0.0, "nT", zero_nT)
+            yield from measured(bench, "magnitude less the standard's", off, u, "nT", zero_nT)
         yield plan.begin(bench, "six directions")
         bench.cage.ambient_nT = ambient
         yield from ready(bench, f"The field goes to {magnitude_nT / 1000:g} µT in six directions. Hands off?")
@@ -64,25 +64,27 @@ def _enforce_due_date(bench: Bench, due_days: int) -> None:
         raise LimitNotMet(f"the reference's calibration of {stated.group()} is {age} days old, beyond {due_days}")
 
 
-def _zero(bench: Bench, dwell_s: float, limit_nT: float) -> Work[Array]:
-    """Four attitudes that add up to nothing: the mean reading is the zero. Returns the ambient field without it."""
+def _zero(bench: Bench, dwell_s: float, limit_nT: float) -> Work[tuple[Array, float]]:
+    """Four attitudes that add up to nothing: the mean reading is the zero.
+
+    Returns the ambient field (3,) [nT, C] without it, and the standard uncertainty of one component by noise.
+    """
     turned = np.asarray(bench.config.reference.cage_from_sensor)
-    first = yield from _standing(bench, "as it always stands", np.eye(3), dwell_s)
-    readings = [turned.T @ first]
+    seen = [(yield from _standing(bench, "as it always stands", np.eye(3), dwell_s))]
     for name, half in HALF_TURNS.items():
-        seen = yield from _standing(bench, f"turned by 180° about its own {name}", half, dwell_s)
-        readings.append(turned.T @ seen)
+        seen.append((yield from _standing(bench, f"turned by 180° about its own {name}", half, dwell_s)))
     yield from _ask_to_turn(bench, "as it always stands", np.eye(3))
-    zero = np.mean(readings, axis=0)
+    zero = np.mean([turned.T @ standing.mean for standing in seen], axis=0)
+    u = float(np.linalg.norm([standing.u_mean.max() for standing in seen])) / len(seen)
     for name, value in zip("xyz", zero, strict=True):
-        yield from measured(bench, f"zero {name}", value, 0.0, "nT", limit_nT)
-    return np.asarray(first - turned @ zero)
+        yield from measured(bench, f"zero {name}", value, u, "nT", limit_nT)
+    return np.asarray(seen[0].mean - turned @ zero), float(np.hypot(u, seen[0].u_mean.max()))
 
 
-def _standing(bench: Bench, how: str, half: Array, dwell_s: float) -> Work[Array]:
+def _standing(bench: Bench, how: str, half: Array, dwell_s: float) -> Work[Samples]:
     yield from _ask_to_turn(bench, how, half)
     blocks = yield from record(bench, dwell_s)
-    return samples(blocks, "reference").mean
+    return samples(blocks, "reference")
 
 
 def _ask_to_turn(bench: Bench, how: str, half: Array) -> Work[None]:
@@ -92,11 +94,13 @@ def _ask_to_turn(bench: Bench, how: str, half: Array) -> Work[None]:
 
 def _six_directions(bench: Bench, dwell_s: float, magnitude_nT: float, limit_ppm: float) -> Work[None]:
     """One applied field in six directions: what the magnitude departs from its mean is scale and orthogonality."""
-    ratios: list[float] = []
+    ratios, u_nT = list[float](), 0.0
     for direction in (*np.eye(3), *-np.eye(3)):
         yield from energise(bench, magnitude_nT * direction)
         blocks = yield from record(bench, dwell_s)
         applied = float(np.linalg.norm(bench.cage.field_nT()))
-        ratios.append(float(np.linalg.norm(samples(blocks, "reference").mean)) / applied)
-    spread_ppm = float(1e6 * (max(ratios) - min(ratios)) / 2)
-    yield from measured(bench, "magnitude against direction", spread_ppm, 0.0, "ppm", limit_ppm)
+        seen = samples(blocks, "reference")
+        ratios.append(float(np.linalg.norm(seen.mean)) / applied)
+        u_nT = max(u_nT, float(seen.u_mean.max()))
+    spread_ppm, u_ppm = 1e6 * (max(ratios) - min(ratios)) / 2, 1e6 * u_nT / magnitude_nT / np.sqrt(2)
+    yield from measured(bench, "magnitude against direction", spread_ppm, u_ppm, "ppm", limit_ppm)

@@ -83,6 +83,7 @@ def test_reference_check_finds_its_zero_and_enforces_its_due_date(ran: Run, benc
     zero = [12.0, -9.0, 15.0]
     found = ran("reference-check", REFERENCE.format(zero), dwell_s=5)
     assert xyz(found, "zero {}") == pytest.approx(zero, abs=3)
+    assert 0 < found.measured["zero x"].u < 1
     old = bench_file("", ("[reference]\n", '[reference]\ncalibration = "aa00, 2020-01-31"\n'))
     assert "days old, beyond 365" in session.run("reference-check", old).status
 
@@ -163,6 +164,9 @@ def test_the_stated_uncertainty_of_the_moment_is_its_scatter(ran: Run, place_m: 
 
 def test_field_hold_takes_back_what_drifts(ran: Run) -> None:
     found = ran("field-hold", "ambient = { drift_nT = 400.0 }", duration_s=120)
+    set_points = [np.array(i.data["read_back_A"]) for i in found.items if getattr(i, "kind", "") == "set-point"]
+    bump_nT = 5e4 * np.linalg.norm(set_points[1] - set_points[0])  # from manual to automatic
+    assert bump_nT < 2 * found.value("open-loop error") + 50
     assert found.measured["rms error while held"].verdict == "PASS"
     tracked = np.array(found.event("ambient").data["ambient_nT"]) - xyz(found, "zero: ref_{}")
     assert np.linalg.norm(tracked) > 2 * found.value("rms error while held")

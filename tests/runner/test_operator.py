@@ -139,8 +139,7 @@ def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_int
         asked.append(prompt.key)
         return "no" if prompt.key == "mounting-stands" else "perhaps"
 
-    with Store.open() as store:
-        break_off(bench, store)
+    break_off(bench, "axes-check")
     outcome = session.resume("R", bench, seed=2, answer=remounted)
     assert (outcome.status, outcome.at_rest) == ("interrupted", "coils at zero")
     assert asked == ["mounting-stands", "mount-z"]
@@ -151,22 +150,36 @@ def test_resuming_that_is_given_up_before_a_coil_is_energised_leaves_the_run_int
     assert moved.status.startswith("failed: zero since the interruption: 2000 nT is beyond 500 nT")
 
 
-def break_off(bench: Path, store: Store) -> None:
-    """A run R whose program died while the axes were checked."""
+def test_a_resumed_run_goes_on_after_its_last_finished_turn_in_a_mounting_of_its_own(bench_file: BenchFile) -> None:
+    bench, steps = bench_file(), list[str]()
+    before = break_off(bench, "z+30uT-nominal")
+    outcome = session.resume("R", bench, seed=2, tell=lambda i: steps.append(i.name) if isinstance(i, Step) else None)
+    assert outcome.status == "finished", outcome.fault
+    assert steps == ["zero", "axes-check", "sync-check", "mount-z", "z+30uT-nominal", "closure-z", "closing"]
+    run = session.load_run("R")
+    assert [(s.id, s.mounting) for s in run.segments] == [("z+20uT-nominal", "z"), ("z+30uT-nominal", "z.again")]
+    rows = [run.rows(index) for index in range(2)]
+    assert min(map(len, rows)) > 150
+    assert run.t_s[rows[0][-1]] < before < run.t_s[rows[1][0]]
+
+
+def break_off(bench: Path, at: str) -> float:
+    """A run R whose program died when the step `at` had begun; returns when that was."""
     control, seen = Control(), list[Item]()
 
     def tell(item: Item) -> None:
         seen.append(item)
-        if isinstance(item, Step) and item.name == "axes-check":
+        if isinstance(item, Step) and item.name == at:
             control.stop()
 
     outcome = session.run("preflight", bench, SHORT, seed=2, control=control, tell=tell)
-    writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))
-    for item in seen:
-        writer.write(item)
-        if isinstance(item, Step) and item.name == "axes-check":
-            break
-    writer.finish("interrupted")
+    last = next(i for i in seen if isinstance(i, Step) and i.name == at)
+    with Store.open() as store:
+        writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))
+        for item in seen[: seen.index(last) + 1]:
+            writer.write(item)
+        writer.finish("interrupted")
+    return last.t_s
 
 
 def test_what_keeps_no_steps_cannot_be_resumed(bench_file: BenchFile) -> None:
