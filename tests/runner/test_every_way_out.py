@@ -71,6 +71,11 @@ def abort(lab: Lab) -> None:
     lab.control.abort()
 
 
+def ctrl_c(lab: Lab) -> None:
+    """In a script of one's own, where nobody turns it into a stop."""
+    raise KeyboardInterrupt
+
+
 def exception(lab: Lab) -> None:
     """A fault of the procedure's own, once the coils carry current."""
     listen, clock, begun = lab.bench.stream_until, lab.bench.clock, lab.bench.clock.now()
@@ -120,6 +125,7 @@ EVERYWHERE = [
 ]
 ONCE = [
     (abort, "failed: aborted by the operator"),
+    (ctrl_c, "stopped"),
     (unplug("dut"), UNPLUGGED.format("dut")),
     (unplug("stage"), "failed: stage: the link is gone"),
 ]
