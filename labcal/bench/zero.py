@@ -103,16 +103,20 @@ def _released(
 
 
 def wait_for_zero(axis: str, supply: CoilSupply, clock: Clock) -> float:
-    """The measured current once it is below `zero_current_A`. Raises InstrumentError (not zero) where it stays."""
-    deadline = clock.now() + ZERO_TIMEOUT_S
+    """The measured current once it is below `zero_current_A`. Raises InstrumentError (not zero) where it stays.
+
+    What was measured last was measured after the time was up, however slow the line is.
+    """
+    deadline, late = clock.now() + ZERO_TIMEOUT_S, False
     while abs(left := supply.measure_current()) >= supply.zero_current_A:
-        if clock.now() >= deadline:
+        if late:
             raise InstrumentError(
                 f"coil {axis}: {left:.4g} A still flows {ZERO_TIMEOUT_S:g} s after zero was set "
                 f"(zero is below {supply.zero_current_A:g} A).",
                 fault="not zero",
                 remedy="Its output stays closed: switch the supply off by hand, then look at its panel.",
             )
+        late = clock.now() >= deadline
         clock.wait_until(clock.now() + 0.02)
     return left
 

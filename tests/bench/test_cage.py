@@ -13,6 +13,7 @@ import pytest
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.polarity import ReversedSupply
+from labcal.bench.zero import wait_for_zero
 from labcal.errors import InputError, InstrumentError, LimitError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -227,3 +228,52 @@ def test_without_a_reference_that_sees_the_coils_the_read_back_is_all_there_is(t
         bench.start()
         bench.cage.set_currents([0.5, -0.5, 0.0])
         assert bench.cage.currents_A() == pytest.approx([0.5, -0.5, 0.0], abs=0.01)
+
+
+class SlowSupply:
+    """A supply that takes longer to ask than zero may take."""
+
+    zero_current_A, can_open, ramp_A_per_s, name = 0.01, True, 2.0, "slow"
+
+    def __init__(self, clock: VirtualClock, currents_A: list[float]) -> None:
+        self._clock, self._currents_A, self.said = clock, currents_A, list[str]()
+
+    def measure_current(self) -> float:
+        self._clock.wait_until(self._clock.now() + 0.8)
+        return self._currents_A.pop(0) if len(self._currents_A) > 1 else self._currents_A[0]
+
+    def set_current(self, current_A: float) -> None:
+        self.said.append(f"{current_A:g} A")
+
+    def output(self, on: bool) -> None:
+        self.said.append(f"output {on}")
+
+
+class Contacts:
+    """Contacts that switch as told."""
+
+    sign = 1
+
+    def polarity(self, axis: str) -> int:
+        return self.sign
+
+    def set_polarity(self, axis: str, sign: int) -> None:
+        self.sign = sign
+
+
+def test_a_slow_line_is_no_current() -> None:
+    clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    assert wait_for_zero("x", SlowSupply(clock, [0.4, 0.4, 0.0]), clock) == 0.0
+    supply, contacts = SlowSupply(clock, [0.0]), Contacts()
+    ReversedSupply("x", supply, contacts, clock).set_current(-0.5)
+    assert (contacts.sign, supply.said) == (-1, ["0 A", "output False", "output False", "0.5 A"])
+
+
+def test_a_current_that_stays_is_told_on_a_slow_line_too() -> None:
+    clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    with pytest.raises(InstrumentError, match="still flows"):
+        wait_for_zero("x", SlowSupply(clock, [0.4]), clock)
+    contacts = Contacts()
+    with pytest.raises(InstrumentError, match="the contacts were not moved"):
+        ReversedSupply("x", SlowSupply(clock, [0.4]), contacts, clock).set_current(-0.5)
+    assert contacts.sign == 1

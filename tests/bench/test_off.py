@@ -9,7 +9,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from served_lab import EXAMPLE, Served, at_zero, guardians, until
+from served_lab import EXAMPLE, Served, at_zero, example, guardians, until
 from test_guardian_ear import Ear
 
 from labcal.bench.config import read_config
@@ -32,7 +32,16 @@ def left_on(lab: Served) -> None:
         until(lambda axis=axis: not at_zero(lab, axis))
 
 
+def patient() -> str:
+    """The example, with supplies that are waited for as long as a busy machine takes."""
+    text = example().replace("{ interface_lock = true }", "{ timeout_s = 60.0 }")
+    for axis in "yz":
+        text = text.replace(f'role = "coil-{axis}"', f'role = "coil-{axis}"\nsettings = {{ timeout_s = 60.0 }}')
+    return text
+
+
 @POSIX
+@pytest.mark.parametrize("bench_text", [patient()], ids=["patient"])
 def test_without_a_guardian_it_opens_the_ports_itself_and_gives_them_back(lab: Served) -> None:
     left_on(lab)
     ended = coils_off(lab.file)
