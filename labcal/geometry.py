@@ -17,6 +17,12 @@ def unit(v: ArrayLike) -> Array:
     return np.asarray(v / length)
 
 
+def cross(a: ArrayLike, b: ArrayLike) -> Array:
+    """A × b along the last axis (..., 3): for few rows several times faster than numpy's."""
+    (x, y, z), (u, v, w) = (np.moveaxis(np.asarray(part, dtype=float), -1, 0) for part in (a, b))
+    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
+
+
 def skew(v: ArrayLike) -> Array:
     """[v]× (..., 3, 3), so that skew(v) @ w = v × w."""
     v = np.asarray(v, dtype=float)
@@ -40,7 +46,7 @@ def rotate(axis: ArrayLike, angle: ArrayLike, v: ArrayLike) -> Array:
     u, v = np.asarray(axis, dtype=float), np.asarray(v, dtype=float)
     c, s = np.cos(angle)[..., None], np.sin(angle)[..., None]
     along = np.sum(u * v, axis=-1, keepdims=True) * u
-    return np.asarray(c * v + s * np.cross(u, v) + (1 - c) * along)
+    return np.asarray(c * v + s * cross(u, v) + (1 - c) * along)
 
 
 def rotation_vector(w: ArrayLike) -> Array:
@@ -60,7 +66,7 @@ def shortest_rotation(a: ArrayLike, b: ArrayLike) -> Array:
     if c < -1 + 1e-12:
         across = np.eye(3)[int(abs(a[0]) > 0.9)]
         return rotation(unit(across - (across @ a) * a), np.pi)
-    K = skew(np.cross(a, b))
+    K = skew(cross(a, b))
     return np.asarray(np.eye(3) + K + K @ K / (1 + c))
 
 

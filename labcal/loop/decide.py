@@ -107,6 +107,10 @@ def earned(search: Search, accepted: Sequence[Candidate], found: Weighed) -> boo
 
 def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
     """All candidates; periods, steps and delays at the frequencies and moments that the present residual shows."""
+    return search.once("looks", [c.form for c in accepted], lambda: _looks(search, accepted))
+
+
+def _looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
     left = search.residual(accepted) * search.rows[:, None]
     return [*search.candidates, *periodic(search.problem, left), *steps(search, accepted), *delays(search, accepted)]
 
@@ -127,7 +131,11 @@ def neighbourhood(search: Search, accepted: Sequence[Candidate]) -> list[Array]:
 def _spanned(search: Search, chosen: Candidate, ids: Collection[str]) -> list[Array]:
     """All looks of these families on the channels of `chosen`, spanned; nothing where there is none."""
     kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
-    return [spanning(np.concatenate([search.columns(c)[search.rows] for c in kin], axis=2))] if kin else []
+
+    def made() -> Array:
+        return spanning(np.concatenate([search.columns(c)[search.moving] for c in kin], axis=2))
+
+    return [search.once(("spanned", *(id(c.form) for c in kin)), (), made)] if kin else []
 
 
 def spanning(columns: Array, least: float = 1e-4) -> Array:
@@ -183,7 +191,7 @@ def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[C
     stage = search.stage(accepted)
 
     def badness(value: float) -> float:
-        columns = search.problem.columns(candidate.form.reshaped(**{name: value}))[search.rows]
+        columns = search.problem.columns(candidate.form.reshaped(**{name: value}))[search.moving]
         return -stage.beside(transformed(columns))[0].log
 
     start = candidate.form.at(name)

@@ -8,7 +8,7 @@ their Gram matrices with everything else are sums over rows, and the drops at al
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,19 +24,20 @@ Array = NDArray[np.float64]
 def delays(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
     """Each effect that a delay could shift, at the delay that takes most off the residual that the accepted leave."""
     causes = {c.cause for c in search.candidates}
-    late = [(family, form) for family, form in _late(search.problem) if (family.id, form.channels) in causes]
+    able = search.once("late", (), lambda: _late(search.problem), everywhere=True)
+    late = [(family, form) for family, form in able if (family.id, form.channels) in causes]
     found = list[Candidate]()
     if not late:
         return found
     sums = _Sums.of(search, accepted)
     for family, form in late:
         grid = next(s.grid for s in form.shape if s.name == "delay_s")
-        best = int(np.argmax(sums.drops(_drives(search, form, grid))))
+        drives = search.once("drives", (form,), partial(_drives, search.problem, form, grid), everywhere=True)
+        best = int(np.argmax(sums.drops(drives[:, search.rows])))
         found.append(Candidate(family, form.reshaped(delay_s=grid[best]), len(grid)))
     return found
 
 
-@lru_cache(maxsize=2)
 def _late(problem: Problem) -> list[tuple[Family, Form]]:
     """Every form that has a delay."""
     able = [family for family in families() if "delay_s" in family.shapes]
@@ -44,11 +45,11 @@ def _late(problem: Problem) -> list[tuple[Family, Form]]:
     return [(family, form) for family, form in forms if any(s.name == "delay_s" for s in form.shape)]
 
 
-def _drives(search: Search, form: Form, grid: Sequence[float]) -> Array:
-    """The channel (delays, n) after each delay, on the search's rows."""
-    scene = search.problem.scene
+def _drives(problem: Problem, form: Form, grid: Sequence[float]) -> Array:
+    """The channel (delays, n) after each delay."""
+    scene = problem.scene
     drive = form.drive(scene)
-    return np.stack([delayed(scene.t_s, scene.segment, drive, by)[search.rows] for by in grid])
+    return np.stack([delayed(scene.t_s, scene.segment, drive, by) for by in grid])
 
 
 class _Sums:

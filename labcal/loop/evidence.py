@@ -260,7 +260,7 @@ def _simpler(search: Search, chosen: Candidate, others: Sequence[Candidate]) -> 
     kin = [c for c in search.candidates if c.cause == chosen.cause and c.size < chosen.size]
     stage = search.stage(others)
     for size in sorted({c.size for c in kin}):
-        best = max((search.weigh(c, stage) for c in kin if c.size == size), key=lambda w: w.weight)
+        best = max(search.weigh_each([c for c in kin if c.size == size], stage), key=lambda w: w.weight)
         yield refined(search, best.candidate, others)
 
 

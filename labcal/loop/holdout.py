@@ -105,14 +105,15 @@ def held_out(
     """
     problem, whole = search.problem, search.whole
     block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (plan.block, plan.fold))
-    out = np.full((2, len(whole)), np.nan)
+    out, known = np.full((2, len(whole)), np.nan), list[tuple[Candidate, Array]]()
     for fold in np.unique(plan.fold):
         part = search.on(plan.training(problem.scene.t_s, int(fold)) & search.rows)
         chosen = choose(part)
-        known = problem.scene.t_s[part.rows]
-        test = (folds == fold) & search.good & ~_at_a_step(whole.scene.t_s, known, [*before, *chosen])
+        seen_s = problem.scene.t_s[part.rows]
+        test = (folds == fold) & search.good & ~_at_a_step(whole.scene.t_s, seen_s, [*before, *chosen])
+        known = [(c, _of(c, known, search)) for c in (*before, *chosen)]
         for which, effects in enumerate((before, chosen)):
-            A = np.concatenate([whole.T[test], *(search.whole_columns(c)[test] for c in effects)], axis=2)
+            A = np.concatenate([whole.T[test], *(_of(c, known, search)[test] for c in effects)], axis=2)
             out[which, test] = lengths(whole, whole.y[test] - A @ part.solved(effects), test)
     seen = np.isfinite(out).all(axis=0)
     return HeldOut(block[seen], out[0, seen], out[1, seen])
@@ -126,6 +127,14 @@ def _at_a_step(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDAr
         low, high = np.concatenate([[-np.inf], known_s, [np.inf]])[after : after + 2]
         out |= (t_s > low) & (t_s < high)
     return out
+
+
+def _of(candidate: Candidate, known: Sequence[tuple[Candidate, Array]], search: Search) -> Array:
+    """Its columns on every row, from what is known where they are there."""
+    for other, columns in known:
+        if other.form is candidate.form:
+            return columns
+    return search.whole_columns(candidate)
 
 
 def lengths(problem: Problem, whitened: Array, rows: NDArray[np.bool_]) -> Array:

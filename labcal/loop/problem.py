@@ -90,6 +90,8 @@ class Problem:
     def columns(self, candidate: Form) -> Array:
         """An effect's whitened columns (n, q, p)."""
         if self.bins is not None and self.whole is not None:
+            if not self.whole.whiten.strides[0]:  # one W for all rows: it can wait
+                return np.asarray(self.whole.whiten[0] @ self.bins.averaged(candidate.columns(self.whole.scene)))
             return self.bins.averaged(self.whole.columns(candidate))
         return np.asarray(self.whiten @ candidate.columns(self.scene))
 
@@ -201,24 +203,30 @@ def linearise(
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
-    dtheta = np.zeros((len(seen), 3, 12))
-    for axis in range(3):
-        dtheta[:, axis, 3 * axis : 3 * axis + 3], dtheta[:, axis, 9 + axis] = at.columns[:, :3], at.columns[:, 3]
-    moves = dtheta @ allowed.basis
+    T = _tangent(seen, whiten, at.columns, allowed)
     groups = np.flatnonzero([bool((seen.group == g).any()) for g in range(len(phase))])
-    turns = np.stack([at.tangent * (seen.group == g)[:, None] for g in groups], axis=2) if len(groups) else None
-    tangent = moves if turns is None else np.concatenate([moves, turns], axis=2)
+    if len(groups):
+        turn = np.einsum("nqj,nj->nq", whiten, at.tangent)[:, :, None]
+        T = np.concatenate([T, turn * (seen.group[:, None] == groups)[:, None, :]], axis=2)
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
-    quiet = np.einsum("nap,p->na", dtheta, theta)
+    gains, zero = theta[:9].reshape(3, 3), theta[9:]
+    quiet = at.columns[:, :3] @ gains.T + at.columns[:, 3:] * zero
     scene = scene_of(run, seen, theta, phase, quiet, at.prediction)
-    return Problem(
-        run, seen, noise, base, allowed, theta, phase, scene, whiten, at.residual, y, whiten @ tangent, groups
-    )
+    return Problem(run, seen, noise, base, allowed, theta, phase, scene, whiten, at.residual, y, T, groups)
+
+
+def _tangent(seen: Observations, whiten: Array, columns: Array, allowed: MapForm) -> Array:
+    """The whitened residual's derivatives (n, q, coordinates) by the map: K row by row goes with `columns`, then k."""
+    of_gains = whiten[:, :, :, None] * columns[:, None, None, :3]
+    whole = np.concatenate([of_gains.reshape(*whiten.shape[:2], 9), whiten * columns[:, None, 3:]], axis=2)
+    return whole if allowed.name == "affine" else whole @ allowed.basis
 
 
 def _whitener(seen: Observations, information: Array, field: Array) -> Array:
     """W (n, q, 3) with W'W = G; axes of W move no faster than the field."""
     if bool((seen.kind == VECTOR).all()):
+        if bool((information == information[0]).all()):
+            return np.broadcast_to(np.linalg.cholesky(information[0]).T, information.shape)
         return np.asarray(np.swapaxes(np.linalg.cholesky(information), 1, 2))
     u = field / np.maximum(np.linalg.norm(field, axis=1), 1e-9)[:, None]
     first = np.einsum("nab,nb->na", information, u)

@@ -9,7 +9,7 @@ from labcal.fit.ml import estimate
 from labcal.fit.observations import SCALAR, VECTOR, Observations, observe
 from labcal.fit.solve import FormName
 from labcal.fit.system import evaluate
-from labcal.geometry import rotate
+from labcal.geometry import cross, rotate
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -71,7 +71,7 @@ def _free_phases(seen: Observations, X: Array) -> Array:
     if not groups:
         return np.zeros(0)
     along = np.sum(seen.target * seen.axis, axis=1)[:, None] * seen.axis
-    across, side = seen.target - along, np.cross(seen.axis, seen.target)
+    across, side = seen.target - along, cross(seen.axis, seen.target)
     A = [np.kron(X, np.eye(3))]
     for g in range(groups):
         mine = (seen.group == g)[:, None]
@@ -84,7 +84,7 @@ def _free_phases(seen: Observations, X: Array) -> Array:
 def _turns(seen: Observations, field: Array, p: Array) -> Array:
     """How much farther each group has to turn for its p to lie on the field (groups,) [rad]."""
     cosine = np.sum(field * (p - np.sum(p * seen.axis, axis=1)[:, None] * seen.axis), axis=1)
-    sine = -np.sum(field * np.cross(seen.axis, p), axis=1)
+    sine = -np.sum(field * cross(seen.axis, p), axis=1)
     groups = range(len(seen.phase_names))
     sums = np.array([[part[seen.group == g].sum() for g in groups] for part in (sine, cosine)]).reshape(2, -1)
     return np.asarray(np.arctan2(sums[0], sums[1]))

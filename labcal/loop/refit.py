@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.problem import Problem, linearise
 from labcal.loop.search import NOTHING, SEEN, minimise
-from labcal.loop.spectrum import spectrum_of, weighted_gram
+from labcal.loop.spectrum import spectrum_of, transformed, weighted_gram
 from labcal.model import Parameter
 from labcal.model.effects import Form, Scene
 from labcal.model.effects.protocol import Shape
@@ -146,10 +146,11 @@ def _covariance(here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...],
     shapes = [_by_shape(form, b, here) for form, b in zip(forms, beta, strict=True)]
     columns = [here.columns(form) for form in forms]
     parts = np.concatenate([here.T, *columns, *(s for s in shapes if s.shape[2])], axis=2)[used]
-    bands, spectrum = spectrum_of(parts, here.y[used])
-    A = weighted_gram(parts, bands, np.ones_like(spectrum))
+    moved = transformed(parts)
+    bands, spectrum = spectrum_of(moved, here.y[used])
+    A = weighted_gram(moved, bands, np.ones_like(spectrum))
     inverse = _inverse(A, here.T.shape[2])
-    return np.asarray(inverse @ weighted_gram(parts, bands, spectrum) @ inverse)
+    return np.asarray(inverse @ weighted_gram(moved, bands, spectrum) @ inverse)
 
 
 def _inverse(A: Array, base: int) -> Array:

@@ -8,18 +8,23 @@ family took (time constants, step times, frequencies). Above zero it is more pro
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.periods import periodogram, usual
 from labcal.loop.problem import Problem
-from labcal.loop.spectrum import Bands, Likelihood, Stage, bands_of, transformed
+from labcal.loop.spectrum import Bands, Grams, Likelihood, Stage, bands_of, fast, transformed
 from labcal.model.effects import Family, Form, families
 
 Array = NDArray[np.float64]
+Kept = TypeVar("Kept")
+AT_ONCE = 64  # columns that are weighed together
+LONG = 5000  # rows from which a few at the end are not looked at, for a length that is fast to transform
+KEPT_NUMBERS = 8_000_000  # of transformed columns of all candidates: more are transformed anew each time
 NAMED = 12.0  # nats of weight below which nothing is named: odds of 1.6e5 to one
 PEAKS = 3  # frequencies that a periodic effect is tried at
 SEEN = 1e-4  # of a column's square must be new to the base
@@ -119,6 +124,14 @@ def periodic(problem: Problem, residual: Array) -> list[Candidate]:
     return found
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Columns:
+    """Candidates with equally many columns, side by side: what is done to one is done to all at the price of few."""
+
+    candidates: tuple[Candidate, ...]
+    whitened: Array  # (n, q, candidates, p) on all rows
+
+
 @dataclass(eq=False)
 class Search:
     """The candidates' columns on the rows of a problem, or on some of them, in the frequency domain."""
@@ -129,15 +142,32 @@ class Search:
     lowest: float  # of the white noise, in whitened units
     good: NDArray[np.bool_]  # (N,) rows of the whole problem that do not lie
     bands: Bands = field(init=False)
-    base: Array = field(init=False)  # (n, q, t) transformed tangent
+    base: Array = field(init=False)  # (n, q, t) transformed tangent, columns at unit length
     y: Array = field(init=False)  # (n, q, 1)
-    whitened: dict[int, tuple[Form, Array]] = field(default_factory=dict)  # shared between folds: columns on all rows
-    _moved: dict[int, tuple[Form, Array]] = field(default_factory=dict)  # a kept form keeps its id to itself
+    part: bool = False  # of the rows of another search
+    moving: NDArray[np.intp] = field(init=False)  # numbers of the rows that are transformed
+    shared: dict[Any, Any] = field(default_factory=dict)  # with the same search on other rows
+    _own: dict[Any, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.bands = bands_of(int(self.rows.sum()))
-        self.base = transformed(self.problem.T[self.rows])
-        self.y = transformed(self.problem.y[self.rows])[:, :, None]
+        self.moving = np.flatnonzero(self.rows)
+        if self.part or len(self.moving) > LONG:
+            self.moving = self.moving[: fast(len(self.moving))]
+        self.bands = bands_of(len(self.moving))
+        base = transformed(self.problem.T[self.moving])
+        self.base = base / np.maximum(np.sqrt(np.sum(base**2, axis=(0, 1))), 1e-300)
+        self.y = transformed(self.problem.y[self.moving])[:, :, None]
+
+    def once(
+        self, what: Hashable, about: Sequence[object], make: Callable[[], Kept], *, everywhere: bool = False
+    ) -> Kept:
+        """What `make` gives, made once for `what` and these very objects; `everywhere`: whatever the rows."""
+        kept = self.shared if everywhere else self._own
+        key = (what, *map(id, about))
+        if key not in kept:
+            kept[key] = make(), tuple(about)  # which keep their ids to themselves
+        found: Kept = kept[key][0]
+        return found
 
     @property
     def data(self) -> int:
@@ -156,7 +186,11 @@ class Search:
 
     def on(self, rows: NDArray[np.bool_]) -> Search:
         """The same search on fewer rows."""
-        return Search(self.problem, self.candidates, rows, self.lowest, self.good, whitened=self.whitened)
+
+        def made() -> Search:
+            return Search(self.problem, self.candidates, rows, self.lowest, self.good, part=True, shared=self.shared)
+
+        return self.once(("on", rows.tobytes()), (), made)
 
     def unbinned(self) -> Search:
         """The same search on every row of the whole problem."""
@@ -164,38 +198,110 @@ class Search:
 
     def without(self, lying: NDArray[np.bool_]) -> Search:
         """The same search without these rows (N,) of the whole problem, and without the bins that hold one."""
+        if bool((lying == ~self.good).all()):
+            return self
         bins = self.problem.bins
         here = ~lying if bins is None else ~bins.any(lying)
-        return Search(self.problem, self.candidates, here, self.lowest, ~lying, whitened=self.whitened)
+        return Search(self.problem, self.candidates, here, self.lowest, ~lying, shared=self.shared)
 
     def among(self, candidates: list[Candidate]) -> Search:
         """The same search among fewer candidates."""
-        return Search(self.problem, candidates, self.rows, self.lowest, self.good, whitened=self.whitened)
+        return Search(self.problem, candidates, self.rows, self.lowest, self.good)
+
+    @property
+    def standing(self) -> list[Columns]:
+        """All candidates in groups of as many columns, few enough at a time to stay in the processor's cache."""
+        return self.once("standing", (), self._grouped, everywhere=True)
+
+    def _grouped(self) -> list[Columns]:
+        alike: dict[int, list[Candidate]] = {}
+        for candidate in self.candidates:
+            alike.setdefault(len(candidate.form.parameters), []).append(candidate)
+        found = []
+        for size, group in alike.items():
+            count = max(AT_ONCE // size, 1)
+            found += [self._side_by_side(group[k : k + count]) for k in range(0, len(group), count)]
+        return found
+
+    def _side_by_side(self, some: Sequence[Candidate]) -> Columns:
+        n, q = self.problem.y.shape
+        whitened = np.empty((n, q, len(some), len(some[0].form.parameters)))
+        for place, candidate in enumerate(some):
+            whitened[:, :, place] = self.problem.columns(candidate.form)
+        group = Columns(tuple(some), whitened)
+        for place, candidate in enumerate(some):
+            self.shared["home", id(candidate.form)] = (group, place), (candidate.form,)
+        return group
 
     def columns(self, candidate: Candidate) -> Array:
         """Its whitened columns on all rows (n, q, p)."""
-        key = id(candidate.form)
-        if key not in self.whitened:
-            self.whitened[key] = candidate.form, self.problem.columns(candidate.form)
-        return self.whitened[key][1]
+        form, home = candidate.form, self._home(candidate)
+        if home is not None:
+            return home[0].whitened[:, :, home[1]]
+        return self.once("columns", (form,), lambda: self.problem.columns(form), everywhere=True)
+
+    def _home(self, candidate: Candidate) -> tuple[Columns, int] | None:
+        """The group that has its columns, and its place there."""
+        found: tuple[tuple[Columns, int], object] | None = self.shared.get(("home", id(candidate.form)))
+        return None if found is None else found[0]
 
     def moved(self, candidate: Candidate) -> Array:
         """Its columns on these rows, transformed."""
-        key = id(candidate.form)
-        if key not in self._moved:
-            self._moved[key] = candidate.form, transformed(self.columns(candidate)[self.rows])
-        return self._moved[key][1]
+        home = self._home(candidate)
+        if home is not None and self._may_keep():
+            return self.moved_each(home[0])[:, :, home[1]]
+        return self.once("moved", (candidate.form,), lambda: transformed(self.columns(candidate)[self.moving]))
+
+    def moved_each(self, group: Columns) -> Array:
+        """The columns of a group on these rows, transformed (n, q, candidates, p); kept where that is not too much."""
+
+        def made() -> Array:
+            return transformed(group.whitened[self.moving])
+
+        return self.once("moved", (group,), made) if self._may_keep() else made()
+
+    def _may_keep(self) -> bool:
+        numbers = self.y.size * sum(len(c.form.parameters) for c in self.candidates)
+        return numbers < KEPT_NUMBERS
+
+    def _ground(self, group: Columns) -> Grams:
+        """The Gram matrices of a group with the base and with y."""
+
+        def made() -> Grams:
+            right = np.concatenate([self.base, self.y], axis=2)
+            return Grams.of(self.moved_each(group), right.reshape(self.data, -1), self.bands)
+
+        return self.once("ground", (group,), made)
 
     def stage(self, accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()) -> Stage:
         """The base, what is accepted and other transformed columns, ready for candidates to stand beside."""
-        columns = self.base
-        for part in (*(self.moved(c) for c in accepted), *beside):
-            columns = np.concatenate([columns, new_to(columns, part)], axis=2)
-        return Stage.of(columns, self.y, self.bands, self.lowest)
+
+        def made() -> Stage:
+            columns = self.base
+            for part in (*(self.moved(c) for c in accepted), *beside):
+                columns = np.concatenate([columns, new_to(columns, part)], axis=2)
+            return Stage.of(columns, self.y, self.bands, self.lowest)
+
+        return self.once("stage", [*(c.form for c in accepted), *beside], made)
 
     def weigh(self, candidate: Candidate, stage: Stage) -> Weighed:
         """The evidence for a candidate beside what the stage holds."""
-        found, rank = stage.beside(self.moved(candidate))
+        return self.weigh_each([candidate], stage)[0]
+
+    def weigh_each(self, candidates: Sequence[Candidate], stage: Stage) -> list[Weighed]:
+        """The evidence for each, beside what the stage holds."""
+        found = self.once("weighed", (stage,), lambda: dict[int, Weighed]())
+        open_to = {id(c) for c in candidates} - found.keys()
+        for group in self.standing:
+            if sum(id(c) in open_to for c in group.candidates) > len(group.candidates) / 4:
+                evidence = stage.beside_each(self.moved_each(group), self._ground(group))
+                found |= {id(c): self._weighed(c, stage, *e) for c, e in zip(group.candidates, evidence, strict=True)}
+        for candidate in candidates:
+            if id(candidate) not in found:
+                found[id(candidate)] = self._weighed(candidate, stage, *stage.beside(self.moved(candidate)))
+        return [found[id(c)] for c in candidates]
+
+    def _weighed(self, candidate: Candidate, stage: Stage, found: Likelihood, rank: int) -> Weighed:
         gain = found.log - stage.null.log
         weight = gain - self.price(candidate, rank)
         drop = (stage.null.rss - found.rss) / (self.data * self.rows_each)
@@ -210,12 +316,11 @@ class Search:
         self, candidates: Iterable[Candidate], accepted: Sequence[Candidate] = (), beside: Sequence[Array] = ()
     ) -> list[Weighed]:
         """The best look of each cause beside what is accepted and `beside`, heaviest first."""
-        stage = self.stage(accepted, beside)
         best: dict[tuple[str, tuple[str, ...]], Weighed] = {}
-        for candidate in candidates:
-            found = self.weigh(candidate, stage)
-            if candidate.cause not in best or found.weight > best[candidate.cause].weight:
-                best[candidate.cause] = found
+        for found in self.weigh_each(list(candidates), self.stage(accepted, beside)):
+            cause = found.candidate.cause
+            if cause not in best or found.weight > best[cause].weight:
+                best[cause] = found
         return sorted(best.values(), key=lambda w: -w.weight)
 
     def residual(self, accepted: Sequence[Candidate]) -> Array:
@@ -225,9 +330,13 @@ class Search:
 
     def solved(self, accepted: Sequence[Candidate]) -> Array:
         """The base's steps and the effects' parameters by plain least squares on these rows."""
-        T, y, rows = self.problem.T, self.problem.y, self.rows
-        A = np.concatenate([T[rows], *(self.columns(c)[rows] for c in accepted)], axis=2)
-        return minimise(A, y[rows], T.shape[2])
+
+        def made() -> Array:
+            T, y, rows = self.problem.T, self.problem.y, self.rows
+            A = np.concatenate([T[rows], *(self.columns(c)[rows] for c in accepted)], axis=2)
+            return minimise(A, y[rows], T.shape[2])
+
+        return self.once("solved", [c.form for c in accepted], made)
 
     def everywhere(self, accepted: Sequence[Candidate]) -> tuple[Array, Array]:
         """Of every row of the whole problem (N, q): what that leaves, and what the accepted effects add."""
@@ -263,9 +372,10 @@ def minimise(A: Array, y: Array, base: int) -> Array:
     """
     n, q, p = A.shape
     flat = A.reshape(n * q, p)
-    scale = np.linalg.norm(flat, axis=0)
+    gram = flat.T @ flat
+    scale = np.sqrt(np.diag(gram))
     scale = np.where(scale > 0, scale, 1.0)
-    gram, pull = (flat / scale).T @ (flat / scale), flat.T @ y.ravel() / scale
+    gram, pull = gram / np.outer(scale, scale), flat.T @ y.ravel() / scale
     inverse = np.linalg.pinv(gram[:base, :base], rcond=NOTHING, hermitian=True)
     carried = inverse @ gram[:base, base:]
     values, vectors = np.linalg.eigh(gram[base:, base:] - gram[base:, :base] @ carried)

@@ -60,16 +60,22 @@ def transformed(columns: Array) -> Array:
     return np.asarray(dct(columns, axis=0, norm="ortho"))
 
 
-def spectrum_of(columns: Array, y: Array) -> tuple[Bands, Array]:
-    """The bands and the noise's variance in each, with these columns (n, q, b) fitted to y (n, q)."""
+def fast(n: int) -> int:
+    """The largest length up to n that is fast to transform: one with a large prime factor takes five times as long."""
+    from scipy.fft import next_fast_len
+
+    return next(k for k in range(n, 0, -1) if next_fast_len(k, real=True) == k)
+
+
+def spectrum_of(moved: Array, y: Array) -> tuple[Bands, Array]:
+    """The bands and the noise's variance in each, with transformed columns (n, q, b) fitted to y (n, q)."""
     bands = bands_of(len(y))
-    null = Stage.of(transformed(columns), transformed(y)[:, :, None], bands, 0.0).null
+    null = Stage.of(moved, transformed(y)[:, :, None], bands, 0.0).null
     return bands, null.level**2 * bands.spectra[null.tried]
 
 
-def weighted_gram(columns: Array, bands: Bands, weight: Array) -> Array:
-    """Σ_k weight_k G_k (b, b) over the bands, for columns (n, q, b)."""
-    moved = transformed(columns)
+def weighted_gram(moved: Array, bands: Bands, weight: Array) -> Array:
+    """Σ_k weight_k G_k (b, b) over the bands, for transformed columns (n, q, b)."""
     parts = [moved[a:b].reshape(-1, moved.shape[2]) for a, b in itertools.pairwise(bands.edges)]
     return np.asarray(sum(w * part.T @ part for w, part in zip(weight, parts, strict=True)))
 
@@ -93,6 +99,7 @@ class Stage:
 
     columns: Array  # (n, q, b)
     y: Array  # (n, q, 1)
+    right: Array  # (n q, b + 1) both
     bands: Bands
     lowest: float
     inverse: Array  # (tried, b, b) of the weighted Gram matrices, columns at unit length
@@ -104,34 +111,100 @@ class Stage:
     def of(cls, columns: Array, y: Array, bands: Bands, lowest: float) -> Stage:
         """Eliminate `columns` (n, q, b), whatever their lengths."""
         columns = columns / np.maximum(np.sqrt(np.sum(columns**2, axis=(0, 1))), 1e-300)
-        total = _weighted(columns, np.concatenate([columns, y], axis=2), bands)
+        both = np.concatenate([columns, y], axis=2)
+        total = _weighted(columns, both, bands)
         A, b = total[:, :, :-1], total[:, :, -1]
         inverse = np.linalg.inv(A + RIDGE * np.eye(A.shape[1]) * np.trace(A, axis1=1, axis2=2)[:, None, None])
         solved = np.einsum("tij,tj->ti", inverse, b)
         yy = _weighted(y, y, bands)[:, 0, 0]
         rss = np.maximum(yy - np.sum(solved * b, axis=1), 1e-300)
-        return cls(columns, y, bands, lowest, inverse, solved, rss, _best(rss, y.size, y.shape[1], bands, lowest))
+        null = _best(rss[:, None], y.size, y.shape[1], bands, lowest)[0]
+        return cls(columns, y, both.reshape(-1, both.shape[2]), bands, lowest, inverse, solved, rss, null)
 
-    def beside(self, X: Array, least: float = 1e-4) -> tuple[Likelihood, int]:
+    def beside(self, X: Array) -> tuple[Likelihood, int]:
         """The likelihood with the transformed columns X (n, q, p) too, and how many directions they add."""
-        X = X / np.maximum(np.sqrt(np.sum(X**2, axis=(0, 1))), 1e-300)
-        b, p = self.columns.shape[2], X.shape[2]
-        bands = _grams(X, np.concatenate([self.columns, X, self.y], axis=2), self.bands)
-        new = self._directions(bands.sum(axis=0), least)
-        total = np.tensordot(1.0 / self.bands.spectra, np.einsum("pk,bpr->bkr", new, bands), axes=1)
-        cross, own, pull = total[:, :, :b], total[:, :, b : b + p] @ new, total[:, :, -1]
-        schur = own - cross @ self.inverse @ np.swapaxes(cross, 1, 2)
-        pull = (pull - np.einsum("tkb,tb->tk", cross, self.solved))[:, :, None]
-        drop = np.sum(pull * np.linalg.solve(schur, pull), axis=(1, 2))
-        rss = np.maximum(self.rss - drop, 1e-300)
-        return _best(rss, self.y.size, self.y.shape[1], self.bands, self.lowest), new.shape[1]
+        return self.beside_each(X[:, :, None, :])[0]
 
-    def _directions(self, total: Array, least: float) -> Array:
-        """Combinations (p, k) of columns of which more than `least` of the square is new, for white noise."""
-        b, p = self.columns.shape[2], len(total)
-        cross, own = total[:, :b], total[:, b : b + p]
-        values, vectors = np.linalg.eigh(own - cross @ self.inverse[0] @ cross.T)
-        return np.asarray(vectors[:, values > least * np.trace(own) / p])
+    def beside_each(self, X: Array, ground: Grams | None = None, least: float = 1e-4) -> list[tuple[Likelihood, int]]:
+        """The same for each of c sets of as many columns, X (n, q, c, p), on its own.
+
+        `ground` are their Gram matrices with the first of the columns here and with y, where they are known.
+        """
+        own, cross, pull = self._totals(X, ground)
+        schur = own - np.swapaxes(cross, 2, 3) @ _split(self.inverse @ _joined(cross), X.shape[2])
+        pull = pull - _split(self.solved[:, None, :] @ _joined(cross), X.shape[2])[:, :, 0]
+        values, vectors = np.linalg.eigh(schur[0])
+        new = values > least * np.trace(own[0], axis1=1, axis2=2)[:, None] / X.shape[3]
+        drop = _explained(np.swapaxes(vectors, 1, 2) @ schur @ vectors, (pull[:, :, None, :] @ vectors)[:, :, 0], new)
+        rss = np.maximum(self.rss[:, None] - drop, 1e-300)
+        found = _best(rss, self.y.size, self.y.shape[1], self.bands, self.lowest)
+        return list(zip(found, new.sum(axis=1).tolist(), strict=True))
+
+    def _totals(self, X: Array, ground: Grams | None) -> tuple[Array, Array, Array]:
+        """Gram matrices of X at unit length under every spectrum.
+
+        With itself (tried, c, p, p), with the columns here (tried, c, b, p), and with y (tried, c, p).
+        """
+        if ground is None:
+            found = Grams.of(X, self.right, self.bands)
+        else:
+            found = ground.with_more(X, self.right[:, ground.cross.shape[1] - 1 : -1], self.bands)
+        length = np.sqrt(np.maximum(np.einsum("kcpp->cp", found.own), 1e-300))
+        weight = 1.0 / self.bands.spectra
+        own = np.tensordot(weight, found.own, axes=1) / (length[:, :, None] * length[:, None, :])
+        cross = _split(np.tensordot(weight, found.cross, axes=1) / length.ravel(), X.shape[2])
+        return own, cross[:, :, :-1], cross[:, :, -1]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Grams:
+    """Of c sets of p transformed columns, in each band: with themselves, and with other columns."""
+
+    own: Array  # (bands, c, p, p)
+    cross: Array  # (bands, others, c p)
+
+    @classmethod
+    def of(cls, X: Array, right: Array, bands: Bands) -> Grams:
+        """For X (n, q, c, p) and other columns `right` (n q, others)."""
+        n, q, c, p = X.shape
+        flat, edges = X.reshape(n * q, c, p), (bands.edges * q).tolist()
+        own = np.empty((len(edges) - 1, c, p, p))
+        for k, (a, b) in enumerate(itertools.pairwise(edges)):
+            np.matmul(flat[a:b].transpose(1, 2, 0), flat[a:b].transpose(1, 0, 2), out=own[k])
+        return cls(own, _crossed(X, right, bands))
+
+    def with_more(self, X: Array, more: Array, bands: Bands) -> Grams:
+        """These with other columns (n q, more) put before the last of those there are."""
+        new = _crossed(X, more, bands)
+        return Grams(self.own, np.concatenate([self.cross[:, :-1], new, self.cross[:, -1:]], axis=1))
+
+
+def _crossed(X: Array, right: Array, bands: Bands) -> Array:
+    """Gram matrices (bands, others, c p)."""
+    n, q, c, p = X.shape
+    flat, edges = X.reshape(n * q, c * p), (bands.edges * q).tolist()
+    out = np.empty((len(edges) - 1, right.shape[1], c * p))
+    for k, (a, b) in enumerate(itertools.pairwise(edges)):
+        np.matmul(right[a:b].T, flat[a:b], out=out[k])
+    return out
+
+
+def _joined(parts: Array) -> Array:
+    """(tried, c, b, p) side by side, (tried, b, c p)."""
+    return np.asarray(np.swapaxes(parts, 1, 2).reshape(len(parts), parts.shape[2], -1))
+
+
+def _split(joined: Array, c: int) -> Array:
+    """The reverse."""
+    return np.asarray(np.swapaxes(joined.reshape(*joined.shape[:2], c, -1), 1, 2))
+
+
+def _explained(schur: Array, pull: Array, new: NDArray[np.bool_]) -> Array:
+    """What falls off the sums of squares (tried, c), in the directions that are `new` (c, p) alone."""
+    inside = new[:, :, None] & new[:, None, :]
+    system = np.where(inside, schur, 0.0) + np.eye(schur.shape[-1]) * ~new[:, :, None]
+    pull = np.where(new, pull, 0.0)[..., None]
+    return np.asarray(np.sum(pull * np.linalg.solve(system, pull), axis=(2, 3)))
 
 
 RIDGE = 1e-12
@@ -152,9 +225,12 @@ def _grams(left: Array, right: Array, bands: Bands) -> Array:
     )
 
 
-def _best(rss: Array, size: int, q: int, bands: Bands, lowest: float) -> Likelihood:
-    """The spectrum of the largest likelihood (without its constant) for residual sums of squares (tried,)."""
+def _best(rss: Array, size: int, q: int, bands: Bands, lowest: float) -> list[Likelihood]:
+    """The spectrum of the largest likelihood (without its constant) for each of c residual sums (tried, c)."""
     variance = np.maximum(rss / size, lowest**2)
-    logs = -0.5 * (size * np.log(variance) + rss / variance + q * (np.log(bands.spectra) @ bands.count))
-    best = int(np.argmax(logs))
-    return Likelihood(float(logs[best]), float(np.sqrt(variance[best])), best, float(rss[0]))
+    logs = -0.5 * (size * np.log(variance) + rss / variance + q * (np.log(bands.spectra) @ bands.count)[:, None])
+    best = np.argmax(logs, axis=0)
+    return [
+        Likelihood(float(logs[t, k]), float(np.sqrt(variance[t, k])), int(t), float(rss[0, k]))
+        for k, t in enumerate(best)
+    ]

@@ -30,12 +30,14 @@ def by_chance(search: Search, accepted: Sequence[Candidate], seed: int = 0) -> A
     signs = np.random.default_rng(seed).choice([-1.0, 1.0], size=(len(left), SURROGATES))
     drawn = left[:, None] * signs
     heaviest = np.full(SURROGATES, -np.inf)
-    for candidate in search.candidates:
-        X = _flat(search.moved(candidate), weight)
-        new = _basis(X - known @ (known.T @ X), X)
-        if new.shape[1]:
-            gain = 0.5 * np.sum((new.T @ drawn) ** 2, axis=0)
-            heaviest = np.maximum(heaviest, gain - search.price(candidate, new.shape[1]))
+    for group in search.standing:
+        moved = search.moved_each(group)
+        for place, candidate in enumerate(group.candidates):
+            X = _flat(moved[:, :, place], weight)
+            new = _basis(X - known @ (known.T @ X), X)
+            if new.shape[1]:
+                gain = 0.5 * np.sum((new.T @ drawn) ** 2, axis=0)
+                heaviest = np.maximum(heaviest, gain - search.price(candidate, new.shape[1]))
     return np.sort(heaviest)
 
 

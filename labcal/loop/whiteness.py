@@ -88,10 +88,10 @@ def independent(problem: Problem, y: Array) -> Iterator[ResidualTest]:
     """One test for each drive: its largest cross-correlation with a component of y at any lag."""
     from scipy.stats import norm
 
-    own = [_autocorrelation(part) for part in y.T]
+    own = [_Series.of(part) for part in y.T]
     for name, drive in drives(problem).items():
-        other = _autocorrelation(drive)
-        z, r = max(_crossed(part, rho, drive, other) for part, rho in zip(y.T, own, strict=True))
+        other = _Series.of(drive)
+        z, r = max(_crossed(part, other) for part in own)
         looks = y.shape[1] * (2 * LATE + 1)
         p = min(1.0, looks * 2 * float(norm.sf(z)))
         share = r**2 / y.shape[1]
@@ -122,27 +122,40 @@ def true_field(problem: Problem) -> Array:
     return problem.scene.field_nT if rig is None else rig.prediction_nT
 
 
-def _autocorrelation(x: Array) -> Array:
-    """Of x (n,), at every lag (n,) from none on."""
-    n = len(x)
-    power = np.abs(np.fft.rfft(x - x.mean(), n=2 * n)) ** 2
-    rho = np.fft.irfft(power)[:n]
-    return np.asarray(rho / max(rho[0], 1e-300))
+@dataclass(frozen=True, slots=True, eq=False)
+class _Series:
+    """A series less its mean, as its cross-correlations need it."""
+
+    n: int
+    fourier: NDArray[np.complex128]
+    rho: Array  # (n,) its autocorrelation from lag 0 on
+    size: float  # root of its sum of squares
+
+    @classmethod
+    def of(cls, x: Array) -> _Series:
+        n, padded = len(x), _padded(len(x))
+        fourier = np.fft.rfft(x - x.mean(), padded)
+        rho = np.fft.irfft(np.abs(fourier) ** 2, padded)[:n]
+        return cls(n, fourier, rho / max(rho[0], 1e-300), float(np.sqrt(max(rho[0], 0.0))))
 
 
-def _crossed(y: Array, rho_y: Array, drive: Array, rho_x: Array) -> tuple[float, float]:
+def _padded(n: int) -> int:
+    """A length that holds all lags of n rows and is fast to transform."""
+    from scipy.fft import next_fast_len
+
+    return int(next_fast_len(2 * n, real=True))
+
+
+def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
     """The largest cross-correlation over LATE lags: in standard deviations of chance, and its value.
 
     Chance has the variance Σ ρ_y ρ_x / n (Bartlett 1946), sums tapered at a tenth of the record.
     """
-    n = len(y)
-    x, y = drive - drive.mean(), y - y.mean()
-    size = float(np.sqrt(np.sum(x**2) * np.sum(y**2)))
-    cut = max(n // 10, 1)
+    cut = max(y.n // 10, 1)
     taper = 1 - np.arange(cut) / cut
-    both = rho_y[:cut] * rho_x[:cut] * taper
-    variance = max(1 + 2 * float(np.sum(both[1:])), 1.0) / n
-    cross = np.fft.irfft(np.fft.rfft(y, 2 * n) * np.conj(np.fft.rfft(x, 2 * n))) / max(size, 1e-300)
+    both = y.rho[:cut] * x.rho[:cut] * taper
+    variance = max(1 + 2 * float(np.sum(both[1:])), 1.0) / y.n
+    cross = np.fft.irfft(y.fourier * np.conj(x.fourier), _padded(y.n)) / max(y.size * x.size, 1e-300)
     near = np.concatenate([cross[: LATE + 1], cross[-LATE:]])
     place = int(np.argmax(np.abs(near)))
     return float(abs(near[place]) / np.sqrt(variance)), float(near[place])
