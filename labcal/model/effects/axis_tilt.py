@@ -47,7 +47,7 @@ def _mounted(axis_body: Array) -> NDArray[np.intp]:
 
 
 def candidates(run: Run) -> list[Form]:
-    """A tilt in the cage, common to all or for each mounted axis; and one in the body for each mounted axis."""
+    """A tilt in the cage, common to all or for each mounted axis; one in the body for each mounted axis; both."""
     segments = [s for s in run.segments if s.kind == "rotation" and offers(run, s) == "vector"]
     if not segments:
         return []
@@ -59,6 +59,7 @@ def candidates(run: Run) -> list[Form]:
         forms.append(Form(kernel, tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)))
         body = tuple((f"body_{i}:{a}", "deg") for i, axis in numbered for a in _across([tuple(axis)]))
         forms.append(Form(kernel, body))
+        forms.append(Form(kernel, (*forms[0].parameters, *body)))  # levelled on the cage: its axis is tilted in both
     return forms
 
 
