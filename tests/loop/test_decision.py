@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from labcal import session
 from labcal.fit.observations import AXIS
+from labcal.geometry import rotate, rotation_vector
 from labcal.loop import evidence
 from labcal.loop.bins import binned, rows_in_a_bin
 from labcal.loop.close import prepared
@@ -107,6 +109,30 @@ def test_a_block_that_hides_the_moment_of_a_step_does_not_count_against_it(start
     assert 0 < hidden <= np.bincount(blocks.block).max() + 2
     assert honest.after < 1.1 * np.sqrt(3) * 20.0 / 1.05  # the readings' own noise
     assert honest.before > 4 * honest.after
+
+
+def _levelled_on_a_tilted_platform(rows: dict[str, np.ndarray], segments: list[dict[str, Any]]) -> None:
+    """Each body axis mounted along the cage's z at angle 0, in ± one field; the platform turns 0.4° off z."""
+    platform = rotation_vector(np.radians([0.3, -0.25, 0.0])) @ [0.0, 0.0, 1.0]
+    draw = np.random.default_rng(1)
+    for number, segment in enumerate(segments):
+        here = rows["segment"] == segment["id"]
+        mounted = np.roll(np.eye(3), number % 3 - 2, axis=0)
+        rows["ref"][here] = (1 if number < 3 else -1) * np.array([38300.0, 0.0, 32150.0])
+        seen = rotate(platform, -rows["angle"][here], rows["ref"][here]) @ mounted.T
+        rows["dut"][here] = 1.05 * seen + 800 + draw.normal(0, 20, seen.shape)
+        stated = {"axis_body": mounted[:, 2].tolist(), "axis_cage": [0, 0, 1], "body_from_cage": mounted.tolist()}
+        segment.update(stated)
+
+
+def test_an_axis_tilted_under_a_levelled_device_is_one_cause(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    _levelled_on_a_tilted_platform(rows, segments)
+    search = _search(prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0])
+    accepted, _ = forward(search)
+    assert [c.family.id for c in accepted] == ["axis-tilt"]
+    assert {name.partition("_")[0] for name, _ in accepted[0].form.parameters} == {"cage", "body"}
+    assert np.sqrt(np.mean(search.residual(accepted) ** 2)) < 1.1
 
 
 def _switched(t_s: np.ndarray) -> np.ndarray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -15,7 +16,7 @@ from labcal.loop.close import prepared
 from labcal.loop.discrimination import CLEAR, ranked
 from labcal.loop.experiments import TWINS, experiments
 from labcal.loop.problem import Problem
-from labcal.loop.search import Candidate
+from labcal.loop.search import Candidate, expand
 from labcal.model.effects import families, family
 from labcal.runner import procedures
 
@@ -50,6 +51,41 @@ def test_a_current_and_its_square_are_told_apart_by_switching_loads_in_three_lev
     sigma = _sigmas(problem, one, other, [40.0, 0.0, 0.0])
     assert max(sigma, key=sigma.__getitem__) == "switch every load on and off at one attitude"
     assert sigma["repeat the run unchanged"] < CLEAR  # two levels again: a line and a parabola through both
+
+
+REVERSED, OTHER_RATES = "turn once forwards and once backwards", "turn at half and at twice the rate"
+TWO_FIELDS, LOADS = "turn in two more coil fields", "switch every load on and off at one attitude"
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "declared"),
+    [
+        ("cage-field", "reference-drift", {"turn the reference by 180°"}),
+        ("dut-dipole-at-reference", "field-gradient", {TWO_FIELDS}),
+        ("offset-temperature", "offset-drift", {"warm the device and let it cool"}),
+        ("lag", "axis-tilt", {REVERSED, OTHER_RATES}),
+        ("lag", "hysteresis", {REVERSED, OTHER_RATES}),
+        ("cage-field", "field-gradient", {TWO_FIELDS, "step the field up and down"}),
+        ("offset-current", "cage-field", {LOADS}),
+    ],
+)
+def test_twins_of_one_field_are_sent_to_the_experiment_that_is_declared_for_them(
+    making: ModuleType, tmp_path: Path, one: str, other: str, declared: set[str]
+) -> None:
+    """Turned at one rate in one field, the current locked to the attitude, starting phases unknown, warming only."""
+    rows, segments = making.recorded()
+    rows["temp"], rows["i_load"] = 20 + rows["t_s"] / 100, 0.4 + 0.4 * np.cos(rows["angle"])
+    segments = [{k: v for k, v in s.items() if k != "body_from_cage"} for s in segments[3:]]
+    kept = np.isin(rows["segment"], [s["id"] for s in segments])
+    run = session.load_run(str(making.written(tmp_path, {k: v[kept] for k, v in rows.items()}, segments)))
+    problem = prepared(replace(run, reference=replace(run.reference, position_m=(0.1, 0.0, 0.2))))[0]
+    candidates = expand(problem)
+    chosen, rival = (next(c for c in candidates if c.family.id == name) for name in (one, other))
+    columns = chosen.form.columns(problem.scene)
+    size = 100.0 / np.maximum(np.sqrt(np.mean(np.sum(columns**2, axis=1), axis=0)), 1e-12)  # nT each
+    best = ranked(problem, chosen, rival, size)[:3]
+    assert best[0].sigma > CLEAR
+    assert any(s.experiment.do.startswith(tuple(declared)) and s.sigma > CLEAR for s in best)
 
 
 def test_an_effect_is_never_far_from_itself(problem: Problem) -> None:
