@@ -170,7 +170,10 @@ class Drive:
         try:
             for axis in sorted(bench.cage.abrupt):
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
-            self._keep(self._read_back(faults, lost))
+            read_back = self._read_back(faults, lost)
+            for event in bench.events():  # what a stream lost on the way: the read-back is the last word
+                self._keep(event)
+            self._keep(read_back)
         except Exception as fault:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
         if not self._at_zero:

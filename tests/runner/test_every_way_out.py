@@ -116,7 +116,7 @@ def failing_clean_up(lab: Lab) -> None:
 
 
 UNPLUGGED = "failed: ({0}: the link is gone|{0}: no sample for|no samples came from {0})"  # whichever is noticed first
-ALWAYS = ("axes-check", "z+20uT-nominal", "closing")  # the other steps in the slow set
+ALWAYS = ("zero", "z+20uT-nominal", "closing")  # the other steps in the slow set
 EVERYWHERE = [
     (stop, "stopped"),
     (exception, "failed: a fault in the procedure"),
