@@ -100,7 +100,7 @@ class Loci(QWidget):
 
 def legend_of(widget: pg.PlotWidget, ground: object = None) -> pg.LegendItem:
     """The plot's legend at its upper right, empty."""
-    legend = widget.getPlotItem().legend or widget.addLegend(offset=(-8, 8), brush=ground)
+    legend = widget.getPlotItem().legend or widget.addLegend(offset=(-8, 2), brush=ground, colCount=3)
     legend.clear()
     return legend
 

@@ -12,6 +12,7 @@ from labcal.gui.plots import legend_of, plot, words_only
 from labcal.gui.theme import Theme
 from labcal.gui.words import say
 
+LEGEND_SHARE = 0.2  # of the height is left free above the points, for the legend
 Array = NDArray[np.float64]
 
 
@@ -56,6 +57,8 @@ class Residuals(QWidget):
         self._band.setVisible(noise_nT is not None)
         self.plot.getPlotItem().setLabel("bottom", against, color=self._theme.muted)
         self.plot.autoRange()
+        low, high = self.plot.viewRange()[1]
+        self.plot.setYRange(low, high + LEGEND_SHARE * (high - low), padding=0)
 
     def _add(self, name: str, colour: str, x: Array, values: Array) -> None:
         xs, ys = np.repeat(x, values.shape[1]), values.ravel()

@@ -64,8 +64,8 @@ class FitPage(QWidget):
         self.trace.clicked.connect(self._trace)
         self.waiting = shrinking(label("", "caption"))
         row = QHBoxLayout()
-        row.addWidget(self.chooser, 2)
-        row.addWidget(self.waiting, 1)
+        row.addWidget(self.chooser, 1)
+        row.addWidget(self.waiting)
         for widget in (self.cancel, self.fit, self.all, self.draft, self.trace):
             row.addWidget(widget)
         return row

@@ -92,8 +92,8 @@ class LoopPage(QWidget):
         )
         self.sign.clicked.connect(lambda: self._desk.went.emit("Certificate"))
         row = QHBoxLayout()
-        row.addWidget(self.chooser, 2)
-        row.addWidget(self.waiting, 1)
+        row.addWidget(self.chooser, 1)
+        row.addWidget(self.waiting)
         for widget in (self.cancel, self.close_loop, self.sign):
             row.addWidget(widget)
         return row

@@ -147,7 +147,7 @@ class Live(QWidget):
     def _below(self) -> Card:
         card = Card()
         self.table = Measurements(self._theme)
-        self.table.setMinimumHeight(20 * GRID)
+        self.table.setMinimumHeight(12 * GRID)
         card.body.addWidget(self.table)
         return card
 
