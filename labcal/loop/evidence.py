@@ -146,9 +146,13 @@ def _in_doubt(
 
 
 def _other_physics(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
-    """The causes of other families that would take most off the residual in the place of `chosen`."""
+    """The causes of other families that would take most off the residual in the place of `chosen`.
+
+    Its rivals are none of them: they are named beside it.
+    """
     others = [c for c in accepted if c is not chosen]
-    named, kin = {o.cause for o in others}, (chosen.family.id, *chosen.family.extends, *chosen.family.akin)
+    named = {o.cause for o in others} | {w.candidate.cause for w in _rivals(search, accepted, chosen)}
+    kin = (chosen.family.id, *chosen.family.extends, *chosen.family.akin)
     strange = [
         c
         for c in looks(search, others)

@@ -14,9 +14,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from labcal import session
+from labcal.loop.close import prepared
+from labcal.loop.evidence import search_of
+from labcal.loop.search import Search
+
 Rows = dict[str, np.ndarray]
 Writer = Callable[..., Path]
 NOISE_nT, RATE_DEG_PER_S = 20.0, 6.0
+UNITS = {"current": "A", "temperature": "degC", "voltage": "V", "power": "W"}
 
 
 def recorded(axes: str = "xyz", seconds: float = 45.0, seed: int = 5) -> tuple[Rows, list[dict[str, Any]]]:
@@ -91,3 +97,17 @@ def closed_loop(capsys: pytest.CaptureFixture[str]) -> Callable[[Path], tuple[in
         return code, json.loads(said.out) if said.out else {}, said.err
 
     return run
+
+
+@pytest.fixture
+def searching(making: ModuleType, tmp_path: Path) -> Callable[..., Search]:
+    """The search on a run with these channels, of these quantities, and something added to its readings."""
+
+    def make(channels: Rows, quantities: dict[str, str], added: Any = 0.0, seed: int = 5) -> Search:
+        rows, segments = making.recorded(seed=seed)
+        rows["dut"] = rows["dut"] + added
+        stated = {name: {"unit": UNITS[q], "quantity": q} for name, q in quantities.items()}
+        folder = making.written(tmp_path / str(seed), rows | channels, segments, stated)
+        return search_of(prepared(session.load_run(str(folder)))[0], 0.85)
+
+    return make

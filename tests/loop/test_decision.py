@@ -27,7 +27,7 @@ from labcal.loop.problem import Problem
 from labcal.loop.search import Candidate, Search, Weighed
 from labcal.loop.spectrum import Likelihood
 from labcal.loop.steps import drops, steps
-from labcal.loop.surrogates import by_chance, p_value
+from labcal.loop.surrogates import p_value
 
 Started = Callable[..., Problem]
 Added = Callable[[dict[str, np.ndarray]], np.ndarray]
@@ -221,9 +221,3 @@ def test_the_tail_of_an_exponential_is_its_own(started: Started) -> None:
     candidate = _search(started()).candidates[0]
     far = Weighed(candidate, 0.0, 20.0, 0.0, 1, Likelihood(0.0, 1.0, 0, 1.0))
     assert 0.6 < p_value(far, heaviest) / np.exp(-20.0 / 2.0) < 1.6
-
-
-def test_by_chance_nothing_comes_near_a_name(started: Started) -> None:
-    search = _search(started())
-    assert forward(search)[0] == []
-    assert by_chance(search, ()).max() < 8.0

@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
-from labcal import session
 from labcal.loop import decide
-from labcal.loop.close import prepared
 from labcal.loop.decide import forward
-from labcal.loop.evidence import search_of
-from labcal.loop.search import Search
 
 Channels = dict[str, np.ndarray]
 CYCLE_S = 47.0
-QUANTITIES = {"current": "A", "temperature": "degC", "voltage": "V", "power": "W"}
+QUANTITIES = ("current", "temperature", "voltage", "power")
 
 
 def _alike(t: np.ndarray) -> tuple[Channels, np.ndarray]:
@@ -35,20 +29,6 @@ def _by_turns(t: np.ndarray) -> tuple[Channels, np.ndarray]:
     loads, _ = _alike(t)
     loads["i_other"] = 0.8 - loads["i_other"]
     return loads, 150.0 * (loads["i_one"] + loads["i_other"])
-
-
-@pytest.fixture
-def searching(making: ModuleType, tmp_path: Path) -> Callable[[Channels, dict[str, str], Any, int], Search]:
-    """The search on a run with these channels, of these quantities, and something added to its readings."""
-
-    def make(channels: Channels, quantities: dict[str, str], added: Any = 0.0, seed: int = 5) -> Search:
-        rows, segments = making.recorded(seed=seed)
-        rows["dut"] = rows["dut"] + added
-        stated = {name: {"unit": QUANTITIES[q], "quantity": q} for name, q in quantities.items()}
-        folder = making.written(tmp_path / str(seed), rows | channels, segments, stated)
-        return search_of(prepared(session.load_run(str(folder)))[0], 0.85)
-
-    return make
 
 
 @pytest.mark.parametrize("case", [_alike, _by_turns])
@@ -99,7 +79,7 @@ def test_nothing_is_made_of_pairs_where_nothing_is_at_work(
         return found
 
     monkeypatch.setattr(decide, "pairs", noted)
-    quantities = {f"c{n}": list(QUANTITIES)[n % 4] for n in range(8)}
+    quantities = {f"c{n}": QUANTITIES[n % 4] for n in range(8)}
     for seed in seeds:
         channels = _distracted(making.recorded()[0]["t_s"], seed)
         assert forward(searching(channels, quantities, seed=seed))[0] == []

@@ -14,6 +14,7 @@ from labcal.record.run import Channel
 
 AXES = ("x", "y", "z")
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
+STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 
 
@@ -64,7 +65,7 @@ def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float
 
     What follows slowly does not start anew where a segment does: over a gap of up to CARRIED time constants the state
     is carried, the drive bridged linearly. After a longer one, and before the first row, the drive is taken to have
-    moved as it does over the next tau_s.
+    moved as it does over the next tau_s where that is a line, and to have stood where it is not.
     """
     if tau_s <= 0 or len(t_s) == 0:
         return drive
@@ -86,8 +87,10 @@ def _slope(t: Array, x: Array, tau_s: float) -> float:
     head = t <= t[0] + tau_s
     if head.sum() < 5 or np.ptp(t[head]) < tau_s / 4:
         return 0.0
-    span = t[head] - t[head].mean()
-    return float(span @ x[head] / (span @ span))
+    span, moved = t[head] - t[head].mean(), x[head] - x[head].mean()
+    slope = float(span @ moved / (span @ span))
+    left = moved - slope * span
+    return slope if left @ left < STRAIGHT * (moved @ moved) else 0.0
 
 
 def delayed(t_s: Array, segment: NDArray[np.intp], drive: Array, by_s: float) -> Array:
