@@ -31,6 +31,7 @@ class FaultCard(Card):
         self.text, self.remedy = label("", wrap=True), label("", wrap=True)
         self.details = QPlainTextEdit()
         self.details.setReadOnly(True)
+        self.details.hide()
         self.details.setMinimumHeight(160)
         self.fold = button(self.tr("Details"), self.tr("Show what labcal itself says about it"))
         self.fold.setCheckable(True)
@@ -55,11 +56,10 @@ class FaultCard(Card):
     def show_fault(self, fault: Fault | None) -> None:
         """Show `fault`, or nothing."""
         if fault is self.fault:
-            return
+            return None
         self.fault = fault
-        self.setVisible(fault is not None)
         if fault is None:
-            return
+            return self.hide()
         self.heading.setText(say(TITLES[fault.kind]))
         set_state(self.heading, "" if fault.kind == "stopped" else "bad")
         self.text.setText(fault.text)
@@ -69,6 +69,7 @@ class FaultCard(Card):
         self.fold.setVisible(bool(fault.details))
         self.fold.setChecked(False)
         self.details.hide()
+        return self.show()  # whole at once: what is folded widens no window
 
     def _close(self) -> None:
         self.hide()
