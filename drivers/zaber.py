@@ -118,7 +118,7 @@ class ZaberStage:
         text = f"/{self.settings.address} {self.settings.axis} {self._id:02d} {words}".rstrip()
         request = text.encode() + b"\r\n"
         for _ in range(MOST_OLD):
-            frame = self._link.ask(request, end=b"\r\n", timeout_s=self.settings.timeout_s)
+            frame = self._link.ask(request, end=b"\r\n", timeout_s=self.settings.timeout_s).lstrip(b"\r\n")
             if (reply := self._matched(frame, words)) is not None:
                 return reply
             request = b""  # an older reply, or an alert: the one to this request is still to come

@@ -94,3 +94,10 @@ def test_it_homes_no_faster_than_the_dut_may_turn() -> None:
             (b"/1 1 04 home\r\n", said(4, "OK BUSY WR 0"))]  # fmt: skip
     with scripted(ZaberStage, wire) as stage:
         stage.home(4.0)
+
+
+def test_a_line_end_too_much_costs_no_reply() -> None:
+    wire = [(b"/1 1 01\r\n", said(1, "OK IDLE -- 0") + b"\n"), (b"/1 1 02 stop\r\n", said(2, "OK IDLE -- 0"))]
+    with scripted(ZaberStage, wire) as stage:
+        stage.home()
+        stage.make_safe()
