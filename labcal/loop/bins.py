@@ -18,7 +18,8 @@ from labcal.model.effects.regressors import stretches
 Array = NDArray[np.float64]
 KEPT = 6000  # about so many bins
 TURN = 0.35  # rad that the field may turn within a bin
-LINE = 15.0  # times its neighbourhood: a line in the spectrum that chance does not give
+LINE = 15.0  # times its neighbourhood: a line in the spectrum that chance does not give,
+SHOWN = 0.02  # of the noise's square: a smaller one, as a switched load has many, would not be named
 
 
 def binned(problem: Problem) -> Problem:
@@ -43,7 +44,8 @@ def rows_in_a_bin(problem: Problem) -> int:
     if m < 2:
         return 1
     frequency, power = periodogram(problem.scene.t_s, problem.y)
-    lines = frequency[power > LINE * usual(power)]
+    share = 2 * power / (len(problem) * problem.y.size)
+    lines = frequency[(power > LINE * usual(power)) & (share > SHOWN)]
     fast = lines[lines > 0.5 * frequency[-1] / m]
     return 1 if len(fast) else m
 
