@@ -195,15 +195,16 @@ def linearise(
     theta: Array,
     phase: Array,
     effects_nT: Array | float = 0.0,
+    slope: Array | None = None,
 ) -> Problem:
-    """The problem about `theta`, `phase` and the effects' sum (n, 3).
+    """The problem about `theta`, `phase` and the effects' sum e (n, 3), with `slope` ∂e/∂a (n, 3, 3) where e bends.
 
     Effects of the field act on a at the estimated true readings, where the map's columns stand too: driven by readings
     with their noise, a curve that nearly undoes the map would take the noise off itself.
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
-    T = _tangent(seen, whiten, at.columns, allowed)
+    T = _tangent(whiten if slope is None else whiten - whiten @ slope, at.columns, allowed)
     groups = np.flatnonzero([bool((seen.group == g).any()) for g in range(len(phase))])
     if len(groups):
         turn = np.einsum("nqj,nj->nq", whiten, at.tangent)[:, :, None]
@@ -215,7 +216,7 @@ def linearise(
     return Problem(run, seen, noise, base, allowed, theta, phase, scene, whiten, at.residual, y, T, groups)
 
 
-def _tangent(seen: Observations, whiten: Array, columns: Array, allowed: MapForm) -> Array:
+def _tangent(whiten: Array, columns: Array, allowed: MapForm) -> Array:
     """The whitened residual's derivatives (n, q, coordinates) by the map: K row by row goes with `columns`, then k."""
     of_gains = whiten[:, :, :, None] * columns[:, None, None, :3]
     whole = np.concatenate([of_gains.reshape(*whiten.shape[:2], 9), whiten * columns[:, None, 3:]], axis=2)

@@ -18,8 +18,9 @@ from labcal.model.effects.protocol import Shape
 Array = NDArray[np.float64]
 STEPS = 8
 HALVINGS = 6
-ROUNDS = 6  # of an effect of the field, which acts on what it adds to the field itself
+ROUNDS = 30  # of an effect of the field, which acts on what it adds to the field itself
 SAME_nT = 0.1
+NEAR_nT = 5.0  # over which the slope of an effect in the field is taken
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -121,7 +122,8 @@ def _about(bare: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...]) -> P
     if not forms:
         return bare
     effects = _acting(forms, beta, bare.scene)
-    return linearise(bare.run, bare.seen, bare.noise, bare.base, bare.allowed, bare.theta, bare.phase, effects)
+    slope = _slope(forms, beta, replace(bare.scene, field_nT=bare.scene.field_nT + effects))
+    return linearise(bare.run, bare.seen, bare.noise, bare.base, bare.allowed, bare.theta, bare.phase, effects, slope)
 
 
 def _acting(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:
@@ -132,6 +134,13 @@ def _acting(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array
         if np.max(np.abs(effects - before)) < SAME_nT:
             break
     return effects
+
+
+def _slope(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array:
+    """∂e/∂a (n, 3, 3), by small changes of the field along each axis: what the map adds to a moves e as well."""
+    here = total(forms, beta, scene)
+    moved = (total(forms, beta, replace(scene, field_nT=scene.field_nT + step)) for step in NEAR_nT * np.eye(3))
+    return np.stack([(there - here) / NEAR_nT for there in moved], axis=2)
 
 
 def _settled(form: Form, beta: Array) -> Form:

@@ -16,7 +16,7 @@ from labcal.fit.observations import AXIS
 from labcal.geometry import rotate, rotation_vector
 from labcal.loop import evidence
 from labcal.loop.bins import binned, rows_in_a_bin
-from labcal.loop.close import prepared
+from labcal.loop.close import _as_shipped, prepared
 from labcal.loop.correlation import correlation_s, follows_itself
 from labcal.loop.decide import earned, forward
 from labcal.loop.delays import delays
@@ -24,10 +24,12 @@ from labcal.loop.evidence import search_of, weighed
 from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, held_out, plan
 from labcal.loop.problem import Problem
+from labcal.loop.refit import refit
 from labcal.loop.search import Candidate, Search, Weighed
 from labcal.loop.spectrum import Likelihood
 from labcal.loop.steps import drops, steps
 from labcal.loop.surrogates import p_value
+from labcal.model.effects import nonlinearity
 
 Started = Callable[..., Problem]
 Added = Callable[[dict[str, np.ndarray]], np.ndarray]
@@ -184,6 +186,29 @@ def test_what_leaves_more_than_its_share_is_no_drift(after: float, too_much: boo
 @pytest.mark.parametrize(("after", "misfit"), [(130.0, False), (180.0, True)])
 def test_a_later_cause_that_leaves_a_third_of_what_it_took_is_misfit_of_the_first(after: float, misfit: bool) -> None:
     assert evidence._remains([_held(250, after)], LEVEL, evidence.REST) is misfit
+
+
+def test_map_and_a_strong_bend_are_found_together(started: Started) -> None:
+    t, level = 14000.0, 40000.0
+
+    def bent(rows: dict[str, np.ndarray]) -> np.ndarray:
+        noise = np.random.default_rng(5).normal(0, 20, rows["dut"].shape)  # as `recorded` drew it
+        b = (rows["dut"] - noise - 800) / 1.05
+        a = b.copy()
+        for _ in range(100):
+            a = b + t * (np.tanh(a / level) - a / level)
+        return 1.05 * (a - b)
+
+    problem = started(bent)
+    form = next(f for f in nonlinearity.FAMILY.candidates(problem.run) if f.parameters[0][0] == "body_t1_x")
+    found = refit(problem, [form.reshaped(s_nT=level)])
+    assert found.beta[0] == pytest.approx(1.05 * np.full(3, t), rel=0.02)  # along the axes of K
+    assert np.sqrt(np.mean(found.problem.residual_nT**2)) == pytest.approx(20 / 1.05, rel=0.05)
+
+
+def test_a_file_that_leaves_more_than_was_foretold_says_so() -> None:
+    assert _as_shipped(_held(300.0, 50.0), 80.0).after == pytest.approx(80.0)
+    assert _as_shipped(_held(300.0, 50.0), 45.0).after == pytest.approx(50.0)
 
 
 @pytest.mark.parametrize(("drifts", "name"), [(0.0, "cage-field"), (2.0, "reference-drift")])

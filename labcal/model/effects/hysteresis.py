@@ -17,7 +17,7 @@ from functools import partial
 
 import numpy as np
 
-from labcal.model.effects.nonlinearity import SATURATION_nT
+from labcal.model.effects.nonlinearity import SATURATION_nT, bend
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.recursion import affine, clipped
 from labcal.model.effects.regressors import BODY, driving, per_axis, powered, stretches
@@ -55,8 +55,7 @@ def kernel(form: Form, scene: Scene) -> Array:
     elif "s_nT" in names:
         play = s - _by_segment(scene, s, partial(stop, threshold=form.at("r_nT")))
         level = form.at("s_nT")
-        middle = np.tanh(s / level)
-        loops = [np.tanh(play / level) - middle, middle, *(s**k for k in BENDS)]
+        loops = [np.tanh(play / level) - np.tanh(s / level), bend(s / level), *(s**k for k in BENDS)]
     else:
         loops = [_by_segment(scene, s, partial(stop, threshold=r)) for r in _thresholds(form)]
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)

@@ -18,9 +18,9 @@ SATURATION_nT = (10000.0, 20000.0, 40000.0)
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = Σ_k c_k s_i^k + o2 s_i |s_i| + t1 tanh(s_i / s_nT) along sensor axis i.
+    """E = Σ_k c_k s_i^k + o2 s_i |s_i| + t1 (tanh u_i − u_i), u = s / s_nT, along sensor axis i.
 
-    Here s is the field along the sensor's axes, for `body_…` along the body's.
+    Here s is the field along the sensor's axes, for `body_…` along the body's. What is proportional to it is the map's.
     """
     s = driving(form, scene)
     terms = dict.fromkeys(name.removeprefix(BODY)[:2] for name, _ in form.parameters)
@@ -29,8 +29,13 @@ def kernel(form: Form, scene: Scene) -> Array:
 
 def _bent(s: Array, term: str, form: Form) -> Array:
     if term == "t1":
-        return np.tanh(s / form.at("s_nT"))
+        return bend(s / form.at("s_nT"))
     return s * np.abs(s) if term == "o2" else s ** int(term[1])
+
+
+def bend(u: Array) -> Array:
+    """What a saturating curve lacks of a straight one: tanh u − u."""
+    return np.asarray(np.tanh(u) - u)
 
 
 def candidates(run: Run) -> list[Form]:
