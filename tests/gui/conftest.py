@@ -102,6 +102,8 @@ def still(deaf_window):
     desk._force.setInterval(3_600_000)  # a test calls it, and no clock does
     desk._force.stop()
     desk.run._forget()
+    desk.run.order = None
+    desk.study_vm._forget("")
     desk.run.changed.emit()
     window.page("Run").live.put_away.emit()
     for card in (window.fault, window.page("Run").live.fault):
