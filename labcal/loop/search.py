@@ -193,8 +193,8 @@ class Search:
         return self.once(("on", rows.tobytes()), (), made)
 
     def unbinned(self) -> Search:
-        """The same search on every row of the whole problem."""
-        return Search(self.whole, self.candidates, self.good, self.lowest, self.good)
+        """A search on every row of the whole problem, among whatever it is asked about."""
+        return Search(self.whole, [], self.good, self.lowest, self.good)
 
     def without(self, lying: NDArray[np.bool_]) -> Search:
         """The same search without these rows (N,) of the whole problem, and without the bins that hold one."""
