@@ -199,8 +199,7 @@ def linearise(
 ) -> Problem:
     """The problem about `theta`, `phase` and the effects' sum e (n, 3), with `slope` ∂e/∂a (n, 3, 3) where e bends.
 
-    Effects of the field act on a at the estimated true readings, where the map's columns stand too: driven by readings
-    with their noise, a curve that nearly undoes the map would take the noise off itself.
+    Curves of the field act on a at the estimated true readings, where the map's columns stand too.
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
@@ -212,7 +211,7 @@ def linearise(
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
     gains, zero = theta[:9].reshape(3, 3), theta[9:]
     quiet = at.columns[:, :3] @ gains.T + at.columns[:, 3:] * zero
-    scene = scene_of(run, seen, theta, phase, quiet, at.prediction)
+    scene = replace(scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction), quiet_nT=quiet)
     return Problem(run, seen, noise, base, allowed, theta, phase, scene, whiten, at.residual, y, T, groups)
 
 

@@ -40,9 +40,11 @@ class Refit:
 
     def uncorrected(self) -> Problem:
         """The problem about the same map and phases with the effects still in its residual."""
-        here = self.problem
+        p = self.problem
+        effects = self.effects(p.scene)
+        here = linearise(p.run, p.seen, p.noise, p.base, p.allowed, p.theta, p.phase, effects)
         y = sum((here.columns(form) @ b for form, b in zip(self.forms, self.beta, strict=True)), here.y)
-        return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + self.effects(here.scene))
+        return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + effects)
 
     def parameters(self) -> tuple[tuple[Parameter, ...], ...]:
         """The parameters of each effect with their standard uncertainties."""
@@ -122,24 +124,28 @@ def _about(bare: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...]) -> P
     if not forms:
         return bare
     effects = _acting(forms, beta, bare.scene)
-    slope = _slope(forms, beta, replace(bare.scene, field_nT=bare.scene.field_nT + effects))
+    slope = _slope(forms, beta, _holding(effects, bare.scene))
     return linearise(bare.run, bare.seen, bare.noise, bare.base, bare.allowed, bare.theta, bare.phase, effects, slope)
 
 
 def _acting(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:
-    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene of a field without them."""
+    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene whose quiet field lacks them."""
     effects = total(forms, beta, scene)
     for _ in range(ROUNDS):
-        before, effects = effects, total(forms, beta, replace(scene, field_nT=scene.field_nT + effects))
+        before, effects = effects, total(forms, beta, _holding(effects, scene))
         if np.max(np.abs(effects - before)) < SAME_nT:
             break
     return effects
 
 
+def _holding(effects: Array | float, scene: Scene) -> Scene:
+    return replace(scene, quiet_nT=scene.smooth_nT + effects)
+
+
 def _slope(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array:
     """∂e/∂a (n, 3, 3), by small changes of the field along each axis: what the map adds to a moves e as well."""
     here = total(forms, beta, scene)
-    moved = (total(forms, beta, replace(scene, field_nT=scene.field_nT + step)) for step in NEAR_nT * np.eye(3))
+    moved = (total(forms, beta, scene.moved(step)) for step in NEAR_nT * np.eye(3))
     return np.stack([(there - here) / NEAR_nT for there in moved], axis=2)
 
 

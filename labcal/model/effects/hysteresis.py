@@ -48,7 +48,7 @@ def kernel(form: Form, scene: Scene) -> Array:
     Against a vector reference s is the reference's: the reading's own noise would drive the loop, and in a field that
     stands still be taken off by it.
     """
-    s = driving(form, scene if scene.rig is None else replace(scene, field_nT=scene.rig.prediction_nT))
+    s = driving(form, scene if scene.rig is None else replace(scene, quiet_nT=scene.rig.prediction_nT))
     names = {shape.name for shape in form.shape}
     if "w_nT" in names:
         loops = [_by_segment(scene, s, partial(dahl, width=form.at("w_nT")))]

@@ -15,7 +15,7 @@ def kernel(form: Form, scene: Scene) -> Array:
     if scene.rig is not None:
         p = scene.rig.prediction_nT
         return np.asarray((shifted(scene.t_s, scene.segment, p, -step) - p)[:, :, None] / step)
-    a = scene.field_nT
+    a = scene.smooth_nT
     return np.asarray((a - shifted(scene.t_s, scene.segment, a, step))[:, :, None] / step)
 
 

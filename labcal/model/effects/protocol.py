@@ -40,6 +40,7 @@ class Scene:
     mode: NDArray[np.str_] | None = None  # (n,)
     axes: Array = field(default_factory=lambda: np.eye(3))  # (3, 3) K per nominal unit: column i moves with reading i
     rig: Rig | None = None
+    quiet_nT: Array | None = None  # (n, 3) a at the estimated true reading, where a fit knows it
 
     def __len__(self) -> int:
         return len(self.t_s)
@@ -47,7 +48,24 @@ class Scene:
     @property
     def along_axes_nT(self) -> Array:
         """The field along the sensor's own axes (n, 3) [nT], so that field = axes @ along_axes."""
-        return np.asarray(np.linalg.solve(self.axes, self.field_nT.T).T)
+        return self.on_axes(self.field_nT)
+
+    @property
+    def smooth_nT(self) -> Array:
+        """The field (n, 3) [nT] that drives a curve: without the readings' noise as far as a fit knows it.
+
+        A curve that nearly undoes the map would take that noise off itself.
+        """
+        return self.field_nT if self.quiet_nT is None else self.quiet_nT
+
+    def on_axes(self, field_nT: Array) -> Array:
+        """A field (n, 3) along the sensor's own axes."""
+        return np.asarray(np.linalg.solve(self.axes, field_nT.T).T)
+
+    def moved(self, by_nT: Array | float) -> Scene:
+        """The same in a field that is `by_nT` (n, 3) or (3,) larger."""
+        quiet = None if self.quiet_nT is None else self.quiet_nT + by_nT
+        return replace(self, field_nT=self.field_nT + by_nT, quiet_nT=quiet)
 
     def select(self, rows: NDArray[Any]) -> Scene:
         """The same scene with only these rows (mask or numbers, in time order)."""
@@ -60,6 +78,7 @@ class Scene:
             channels={name: values[rows] for name, values in self.channels.items()},
             mode=None if self.mode is None else self.mode[rows],
             rig=rig,
+            quiet_nT=None if self.quiet_nT is None else self.quiet_nT[rows],
         )
 
 

@@ -35,7 +35,7 @@ def on_each_axis(drive: Array) -> Array:
 
 def driving(form: Form, scene: Scene) -> Array:
     """The field (n, 3) [nT] that drives the form: along the sensor's own axes, or along those of the body."""
-    return scene.field_nT if form.parameters[0][0].startswith(BODY) else scene.along_axes_nT
+    return scene.smooth_nT if form.parameters[0][0].startswith(BODY) else scene.on_axes(scene.smooth_nT)
 
 
 def moving(run: Run, quantities: Iterable[str]) -> list[Channel]:
