@@ -129,11 +129,18 @@ def _about(bare: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...]) -> P
 
 
 def _acting(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:
-    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene whose quiet field lacks them."""
-    effects = total(forms, beta, scene)
+    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene whose quiet field lacks them.
+
+    Parameters so large that no field holds its own effect are as far off as their first round says.
+    """
+    effects, change = total(forms, beta, scene), np.inf
     for _ in range(ROUNDS):
-        before, effects = effects, total(forms, beta, _holding(effects, scene))
-        if np.max(np.abs(effects - before)) < SAME_nT:
+        held = total(forms, beta, _holding(effects, scene))
+        last, change = change, float(np.max(np.abs(held - effects)))
+        if not change < last:
+            break
+        effects = held
+        if change < SAME_nT:
             break
     return effects
 
