@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import chdtrc, fdtrc, ndtr
 
 from labcal.loop.gaps import bridged
 from labcal.loop.problem import Problem
@@ -49,8 +50,6 @@ def every(problem: Problem) -> int:
 
 def white(problem: Problem, y: Array) -> ResidualTest:
     """Ljung and Box in each segment, the worst of them, at every independent sample."""
-    from scipy.stats import chi2
-
     step, worst, looks = every(problem), (1.0, 0.0, "", 0.0), 0
     for rows in stretches(problem.scene.segment):
         part = y[rows][::step]
@@ -58,7 +57,7 @@ def white(problem: Problem, y: Array) -> ResidualTest:
             continue
         looks += 1
         q = ljung_box(part)
-        p = float(chi2.sf(q, LAGS * part.shape[1]))
+        p = float(chdtrc(LAGS * part.shape[1], q))
         name = problem.run.segments[int(problem.scene.segment[rows][0])].id
         worst = min(worst, (p, q, name, memory(part)))
     p, q, name = min(1.0, looks * worst[0]), worst[1], worst[2]
@@ -86,14 +85,12 @@ def memory(y: Array) -> float:
 
 def independent(problem: Problem, y: Array) -> Iterator[ResidualTest]:
     """One test for each drive: its largest cross-correlation with a component of y at any lag."""
-    from scipy.stats import norm
-
     own = [_Series.of(part) for part in y.T]
     for name, drive in drives(problem).items():
         other = _Series.of(drive)
         z, r = max(_crossed(part, other) for part in own)
         looks = y.shape[1] * (2 * LATE + 1)
-        p = min(1.0, looks * 2 * float(norm.sf(z)))
+        p = min(1.0, looks * 2 * float(ndtr(-z)))
         share = r**2 / y.shape[1]
         passes = p >= CHANCE or r**2 < MATERIAL
         says = f"independent of {name}" if passes else f"goes with {name} (correlation {r:+.2f})"
@@ -163,8 +160,6 @@ def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
 
 def replicates(problem: Problem, good: Mask) -> Iterator[ResidualTest]:
     """Lack of fit: the means of conditions that were visited repeatedly, against the spread between visits."""
-    from scipy.stats import f
-
     visits = _visits(problem, good)
     repeated = [np.array(v) for v in visits.values() if len(v) > REPEATS]
     if len(repeated) < 3:
@@ -174,7 +169,7 @@ def replicates(problem: Problem, good: Mask) -> Iterator[ResidualTest]:
     q = repeated[0].shape[1]
     free = q * sum(len(v) - 1 for v in repeated), q * len(repeated)
     ratio = (between / free[1]) / max(within / free[0], 1e-300)
-    p = float(f.sf(ratio, free[1], free[0]))
+    p = float(fdtrc(free[1], free[0], ratio))
     share = max(between - free[1], 0.0) / float(np.sum(problem.y[good] ** 2))
     passes = p >= CHANCE or share < MATERIAL
     says = (
