@@ -165,6 +165,11 @@ def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
 
 def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     """The candidate at its best shape near the grid point that was found, by golden section in each shape."""
+    about = [c.form for c in (candidate, *accepted)]
+    return search.once("refined", about, lambda: _refined(search, candidate, accepted))
+
+
+def _refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     if any(shape.name == "secant_s" for shape in candidate.form.shape):
         return _on_secant(search, candidate, accepted)
     for shape in candidate.form.shape:

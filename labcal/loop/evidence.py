@@ -207,16 +207,15 @@ def search_of(problem: Problem, lowest: float) -> Search:
 def without_outliers(search: Search) -> Search:
     """The search on the rows that do not lie, once the effects that the others show are taken off."""
     segment = search.whole.scene.segment
-    lying = outliers(search.whole.y, segment)
+    here = search.without(outliers(search.whole.y, segment))
     for _ in range(2):
-        here = search.without(lying)
-        accepted, _ = forward(here) if lying.any() else ([], [])
+        accepted = [] if here.good.all() else forward(here)[0]
         left, added = here.everywhere(accepted)
-        still = outliers(left, segment, added)
-        if bool((still == lying).all()):
+        there = here.without(outliers(left, segment, added))
+        if there is here:
             break
-        lying = still
-    return search.without(lying)
+        here = there
+    return here
 
 
 def _always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
