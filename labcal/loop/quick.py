@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,82 +20,115 @@ Array = NDArray[np.float64]
 ALTERNATIONS = 5
 
 
-def misfit(run: Run, allowed: FormName, *, as_scalar: bool) -> tuple[float, Array]:
-    """What the base model leaves of `run` (rms, nT) and its K (3, 3); infinite where it cannot be fitted.
+def misfits(tries: Sequence[Run], allowed: FormName, *, as_scalar: bool) -> tuple[Array, Array]:
+    """What the base model leaves of runs with the same segments (tries,) [rms, nT], and its K (tries, 3, 3).
 
-    Vectors are fitted by a whole affine map, other rows by the form `allowed`.
+    Vectors are fitted by a whole affine map, all tries at once; other rows by the form `allowed`, one after the other.
+    Infinite where a try cannot be fitted.
     """
+    part = np.repeat(np.arange(len(tries)), [len(run) for run in tries])
     try:
-        seen = observe(run, as_scalar=as_scalar)
-        if bool((seen.kind == VECTOR).all()):
-            return of_vectors(seen)
-        return _of_others(run, allowed, as_scalar)
-    except (ValueError, np.linalg.LinAlgError):
-        return np.inf, np.eye(3)
+        seen = observe(_joined(tries), as_scalar=as_scalar)
+    except ValueError:
+        return np.full(len(tries), np.inf), np.tile(np.eye(3), (len(tries), 1, 1))
+    if bool((seen.kind == VECTOR).all()):
+        return _of_vectors(_Rows.of(seen, part[seen.rows], len(tries)))
+    left, K = zip(*(_of_others(run, allowed, as_scalar) for run in tries), strict=True)
+    return np.array(left), np.array(K)
 
 
-def of_vectors(seen: Observations) -> tuple[float, Array]:
+def _joined(tries: Sequence[Run]) -> Run:
+    """The rows of all tries, one after the other."""
+    names = ("t_s", "segment_index", "reading", "reference_vector", "reference_magnitude", "angle_deg")
+    there = [name for name in names if getattr(tries[0], name) is not None]
+    joined: dict[str, Any] = {name: np.concatenate([getattr(run, name) for run in tries]) for name in there}
+    return replace(tries[0], row_mode=None, channels=(), **joined)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rows:
+    """Vectors of c tries side by side, n rows each; zeros where a try has fewer."""
+
+    X: Array  # (c, n, 4) readings, and −1
+    target: Array  # (c, n, 3) nT
+    axis: Array  # (c, n, 3)
+    turning: Array  # (c, n, phases) 1 where the row has that starting phase
+    count: Array  # (c,) rows
+
+    @classmethod
+    def of(cls, seen: Observations, part: NDArray[np.intp], tries: int) -> _Rows:
+        """For rows that belong to the tries `part`, in their order."""
+        count = np.bincount(part, minlength=tries)
+        place = np.arange(len(part)) - (np.cumsum(count) - count)[part]
+
+        def laid(values: Array) -> Array:
+            out = np.zeros((tries, int(count.max()), values.shape[1]))
+            out[part, place] = values
+            return out
+
+        turning = (seen.group[:, None] == np.arange(len(seen.phase_names))).astype(float)
+        X = np.column_stack([seen.reading, -np.ones(len(seen))])
+        return cls(laid(X), laid(seen.target), laid(seen.axis), laid(turning), count.astype(float))
+
+    def turned(self, phase: Array) -> Array:
+        """The targets from these starting phases (c, phases) [rad]."""
+        return rotate(self.axis, -np.einsum("cng,cg->cn", self.turning, phase), self.target)
+
+
+def _of_vectors(rows: _Rows) -> tuple[Array, Array]:
     """Least squares of K m − k = p, unweighted.
 
     A starting phase turns p = v∥ + c v⊥ − s a × v with c = cos φ, s = sin φ: linear in c and s, which come first
     without c² + s² = 1 and then by turns with K and k.
     """
-    X = np.column_stack([seen.reading, -np.ones(len(seen))])
-    phase = _free_phases(seen, X)
-    for _ in range(ALTERNATIONS if len(phase) else 1):
-        p = _turned(seen, phase)
-        theta = _solved(X, p)
-        phase = phase + _turns(seen, X @ theta, p)
-    left = X @ theta - p
-    return float(np.sqrt(np.mean(np.sum(left**2, axis=1)))), np.asarray(theta[:3].T)
+    phase, inverse = _free_phases(rows), _inverse(rows.X)
+    for _ in range(ALTERNATIONS if phase.shape[1] else 1):
+        p = rows.turned(phase)
+        theta = inverse @ (np.swapaxes(rows.X, 1, 2) @ p)
+        field = rows.X @ theta
+        phase = phase + _turns(rows, field, p)
+    square = np.sum((field - p) ** 2, axis=(1, 2))
+    left = np.where(rows.count > 0, np.sqrt(square / np.maximum(rows.count, 1.0)), np.inf)
+    return left, np.swapaxes(theta[:, :3], 1, 2)
 
 
-def _solved(A: Array, y: Array) -> Array:
-    """The shortest least-squares solution by normal equations with columns of unit length: faster than by SVD."""
-    scale = np.linalg.norm(A, axis=0)
+def _inverse(A: Array) -> Array:
+    """(AᵀA)⁻¹ of A (c, m, k), columns taken at unit length; directions that A does not have are nought."""
+    scale = np.linalg.norm(A, axis=1)
     scale = np.where(scale > 0, scale, 1.0)
-    gram = np.linalg.pinv((A / scale).T @ (A / scale), rcond=1e-10, hermitian=True)
-    found = gram @ ((A / scale).T @ y)
-    return np.asarray((found.T / scale).T)
+    both = scale[:, :, None] * scale[:, None, :]
+    return np.asarray(np.linalg.pinv(np.swapaxes(A, 1, 2) @ A / both, rcond=1e-10, hermitian=True) / both)
 
 
-def _turned(seen: Observations, phase: Array) -> Array:
-    if not len(phase):
-        return seen.target
-    start = np.where(seen.group >= 0, phase[np.maximum(seen.group, 0)], 0.0)
-    out = seen.target.copy()
-    turned = seen.group >= 0
-    out[turned] = rotate(seen.axis[turned], -start[turned], seen.target[turned])
-    return out
+def _free_phases(rows: _Rows) -> Array:
+    """Phases (c, phases) [rad] from the equations in K, k, c and s."""
+    tries, n, phases = rows.turning.shape
+    if not phases:
+        return np.zeros((tries, 0))
+    along = np.sum(rows.target * rows.axis, axis=2, keepdims=True) * rows.axis
+    across, side = rows.target - along, cross(rows.axis, rows.target)
+    of_map = np.einsum("cnj,ab->cnajb", rows.X, np.eye(3)).reshape(tries, 3 * n, 12)
+    of_phase = np.stack([-across, side], axis=3)[:, :, :, None, :] * rows.turning[:, :, None, :, None]
+    A = np.concatenate([of_map, of_phase.reshape(tries, 3 * n, 2 * phases)], axis=2)
+    turned = rows.turning.sum(axis=2, keepdims=True) > 0
+    fixed = np.where(turned, along, rows.target).reshape(tries, 3 * n, 1)
+    found = (_inverse(A) @ (np.swapaxes(A, 1, 2) @ fixed))[:, 12:, 0].reshape(tries, phases, 2)
+    return np.asarray(np.arctan2(found[:, :, 1], found[:, :, 0]))
 
 
-def _free_phases(seen: Observations, X: Array) -> Array:
-    """Phases (groups,) [rad] from the equations in K, k, c and s."""
-    groups = len(seen.phase_names)
-    if not groups:
-        return np.zeros(0)
-    along = np.sum(seen.target * seen.axis, axis=1)[:, None] * seen.axis
-    across, side = seen.target - along, cross(seen.axis, seen.target)
-    A = [np.kron(X, np.eye(3))]
-    for g in range(groups):
-        mine = (seen.group == g)[:, None]
-        A += [-(across * mine).reshape(-1, 1), (side * mine).reshape(-1, 1)]
-    fixed = np.where((seen.group >= 0)[:, None], along, seen.target)
-    found = _solved(np.hstack(A), fixed.ravel())[12:].reshape(groups, 2)
-    return np.arctan2(found[:, 1], found[:, 0])
-
-
-def _turns(seen: Observations, field: Array, p: Array) -> Array:
-    """How much farther each group has to turn for its p to lie on the field (groups,) [rad]."""
-    cosine = np.sum(field * (p - np.sum(p * seen.axis, axis=1)[:, None] * seen.axis), axis=1)
-    sine = -np.sum(field * cross(seen.axis, p), axis=1)
-    groups = range(len(seen.phase_names))
-    sums = np.array([[part[seen.group == g].sum() for g in groups] for part in (sine, cosine)]).reshape(2, -1)
+def _turns(rows: _Rows, field: Array, p: Array) -> Array:
+    """How much farther each phase has to turn for its p to lie on the field (c, phases) [rad]."""
+    across = p - np.sum(p * rows.axis, axis=2, keepdims=True) * rows.axis
+    cosine, sine = np.sum(field * across, axis=2), -np.sum(field * cross(rows.axis, p), axis=2)
+    sums = np.einsum("cng,kcn->kcg", rows.turning, np.stack([sine, cosine]))
     return np.asarray(np.arctan2(sums[0], sums[1]))
 
 
 def _of_others(run: Run, allowed: FormName, as_scalar: bool) -> tuple[float, Array]:
-    found = estimate(run, allowed=allowed, as_scalar=as_scalar, robust=False)
+    try:
+        found = estimate(run, allowed=allowed, as_scalar=as_scalar, robust=False)
+    except (ValueError, np.linalg.LinAlgError):
+        return np.inf, np.eye(3)
     at = evaluate(found.seen, found.noise, found.solution.theta, found.solution.phase)
     if bool((found.seen.kind == SCALAR).all()):
         left = np.sum(at.residual * at.field, axis=1) / np.maximum(np.linalg.norm(at.field, axis=1), 1e-9)

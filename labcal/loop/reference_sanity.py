@@ -7,7 +7,7 @@ the run is fitted again as it would be with one such mistake undone; where one o
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from labcal.fit.observations import SCALAR
 from labcal.loop.floor import Floor
 from labcal.loop.problem import Problem
-from labcal.loop.quick import misfit
+from labcal.loop.quick import misfits
 from labcal.loop.result import Finding
 from labcal.record import Run
 
@@ -54,7 +54,7 @@ def doubt(problem: Problem, level: Floor) -> Finding | None:
     if left < AT_FLOOR * level.nT:
         return None
     run, gross = _thinned(problem.run), max(FAR * level.nT, OF_FIELD * field)
-    declared, _ = _left(problem, run)
+    declared = _left(problem, [run])[0][0]
     if min(left, declared) < gross:
         return _undetermined(problem, left)
     mistake = _frame(problem, run, declared) or _clock(problem, declared)
@@ -65,7 +65,7 @@ def _undetermined(problem: Problem, left: float) -> Finding | None:
     """A map that this run does not determine, where a whole one would leave far less than the base that it does."""
     if problem.base == "affine" or problem.kind != "vector":
         return None
-    whole, _ = _left(problem, _thinned(problem.run))
+    whole = _left(problem, [_thinned(problem.run)])[0][0]
     if whole * BY_MAP > left:
         return None
     text = f"This run does not determine the whole map ({problem.base} alone): too few axes or fields are excited"
@@ -90,22 +90,30 @@ def turned_axes(problem: Problem) -> Finding | None:
     return Finding("axes", "data", f"The fitted map {kind} the axes ({seen}): {cause}.")
 
 
-def _left(problem: Problem, run: Run) -> tuple[float, Array]:
-    """What the base model leaves of `run` (rms, nT), and its K."""
-    return misfit(run, problem.allowed.name, as_scalar=bool((problem.seen.kind == SCALAR).all()))
+def _left(problem: Problem, tries: Sequence[Run]) -> tuple[Array, Array]:
+    """What the base model leaves of each of some runs with the same segments (tries,) [rms, nT], and its K."""
+    return misfits(tries, problem.allowed.name, as_scalar=bool((problem.seen.kind == SCALAR).all()))
+
+
+def _few(run: Run) -> NDArray[np.intp]:
+    return np.unique(np.linspace(0, len(run) - 1, ROWS).astype(np.intp))
 
 
 def _thinned(run: Run) -> Run:
-    rows = np.unique(np.linspace(0, len(run) - 1, ROWS).astype(np.intp))
-    return run.select(rows)
+    return run.select(_few(run))
 
 
 def _frame(problem: Problem, run: Run, declared: float) -> Finding | None:
     """The frame, axes or angle with which the reference fits far better."""
     if run.reference_vector is None:
         return None
-    tried = [(mistake, *_left(problem, mistake.mended)) for mistake in [*_frames(run), *_senses(run), *_axes(run)]]
-    tried = [(mistake, left, K) for mistake, left, K in tried if _is_a_map(K)]
+    alike = [*([other] for other in (*_frames(run), *_senses(run))), [*_axes(run)]]
+    tried = [
+        (mistake, float(left), K)
+        for mistakes in alike
+        for mistake, left, K in zip(mistakes, *_left(problem, [m.mended for m in mistakes]), strict=True)
+        if _is_a_map(K)
+    ]
     least = min((left for _, left, _ in tried), default=np.inf)
     if least * MENDED > declared:
         return None
@@ -230,32 +238,31 @@ def _offset(problem: Problem, stream: str) -> Offset:
     Between two rows the mean of both would have less noise, and seem to fit better.
     """
     step = float(np.median(np.diff(problem.run.t_s)))
-    coarse = np.unique(np.round(np.concatenate([OFFSETS_S, -OFFSETS_S]) / step)) * step
-    tried = [Offset(stream, float(s), _left_at(problem, stream, float(s))) for s in coarse]
+    tried = _offsets(problem, stream, np.unique(np.round(np.concatenate([OFFSETS_S, -OFFSETS_S]) / step)) * step)
     least = min(o.left_nT for o in tried)
     best = min((o for o in tried if o.left_nT <= 2 * least), key=lambda o: abs(o.offset_s))
     for width in (1.0, 0.5, 0.25, 0.1):
         width = max(round(width / step), 1) * step
-        near = [
-            Offset(stream, best.offset_s + w, _left_at(problem, stream, best.offset_s + w)) for w in (-width, width)
-        ]
+        near = _offsets(problem, stream, best.offset_s + np.array([-width, width]))
         best = min([o for o in near if AS_GOOD * o.left_nT < best.left_nT], key=lambda o: o.left_nT, default=best)
     return best
 
 
-def _left_at(problem: Problem, stream: str, offset_s: float) -> float:
-    """What the base leaves when each row takes the stream's value of `offset_s` later."""
-    run = problem.run
-    rows = np.unique(np.linspace(0, len(run) - 1, ROWS).astype(np.intp))
+def _offsets(problem: Problem, stream: str, offsets_s: Array) -> list[Offset]:
+    """What the base leaves when each row takes the stream's value of this much later."""
+    run, rows = problem.run, _few(problem.run)
     values = getattr(run, stream)
     if stream == "angle_deg":
         values = np.unwrap(np.where(np.isfinite(values), values, 0.0), period=360.0)
-    there = later(run.t_s, values, run.t_s[rows] + offset_s)
-    known = np.isfinite(there if there.ndim == 1 else there[:, 0])
-    if 2 * known.sum() < len(rows):
-        return np.inf
-    moved: dict[str, Any] = {stream: there}
-    return _left(problem, replace(run.select(rows), **moved).select(known))[0]
+    there = later(run.t_s, values, (run.t_s[rows] + offsets_s[:, None]).ravel())
+    there = there.reshape(len(offsets_s), len(rows), *values.shape[1:])
+    known = np.isfinite(there if there.ndim == 2 else there[:, :, 0])
+    thin, tries = run.select(rows), list[Run]()
+    for moved, sure in zip(there, known, strict=True):
+        changed: dict[str, Any] = {stream: moved}
+        tries.append(replace(thin, **changed).select(sure))
+    left = np.where(2 * known.sum(axis=1) < len(rows), np.inf, _left(problem, tries)[0])
+    return [Offset(stream, float(s), float(nT)) for s, nT in zip(offsets_s, left, strict=True)]
 
 
 def later(t_s: Array, values: Array, at_s: Array) -> Array:
