@@ -20,7 +20,8 @@ from labcal.errors import InstrumentError
 WHOLE = re.compile(r"-?\d+", re.ASCII)
 SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
 NOT_HOMED, TOUCHED = ("WR", "WH"), ("NC", "NI")
-MOST_OLD = 20  # older replies and alerts before the reply to a request
+MOST_OLD = 20  # older replies and what nobody asked for, before the reply to a request
+UNASKED = (b"!", b"#")  # how alerts (where comm.alert is 1) and lines of information begin
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,14 +122,16 @@ class ZaberStage:
             frame = self._link.ask(request, end=b"\r\n", timeout_s=self.settings.timeout_s).lstrip(b"\r\n")
             if (reply := self._matched(frame, words)) is not None:
                 return reply
-            request = b""  # an older reply, or an alert: the one to this request is still to come
+            request = b""  # an older reply, another device's, or an alert: the one to this request is still to come
         raise InstrumentError(f"{self.name}: it says much, but does not answer {words!r}.", fault="wrong reply")
 
     def _matched(self, frame: bytes, words: str) -> Reply | None:
+        if frame.startswith(UNASKED):
+            return None
         found = REPLY.fullmatch(frame)
         if found is None or not self._sound(frame, found[8]):
             raise InstrumentError(f"{self.name}: {frame!r} is no valid reply.", fault="wrong reply")
-        if found[3] is None or int(found[3]) != self._id:
+        if found[3] is None or (int(found[1]), int(found[3])) != (self.settings.address, self._id):
             return None
         if found[4] == b"RJ":
             raise InstrumentError(f"{self.name}: {words!r} was rejected: {found[7].decode()}.", fault="refused")

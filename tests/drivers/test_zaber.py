@@ -87,6 +87,14 @@ def test_a_late_reply_of_an_older_request_is_passed_over() -> None:
         assert stage.angle_deg() == 180.0
 
 
+@pytest.mark.parametrize("aside", [b"!01 1 IDLE --\r\n", b"#01 1 01 hello\r\n", b"@02 1 01 OK IDLE -- 5\r\n"])
+def test_an_alert_an_information_and_another_device_answer_nothing(aside: bytes) -> None:
+    wire = [(b"/1 1 01 get pos\r\n", aside + said(1, "OK IDLE -- 768000")),
+            (b"/1 1 02 get limit.cycle.dist\r\n", said(2, "OK IDLE -- 1536000") + aside)]  # fmt: skip
+    with scripted(ZaberStage, wire) as stage:
+        assert stage.angle_deg() == 180.0
+
+
 def test_it_homes_no_faster_than_the_dut_may_turn() -> None:
     wire = [(b"/1 1 01\r\n", said(1, "OK IDLE WR 0")),
             (b"/1 1 02 get limit.cycle.dist\r\n", said(2, "OK IDLE WR 1536000")),
