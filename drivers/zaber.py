@@ -9,7 +9,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from drivers.framing.zaber import REPLY, Reply, checksum
+from drivers.framing.zaber import NOT_HOMED, REPLY, SPEED_DATA, TOUCHED, UNASKED, Reply, checksum
 from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
@@ -18,10 +18,7 @@ from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 
 WHOLE = re.compile(r"-?\d+", re.ASCII)
-SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
-NOT_HOMED, TOUCHED = ("WR", "WH"), ("NC", "NI")
 MOST_OLD = 20  # older replies and what nobody asked for, before the reply to a request
-UNASKED = (b"!", b"#")  # how alerts (where comm.alert is 1) and lines of information begin
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What a Zaber stage says with every reply, and the checksum that it may have."""
+"""What a Zaber stage says with every reply and unasked, and the checksum that it may have."""
 
 from __future__ import annotations
 
@@ -6,6 +6,10 @@ import re
 from dataclasses import dataclass
 
 REPLY = re.compile(rb"@(\d\d) (\d) (?:(\d\d) )?(OK|RJ) (IDLE|BUSY) ([!-~]{2}) ([ -9;-~]*)(?::([0-9A-F]{2}))?\r\n")
+
+UNASKED = (b"!", b"#")  # how alerts (where comm.alert is 1) and lines of information begin
+SPEED_DATA = 1.6384  # speed data = microsteps/s · 1.6384
+NOT_HOMED, TOUCHED = ("WR", "WH"), ("NC", "NI")  # warnings: no reference position; somebody turned the knob
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,7 @@ from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
 from labcal.bench.hands import SimulatedHands
-from labcal.bench.links import EmulatedLink, Emulator, Link, open_link
+from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link
 from labcal.bench.links.urls import split
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
@@ -52,10 +52,9 @@ class Loader:
 
     def instrument(self, name: str) -> Instrument:
         """The driver of the instrument `name`, on the kind of link and with the settings that its `__init__` states."""
-        entry = self.config.instruments[name]
         driver, hints, settings = self.driver(name)
         modbus = speaks_modbus(hints)
-        link = self.modbus(name, entry, settings) if modbus else self.link(name, entry, settings)
+        link = self.modbus(name) if modbus else self.link(name)
         self.links[self.line_of(name)].never.add(driver.never, settings.address if modbus else None)
         return cast(Instrument, driver(name, link, self.clock, settings))
 
@@ -114,14 +113,14 @@ class Loader:
             if (other := places.setdefault(place, name)) != name:
                 self.refuse(f"{other} has the same link, address and output", ("instruments", name))
 
-    def link(self, name: str, entry: InstrumentConfig, settings: Any) -> Link:
+    def link(self, name: str) -> Link:
         """The link of one instrument; instruments that state the same link share it."""
         key = self.line_of(name)
         if key not in self.links:
             if key.startswith("emulated://"):
-                self.links[key] = EmulatedLink(key, self.emulator(name, settings), self.clock)
+                self.links[key] = EmulatedLink(key, self.emulator(name), self.clock)
             else:
-                self.links[key] = self._open(name, entry)
+                self.links[key] = self._open(name)
         return self.links[key]
 
     def line_of(self, name: str) -> str:
@@ -129,15 +128,15 @@ class Loader:
         url = self.config.instruments[name].link
         return url if url != "emulated://" else f"emulated://{name}"
 
-    def _open(self, name: str, entry: InstrumentConfig) -> Link:
+    def _open(self, name: str) -> Link:
         try:
-            return open_link(entry.link, self.clock)
+            return open_link(self.config.instruments[name].link, self.clock)
         except InputError as error:
             self.refuse(error.what, ("instruments", name, "link"))
 
-    def modbus(self, name: str, entry: InstrumentConfig, settings: Any) -> ModbusLink:
+    def modbus(self, name: str) -> ModbusLink:
         """The Modbus master on the line of one instrument; devices on one line share it."""
-        line = self.link(name, entry, settings)
+        line = self.link(name)
         from labcal.bench.links.modbus import modbus_link  # slow to import, and seldom needed
 
         if line.url not in self.masters:
@@ -155,14 +154,23 @@ class Loader:
         line = line_of(self.path.read_text(encoding="utf-8"), keys)
         raise InputError(f"{'.'.join(keys)}: {what}", file=self.path, line=line)
 
-    def emulator(self, name: str, settings: Any) -> Emulator:
-        """The emulator on the line of `name`, told the roles of all instruments that share this line."""
+    def emulator(self, name: str) -> Emulator:
+        """What is emulated on the line of `name`: each device by an emulator of its own, told all its roles."""
         if self.twin is None:
             self.twin = self._twin()
-        instruments = self.config.instruments
-        emulator = self._load(EMULATORS, instruments[name].driver, ("instruments", name, "driver"))
-        roles = {e.role: e.settings for n, e in instruments.items() if self.line_of(n) == self.line_of(name)}
-        return cast(Emulator, emulator(self.twin, roles, settings))
+        devices: dict[tuple[str, Any], list[str]] = {}
+        for other, entry in self.config.instruments.items():
+            if self.line_of(other) == self.line_of(name):
+                devices.setdefault((entry.driver, getattr(self.driver(other)[2], "address", None)), []).append(other)
+        ends = [self._emulated(names) for names in devices.values()]
+        return ends[0] if len(ends) == 1 else SharedWire(ends)
+
+    def _emulated(self, names: list[str]) -> Emulator:
+        """The emulator of one device that plays the parts of all these instruments."""
+        entries = [self.config.instruments[name] for name in names]
+        emulator = self._load(EMULATORS, entries[0].driver, ("instruments", names[0], "driver"))
+        roles = {entry.role: entry.settings for entry in entries}
+        return cast(Emulator, emulator(self.twin, roles, self.driver(names[0])[2]))
 
     def _twin(self) -> Any:
         table = dict(self.config.twin)

@@ -122,8 +122,8 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
     with ExitStack() as afterwards:
         for name, entry in config.instruments.items():
             if entry.link.startswith("emulated://") and loader.line_of(name) not in lines:
-                _, hints, settings = loader.driver(name)
-                emulator = loader.emulator(name, settings)
+                _, hints, _ = loader.driver(name)
+                emulator = loader.emulator(name)
                 outlet = _outlet(emulator, speaks_modbus(hints))
                 afterwards.callback(outlet.close)
                 lines[loader.line_of(name)] = (outlet, emulator)

@@ -39,6 +39,24 @@ def test_every_instrument_answers_with_its_name(bench: Bench) -> None:
     assert len({i.serial for i in identities.values()}) == len(identities)
 
 
+def test_supplies_and_contacts_of_different_makers_share_one_emulated_pair(tmp_path: Path) -> None:
+    pair, text = 'link = "emulated://pair"', EXAMPLE.read_text(encoding="utf-8")
+    for number, axis in enumerate("xy", 2):
+        tti = f'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-{axis}"'
+        assert tti in text
+        text = text.replace(
+            tti, f'driver = "riden-rd60xx"\n{pair}\nrole = "coil-{axis}"\nsettings = {{ address = {number} }}'
+        )
+    file = tmp_path / "bench.toml"
+    file.write_text(
+        text.replace('driver = "waveshare-relay"\nlink = "emulated://"', f'driver = "waveshare-relay"\n{pair}')
+    )
+    with open_bench(file, clock=VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), seed=3) as bench:
+        assert {i.model for i in bench.identities().values()} >= {"RD6006", "Modbus RTU Relay"}
+        bench.cage.set_currents([-0.2, 0.3, 0.1])
+        np.testing.assert_allclose(bench.cage.currents_A(), [-0.2, 0.3, 0.1], atol=0.002)
+
+
 def test_the_field_that_is_set_is_the_field_that_the_reference_sees(bench: Bench) -> None:
     bench.start()
     bench.cage.ambient_nT = reference_mean(bench, 5.0)

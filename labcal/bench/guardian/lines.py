@@ -80,7 +80,7 @@ class Line:
             )
         with self.lock:
             if name not in self._shared:
-                self._shared[name] = self.loader.modbus(name, self.loader.config.instruments[name], settings)
+                self._shared[name] = self.loader.modbus(name)
                 self.loader.links[self.url].never.add(driver.never, settings.address)
             return getattr(self._shared[name], call)(*args)
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from labcal.bench.clock import Clock
-from labcal.bench.links.emulated import EmulatedLink, Emulator
+from labcal.bench.links.emulated import EmulatedLink, Emulator, SharedWire
 from labcal.bench.links.line import Link, read_reply
 from labcal.bench.links.urls import split
 from labcal.bench.links.wired import WiredLink
 
-__all__ = ["EmulatedLink", "Emulator", "Link", "Nobody", "WiredLink", "open_link", "read_reply"]
+__all__ = ["EmulatedLink", "Emulator", "Link", "Nobody", "SharedWire", "WiredLink", "open_link", "read_reply"]
 
 
 class Nobody:

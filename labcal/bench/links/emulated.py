@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Protocol, runtime_checkable
 
 from labcal.bench.clock import Clock, VirtualClock
@@ -29,6 +30,22 @@ class Foresees(Emulator, Protocol):
     def due_s(self) -> float:
         """That time; one in the past where none is on its way."""
         ...
+
+
+class SharedWire:
+    """Several emulators on one line, as on an RS-485 pair: all hear everything."""
+
+    def __init__(self, ends: Sequence[Emulator]) -> None:
+        self._ends = ends
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """Bytes from the host arrive at `t_s`."""
+        for end in self._ends:
+            end.take(t_s, data)
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        """What they have put on the line up to `until_s`, in order."""
+        return sorted(piece for end in self._ends for piece in end.emit(until_s))
 
 
 class EmulatedLink:
