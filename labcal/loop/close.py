@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 
 import numpy as np
@@ -110,8 +110,10 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
     found = replace(found, honest=_as_shipped(found.honest, in_sample[1]))
     verdict = _verdict(found, aside, len(problem))
-    accepted = [*_of_the_data(aside, problem, verdict, found.far), *_records(found, after)]
-    affine, unsupported = problem.affine, working_range.unsupported(run, found.accepted, after)
+    of_the_data = _of_the_data(aside, problem, verdict, found.far)
+    accepted = [*of_the_data, *_records(found, after)]
+    unsupported = working_range.unsupported(run, found.accepted, after)
+    shipped, errors = _shipped(found, after, unsupported)
     noticed = (*findings(run, problem, found.level), *working_range.findings(run, found.accepted, after))
     tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
     left = describe(problem, rows) if verdict in ("unexplained", "partly-explained") else None
@@ -129,14 +131,15 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         verdict=verdict,
         summary=summary(found, verdict, aside, left),
         next_experiment=next_experiment(found, verdict, after, left),
-        affine=affine,
-        covariance=_covariance(after),
+        affine=shipped.problem.affine,
+        covariance=_covariance(shipped),
         frame_known=not bool((problem.seen.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
         findings=noticed,
         tests=tests,
         shape=left,
-        unsupported=frozenset(found.accepted[i].family.id for i in unsupported),
+        unsupported=frozenset(len(of_the_data) + i for i in unsupported),
+        shipped=errors,
         twins=twins(found),
         remarks=(tested(tests["after"]), *(finding.says for finding in noticed)),
         pictures=pictured(before.problem, after.problem),
@@ -150,6 +153,20 @@ def _as_shipped(honest: HeldOut, in_sample: float) -> HeldOut:
     """
     shipped = max(honest.after, in_sample)
     return replace(honest, after_nT=honest.after_nT * (shipped / honest.after)) if honest.after > 0 else honest
+
+
+def _shipped(found: Evidence, after: Refit, unsupported: Collection[int]) -> tuple[Refit, Errors | None]:
+    """The map that goes with the effects that are shipped, fitted without the others, and its errors.
+
+    A map fitted beside an effect that the run does not pin down is as uncertain as the effect.
+    """
+    if not unsupported:
+        return after, None
+    kept = [chosen for i, chosen in enumerate(found.accepted) if i not in unsupported]
+    rows = found.search.good
+    fitted = refit(found.search.whole, [c.form for c in kept], rows)
+    left = rms(fitted.problem.length_nT(fitted.problem.residual_nT)[rows])
+    return fitted, Errors(left, max(held_out(found.search, found.blocks, lambda part: kept).after, left))
 
 
 def pictured(before: Problem, after: Problem) -> Pictures:

@@ -267,14 +267,14 @@ def _simpler(search: Search, chosen: Candidate, others: Sequence[Candidate]) -> 
         yield refined(search, best.candidate, others)
 
 
-def _standing(candidate: Candidate) -> tuple[int, int]:
+def _standing(candidate: Candidate) -> tuple[int, int, bool]:
     """Low goes first: what readings alone can correct, then the rig's, then time's; the simpler before the richer."""
     kind = 1 if candidate.family.generic else 0
     if candidate.family.bound_to_run:
         kind = 3
     elif candidate.family.belongs_to == "rig":
         kind = 2
-    return kind, len(candidate.form.parameters)
+    return kind, len(candidate.form.parameters), candidate.family.second_order
 
 
 def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:

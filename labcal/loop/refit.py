@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -58,9 +58,19 @@ class Refit:
                 for (name, unit), value, spread in zip(form.parameters, beta, u[at : at + len(beta)], strict=True)
             ]
             at += len(beta)
-            found += [Parameter(s.name, s.value, next(shapes) if s.grid else 0.0, s.unit) for s in form.shape]
+            found += [
+                Parameter(s.name, s.value, self._uncertain(s, shapes) if s.grid else 0.0, s.unit) for s in form.shape
+            ]
             out.append(tuple(found))
         return tuple(out)
+
+    def _uncertain(self, shape: Shape, by_slope: Iterator[float]) -> float:
+        """The standard uncertainty of a searched shape: a step may lie anywhere between two rows (uniform)."""
+        u, t = next(by_slope), self.problem.scene.t_s
+        if shape.name != "t_step_s":
+            return u
+        after = min(max(int(np.searchsorted(t, shape.value)), 1), len(t) - 1)
+        return float((t[after] - t[after - 1]) / np.sqrt(12))
 
 
 def total(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:

@@ -125,7 +125,7 @@ class ClosedLoop:
     verdict: Verdict
     summary: str
     next_experiment: NextExperiment | None
-    affine: AffineMap  # with the accepted effects
+    affine: AffineMap  # with the effects that are shipped
     covariance: Array | None  # (12, 12) of K row by row, then k
     frame_known: bool
     noise_nT: float  # standard deviation of one axis of one reading
@@ -133,7 +133,8 @@ class ClosedLoop:
     findings: tuple[Finding, ...] = ()
     tests: Mapping[str, tuple[ResidualTest, ...]] = field(default_factory=dict)  # before, after
     shape: Shape | None = None  # of what is left, where structure is left
-    unsupported: frozenset[str] = frozenset()  # accepted effects of the sensor that are not shipped
+    unsupported: frozenset[int] = frozenset()  # places among `accepted` of the sensor's effects that are not shipped
+    shipped: Errors | None = None  # of the map and effects that are shipped, where they are fewer
     twins: tuple[Twins, ...] = ()  # of the accepted effects
     rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
@@ -151,13 +152,14 @@ class ClosedLoop:
             affine=self.affine,
             covariance=self.covariance,
             frame_known=self.frame_known,
-            effects=tuple(e for e in self.accepted if e.effect not in self.unsupported),
+            effects=tuple(e for i, e in enumerate(self.accepted) if i not in self.unsupported),
             noise_nT=self.noise_nT,
         )
 
     def metrics(self) -> Mapping[str, Mapping[str, float]]:
-        """Before and after, for the calibration file."""
-        return {"before": asdict(self.before), "after": {**asdict(self.after), "noise_nT": self.noise_nT}}
+        """Before and after, for the calibration file: after with what it ships."""
+        after = self.shipped or self.after
+        return {"before": asdict(self.before), "after": {**asdict(after), "noise_nT": self.noise_nT}}
 
     def to_json(self) -> dict[str, Any]:
         """The contract's JSON object."""

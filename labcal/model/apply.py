@@ -141,6 +141,10 @@ def _effect(
         beyond = _out_of_reach(readings, float(effect.beta[0]))
         flags["rate"] |= beyond
         variance[beyond] += value[beyond] ** 2
+    if effect.family.id == "offset-step" and readings.t_s is not None:
+        unsure = _beside_the_step(record, readings.t_s)
+        flags["time"] |= unsure
+        variance[unsure] += effect.beta**2 / 4
     delay = next((s.value for s in effect.form.shape if s.name == "delay_s"), 0.0)
     if delay and usable.any():
         variance[_out_of_reach(readings, -delay)] += value[usable].var(axis=0)
@@ -202,6 +206,12 @@ def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: 
     before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0
     lost = max(before**2 - after**2, 0.0) / (3 if calibration.frame_known else 1)
     return np.asarray(np.maximum(np.mean(seen**2, axis=0) if len(seen) else 0.0, np.full(3, lost)))
+
+
+def _beside_the_step(record: EffectRecord, t_s: Array) -> Mask:
+    """Rows (n,) of which nobody knows on which side of the step they lie: it was between two rows of the run."""
+    step = next(p for p in record.parameters if p.name == "t_step_s")
+    return np.asarray(np.abs(t_s - step.value) < np.sqrt(3) * step.u * (1 - 1e-6))
 
 
 def _out_of_reach(readings: Readings, lag_s: float) -> Mask:

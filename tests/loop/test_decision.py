@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 from labcal import session
 from labcal.fit.observations import AXIS
 from labcal.geometry import rotate, rotation_vector
-from labcal.loop import evidence
+from labcal.loop import close_loop, evidence, working_range
 from labcal.loop.bins import binned, rows_in_a_bin
 from labcal.loop.close import _as_shipped, prepared
 from labcal.loop.correlation import correlation_s, follows_itself
@@ -246,3 +246,41 @@ def test_the_tail_of_an_exponential_is_its_own(started: Started) -> None:
     candidate = _search(started()).candidates[0]
     far = Weighed(candidate, 0.0, 20.0, 0.0, 1, Likelihood(0.0, 1.0, 0, 1.0))
     assert 0.6 < p_value(far, heaviest) / np.exp(-20.0 / 2.0) < 1.6
+
+
+def test_the_heat_of_a_load_follows_the_square_of_its_current_slowly(searching: Callable[..., Search]) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    amps = np.random.default_rng(3).uniform(0, 2, 40)[(t // 17).astype(int)]
+    tau_s = 12.0
+    lit = np.arange(0, t[-1] + 1, 0.05)
+    squared = np.interp(lit, t, amps) ** 2
+    heat = np.zeros(len(lit))
+    for i in range(1, len(lit)):
+        heat[i] = heat[i - 1] + 0.05 / tau_s * (squared[i] - heat[i - 1])
+    added = np.outer(np.interp(t, lit, heat), [30.0, -20.0, 10.0])
+    (found,) = forward(searching({"i": amps}, {"i": "current"}, added))[0]
+    assert found.cause == ("offset-current-squared", ("i",))
+    assert found.form.at("tau_s") == pytest.approx(tau_s, rel=0.15)
+
+
+def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(searching: Callable[..., Search]) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    amps = 0.1 + 0.8 * (np.mod(t, 41.0) < 17.0)
+    search = searching({"i": amps}, {"i": "current"}, np.outer(amps, [80.0, -50.0, 30.0]))
+    square = next(c for c in search.candidates if c.family.second_order and not c.form.shape)
+    (first,) = evidence._preferred(search, [square], ())
+    assert first.cause == ("offset-current", ("i",))
+
+
+def test_a_map_is_shipped_as_it_is_without_the_effects_that_are_not(
+    making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows, segments = making.recorded(seconds=20.0)
+    rows["dut"] = rows["dut"] + np.outer(rows["i_load"], [90.0, -60.0, 30.0])
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    monkeypatch.setattr(working_range, "unsupported", lambda run, accepted, after: frozenset({0}))
+    found = close_loop(run)
+    assert found.accepted
+    assert found.fit().effects == ()
+    assert np.allclose(found.affine.k_nT, refit(prepared(run)[0], []).problem.affine.k_nT, atol=0.1)
+    assert found.metrics()["after"]["holdout_rms_nT"] > 1.2 * found.after.holdout_rms_nT

@@ -97,6 +97,16 @@ def test_effects_of_the_run_hold_inside_its_span_only() -> None:
     assert found.u_nT[after].min() > found.u_nT[inside].max() + 10
 
 
+def test_rows_in_the_gap_that_a_step_lies_in_are_flagged_and_less_certain() -> None:
+    gap = 60.0
+    step = effect("offset-step", t_step_s=(500.0, gap / np.sqrt(12)), c_x=(80.0, 1), c_y=(0.0, 1), c_z=(0.0, 1))
+    t = np.linspace(0, 1000, len(FIELD))
+    found = apply(calibration(step), readings(t_s=t))
+    unsure = np.abs(t - 500) < gap / 2
+    assert [flag == "time" for flag in found.flags] == unsure.tolist()
+    assert found.u_nT[unsure] == pytest.approx(np.hypot(found.u_nT[t > 600][0], 40 / np.sqrt(3)), rel=0.01)
+
+
 @pytest.mark.parametrize("lag", [0.05, -0.08])
 def test_a_lag_is_undone_but_for_the_ends(lag: float) -> None:
     t = np.arange(400) * 0.25

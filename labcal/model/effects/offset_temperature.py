@@ -11,7 +11,7 @@ from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
 
-TAU_S = (30.0, 100.0, 300.0)
+TAU_S = (10.0, 30.0, 100.0, 300.0)
 SEVERAL_S = (0, 60, 300)  # a housing and what is inside it
 
 

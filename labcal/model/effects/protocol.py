@@ -146,6 +146,7 @@ class Family:
     sought: Sought = "grid"  # where to look; what is read off the residual may come again at another place
     harmonics: bool = False  # what is left of it may be its own overtones
     generic: bool = False  # follows whatever a channel measures: a cause with physics that does as well goes first
+    second_order: bool = False  # of a higher order than a cause that may do as well: that one goes first
     extends: tuple[str, ...] = ()  # families that it is, where its own part is nought: it has to earn that part
     akin: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
 
