@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.ml import estimate
-from labcal.fit.observations import SCALAR, VECTOR, Observations, observe
+from labcal.fit.observations import AXIS, SCALAR, VECTOR, Observations, observe
 from labcal.fit.solve import FormName
 from labcal.fit.system import evaluate
 from labcal.geometry import cross, rotate
@@ -18,23 +18,51 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 ALTERNATIONS = 5
+SLACK = 1.1  # times what a magnitude leaves: so much its polynomial may leave at most
 
 
-def misfits(tries: Sequence[Run], allowed: FormName, *, as_scalar: bool) -> tuple[Array, Array]:
-    """What the base model leaves of runs with the same segments (tries,) [rms, nT], and its K (tries, 3, 3).
+@dataclass(frozen=True, slots=True, eq=False)
+class Tries:
+    """Runs with the same segments, and what the base model leaves of each [rms, nT]; infinite where none can be fitted.
 
-    Vectors are fitted by a whole affine map, all tries at once; other rows by the form `allowed`, one after the other.
-    Infinite where a try cannot be fitted.
+    Vectors are fitted by a whole affine map, all runs at once. Other rows are fitted by the form `allowed`, one run
+    after the other and only when asked for: `lowest` says what is left at least, but for SLACK.
     """
-    part = np.repeat(np.arange(len(tries)), [len(run) for run in tries])
-    try:
-        seen = observe(_joined(tries), as_scalar=as_scalar)
-    except ValueError:
-        return np.full(len(tries), np.inf), np.tile(np.eye(3), (len(tries), 1, 1))
-    if bool((seen.kind == VECTOR).all()):
-        return _of_vectors(_Rows.of(seen, part[seen.rows], len(tries)))
-    left, K = zip(*(_of_others(run, allowed, as_scalar) for run in tries), strict=True)
-    return np.array(left), np.array(K)
+
+    runs: Sequence[Run]
+    allowed: FormName
+    as_scalar: bool
+    lowest: Array  # (tries,) nT
+    found: dict[int, tuple[float, Array]]
+
+    @classmethod
+    def of(cls, runs: Sequence[Run], allowed: FormName, *, as_scalar: bool) -> Tries:
+        """All that linear algebra says."""
+        part = np.repeat(np.arange(len(runs)), [len(run) for run in runs])
+        try:
+            seen = observe(_joined(runs), as_scalar=as_scalar)
+        except ValueError:
+            return cls(runs, allowed, as_scalar, np.full(len(runs), np.inf), {})
+        rows = _Rows.of(seen, part[seen.rows], len(runs))
+        if not bool((seen.kind == VECTOR).all()):
+            return cls(runs, allowed, as_scalar, _at_least(rows), {})
+        left, K = _of_vectors(rows)
+        return cls(runs, allowed, as_scalar, left, dict(enumerate(zip(left.tolist(), K, strict=True))))
+
+    def fitted(self, i: int, worth: float = np.inf) -> tuple[float, Array]:
+        """What is left of a run, and its K (3, 3); infinite where more than is `worth` a fit must be left."""
+        if self.lowest[i] > SLACK * worth or np.isinf(self.lowest[i]):
+            return np.inf, np.eye(3)
+        if i not in self.found:
+            self.found[i] = _of_others(self.runs[i], self.allowed, self.as_scalar)
+        return self.found[i]
+
+    def least(self) -> float:
+        """The least that is left of any."""
+        least = np.inf
+        for i in np.argsort(self.lowest).tolist():
+            least = min(least, self.fitted(i, least)[0])
+        return least
 
 
 def _joined(tries: Sequence[Run]) -> Run:
@@ -47,13 +75,15 @@ def _joined(tries: Sequence[Run]) -> Run:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Rows:
-    """Vectors of c tries side by side, n rows each; zeros where a try has fewer."""
+    """The rows of c tries side by side, n each; zeros where a try has fewer."""
 
     X: Array  # (c, n, 4) readings, and −1
     target: Array  # (c, n, 3) nT
     axis: Array  # (c, n, 3)
+    along: Array  # (c, n) nT
+    magnitude: Array  # (c, n) nT
     turning: Array  # (c, n, phases) 1 where the row has that starting phase
-    count: Array  # (c,) rows
+    count: NDArray[np.intp]  # (c,) rows
 
     @classmethod
     def of(cls, seen: Observations, part: NDArray[np.intp], tries: int) -> _Rows:
@@ -68,7 +98,13 @@ class _Rows:
 
         turning = (seen.group[:, None] == np.arange(len(seen.phase_names))).astype(float)
         X = np.column_stack([seen.reading, -np.ones(len(seen))])
-        return cls(laid(X), laid(seen.target), laid(seen.axis), laid(turning), count.astype(float))
+        along = np.where(seen.kind == AXIS, seen.along, 0.0)
+        vectors, numbers = (laid(X), laid(seen.target), laid(seen.axis)), laid(np.column_stack([along, seen.magnitude]))
+        return cls(*vectors, numbers[:, :, 0], numbers[:, :, 1], laid(turning), count)
+
+    def rms(self, square: Array) -> Array:
+        """The root of the mean of sums of squares (c,) over the rows of each try; infinite where there is none."""
+        return np.where(self.count > 0, np.sqrt(square / np.maximum(self.count, 1)), np.inf)
 
     def turned(self, phase: Array) -> Array:
         """The targets from these starting phases (c, phases) [rad]."""
@@ -88,8 +124,7 @@ def _of_vectors(rows: _Rows) -> tuple[Array, Array]:
         field = rows.X @ theta
         phase = phase + _turns(rows, field, p)
     square = np.sum((field - p) ** 2, axis=(1, 2))
-    left = np.where(rows.count > 0, np.sqrt(square / np.maximum(rows.count, 1.0)), np.inf)
-    return left, np.swapaxes(theta[:, :3], 1, 2)
+    return rows.rms(square), np.swapaxes(theta[:, :3], 1, 2)
 
 
 def _inverse(A: Array) -> Array:
@@ -122,6 +157,27 @@ def _turns(rows: _Rows, field: Array, p: Array) -> Array:
     cosine, sine = np.sum(field * across, axis=2), -np.sum(field * cross(rows.axis, p), axis=2)
     sums = np.einsum("cng,kcn->kcg", rows.turning, np.stack([sine, cosine]))
     return np.asarray(np.arctan2(sums[0], sums[1]))
+
+
+def _at_least(rows: _Rows) -> Array:
+    """What any map leaves of axes and magnitudes (c,) [rms, nT], or a little less: two problems that are linear.
+
+    axis · (K m − k) = along has no more than K and k; |K m − k|² = F² is a polynomial of the second degree in m, whose
+    misfit over 2 F is that of |K m − k| as long as it is far less than F.
+    """
+    m, F = rows.X[:, :, :3], np.maximum(rows.magnitude, 1e-9)[:, :, None]
+    on_axis = (rows.axis[:, :, :, None] * rows.X[:, :, None, :]).reshape(*F.shape[:2], 12)
+    products = np.stack([m[:, :, a] * m[:, :, b] for a in range(3) for b in range(a, 3)], axis=2)
+    known = (rows.magnitude > 0)[:, :, None]
+    bent = np.where(known, np.concatenate([products, rows.X], axis=2) / (2 * F), 0.0)
+    return rows.rms(np.maximum(_left_by(on_axis, rows.along), _left_by(bent, rows.magnitude / 2)))
+
+
+def _left_by(A: Array, y: Array) -> Array:
+    """The sum of squares (c,) that the columns of A (c, n, k) leave of y (c, n)."""
+    Q, _ = np.linalg.qr(A)
+    left = y[:, :, None] - Q @ (np.swapaxes(Q, 1, 2) @ y[:, :, None])
+    return np.asarray(np.sum(left**2, axis=(1, 2)))
 
 
 def _of_others(run: Run, allowed: FormName, as_scalar: bool) -> tuple[float, Array]:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from labcal.fit.observations import SCALAR
 from labcal.loop.floor import Floor
 from labcal.loop.problem import Problem
-from labcal.loop.quick import misfits
+from labcal.loop.quick import Tries
 from labcal.loop.result import Finding
 from labcal.record import Run
 
@@ -54,7 +54,7 @@ def doubt(problem: Problem, level: Floor) -> Finding | None:
     if left < AT_FLOOR * level.nT:
         return None
     run, gross = _thinned(problem.run), max(FAR * level.nT, OF_FIELD * field)
-    declared = _left(problem, [run])[0][0]
+    declared, _ = _tries(problem, [run]).fitted(0)
     if min(left, declared) < gross:
         return _undetermined(problem, left)
     mistake = _frame(problem, run, declared) or _clock(problem, declared)
@@ -65,7 +65,7 @@ def _undetermined(problem: Problem, left: float) -> Finding | None:
     """A map that this run does not determine, where a whole one would leave far less than the base that it does."""
     if problem.base == "affine" or problem.kind != "vector":
         return None
-    whole = _left(problem, [_thinned(problem.run)])[0][0]
+    whole, _ = _tries(problem, [_thinned(problem.run)]).fitted(0)
     if whole * BY_MAP > left:
         return None
     text = f"This run does not determine the whole map ({problem.base} alone): too few axes or fields are excited"
@@ -90,9 +90,8 @@ def turned_axes(problem: Problem) -> Finding | None:
     return Finding("axes", "data", f"The fitted map {kind} the axes ({seen}): {cause}.")
 
 
-def _left(problem: Problem, tries: Sequence[Run]) -> tuple[Array, Array]:
-    """What the base model leaves of each of some runs with the same segments (tries,) [rms, nT], and its K."""
-    return misfits(tries, problem.allowed.name, as_scalar=bool((problem.seen.kind == SCALAR).all()))
+def _tries(problem: Problem, runs: Sequence[Run]) -> Tries:
+    return Tries.of(runs, problem.allowed.name, as_scalar=bool((problem.seen.kind == SCALAR).all()))
 
 
 def _few(run: Run) -> NDArray[np.intp]:
@@ -107,13 +106,11 @@ def _frame(problem: Problem, run: Run, declared: float) -> Finding | None:
     """The frame, axes or angle with which the reference fits far better."""
     if run.reference_vector is None:
         return None
-    alike = [*([other] for other in (*_frames(run), *_senses(run))), [*_axes(run)]]
-    tried = [
-        (mistake, float(left), K)
-        for mistakes in alike
-        for mistake, left, K in zip(mistakes, *_left(problem, [m.mended for m in mistakes]), strict=True)
-        if _is_a_map(K)
-    ]
+    worth, tried = AS_GOOD * declared / MENDED, list[tuple[Mistake, float, Array]]()
+    for alike in (*([other] for other in (*_frames(run), *_senses(run))), [*_axes(run)]):
+        tries = _tries(problem, [mistake.mended for mistake in alike])
+        tried += [(mistake, *tries.fitted(i, worth)) for i, mistake in enumerate(alike)]
+    tried = [(mistake, left, K) for mistake, left, K in tried if _is_a_map(K)]
     least = min((left for _, left, _ in tried), default=np.inf)
     if least * MENDED > declared:
         return None
@@ -238,18 +235,22 @@ def _offset(problem: Problem, stream: str) -> Offset:
     Between two rows the mean of both would have less noise, and seem to fit better.
     """
     step = float(np.median(np.diff(problem.run.t_s)))
-    tried = _offsets(problem, stream, np.unique(np.round(np.concatenate([OFFSETS_S, -OFFSETS_S]) / step)) * step)
-    least = min(o.left_nT for o in tried)
-    best = min((o for o in tried if o.left_nT <= 2 * least), key=lambda o: abs(o.offset_s))
+    coarse = np.unique(np.round(np.concatenate([OFFSETS_S, -OFFSETS_S]) / step)) * step
+    coarse = coarse[np.argsort(abs(coarse), kind="stable")]
+    tries = _moved(problem, stream, coarse)
+    enough = 2 * tries.least()
+    tried = (Offset(stream, float(s), tries.fitted(i, enough)[0]) for i, s in enumerate(coarse))
+    best = next(o for o in tried if o.left_nT <= enough)
     for width in (1.0, 0.5, 0.25, 0.1):
-        width = max(round(width / step), 1) * step
-        near = _offsets(problem, stream, best.offset_s + np.array([-width, width]))
+        sides = best.offset_s + max(round(width / step), 1) * step * np.array([-1.0, 1.0])
+        tries = _moved(problem, stream, sides)
+        near = [Offset(stream, float(s), tries.fitted(i, best.left_nT)[0]) for i, s in enumerate(sides)]
         best = min([o for o in near if AS_GOOD * o.left_nT < best.left_nT], key=lambda o: o.left_nT, default=best)
     return best
 
 
-def _offsets(problem: Problem, stream: str, offsets_s: Array) -> list[Offset]:
-    """What the base leaves when each row takes the stream's value of this much later."""
+def _moved(problem: Problem, stream: str, offsets_s: Array) -> Tries:
+    """The run when each row takes the stream's value of this much later; without rows where too few have one."""
     run, rows = problem.run, _few(problem.run)
     values = getattr(run, stream)
     if stream == "angle_deg":
@@ -257,12 +258,12 @@ def _offsets(problem: Problem, stream: str, offsets_s: Array) -> list[Offset]:
     there = later(run.t_s, values, (run.t_s[rows] + offsets_s[:, None]).ravel())
     there = there.reshape(len(offsets_s), len(rows), *values.shape[1:])
     known = np.isfinite(there if there.ndim == 2 else there[:, :, 0])
-    thin, tries = run.select(rows), list[Run]()
+    known[2 * known.sum(axis=1) < len(rows)] = False
+    thin, runs = run.select(rows), list[Run]()
     for moved, sure in zip(there, known, strict=True):
         changed: dict[str, Any] = {stream: moved}
-        tries.append(replace(thin, **changed).select(sure))
-    left = np.where(2 * known.sum(axis=1) < len(rows), np.inf, _left(problem, tries)[0])
-    return [Offset(stream, float(s), float(nT)) for s, nT in zip(offsets_s, left, strict=True)]
+        runs.append(replace(thin, **changed).select(sure))
+    return _tries(problem, runs)
 
 
 def later(t_s: Array, values: Array, at_s: Array) -> Array:
