@@ -14,7 +14,7 @@ LISTS = {
     0x01: b"MODEL=MR3:SERIAL=12345:FIRMWARE=1.6:UNITS=MILLIGAUSS:",
     0x02: b"BACKLIGHT=1:RELATIVE=0:ZERO=0:RATE=20:",
 }
-DELAY_S = 0.005
+DELAY_S, SILENCE_S = 0.005, 0.1
 
 
 class AlphaLabEmulator:
@@ -22,10 +22,13 @@ class AlphaLabEmulator:
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         self._lab, self._asked, self._list, self._waiting = lab, b"", b"", Pieces()
+        self._heard_s = 0.0
 
     def take(self, t_s: float, data: bytes) -> None:
-        """Requests of six bytes."""
-        self._asked += data
+        """Requests of six bytes; a silence ends one that was cut short."""
+        if t_s > self._heard_s + SILENCE_S:
+            self._asked = b""
+        self._asked, self._heard_s = self._asked + data, t_s
         while len(self._asked) >= 6:
             code, self._asked = self._asked[0], self._asked[6:]
             if reply := self._reply(t_s, code):

@@ -13,8 +13,12 @@ from drivers.emulators.line import Answers, Lab, Pieces
 from drivers.emulators.streaming import Beat
 
 COMMAND = re.compile(r"\*(\d\d)(.+)")
+RATE = re.compile(r"R=(0?[1-6]0|0?25|100|123|154)")
 SWITCHES = {"A": "ASCII_ON", "B": "BINARY_ON", "ZF": "ZERO_OFF", "ZN": "ZERO_ON", "VF": "AVG_OFF", "VN": "AVG_ON",
-            "TN": "S/R_ON", "TF": "S/R_OFF"}  # fmt: skip
+            "TN": "S/R_ON", "TF": "S/R_OFF", "Y": "OK", "N": "OK", "SP": "DONE"}  # fmt: skip
+SAYS = {"WE": "OK", "#": "SER# 0000000000012345", "F": "S/W vers: 00104", "H": "H/W vers: 00021",
+        "]S": "SET", "]R": "RST"}  # fmt: skip
+TOGGLES = ("T", "Z", "V")
 ESC = b"\x1b"
 
 
@@ -25,6 +29,7 @@ class Hmr2300Emulator(Answers):
         super().__init__(self._reply, end=b"\r", delay_s=0.004)
         self._lab, self._id = lab, settings.id
         self._format, self._rate, self._may_write = "A", 20, False
+        self._on = {"T": True, "Z": False, "V": False}
         self._beat: Beat | None = None
 
     def take(self, t_s: float, data: bytes) -> None:
@@ -49,22 +54,32 @@ class Hmr2300Emulator(Answers):
             return b""
         may_write, self._may_write = self._may_write, found[2] == "WE"
         words = found[2]
-        if words in SWITCHES or words.startswith("R="):
+        if words in SWITCHES or words in TOGGLES or RATE.fullmatch(words):
             return self._change(words) if may_write else b"WE_OFF\r"
         if words == "C":
             self._beat = Beat(self._rate, t_s)
             return b""
         if words == "P":
             return self._frames(np.array([t_s]))[0]
-        return {"WE": b"OK\r", "#": b"SER# 0000000000012345\r", "F": b"S/W vers: 00104\r"}.get(words, b"Re-enter\r")
+        says = {**SAYS, "ID=": f"ID= {self._id:02d}", "Q": self._setup()}
+        return says.get(words, "Re-enter").encode() + b"\r"
 
     def _change(self, words: str) -> bytes:
         if words.startswith("R="):
             self._rate = int(words[2:])
             return b"OK\r"
+        if words in TOGGLES:
+            words += "F" if self._on[words] else "N"
         if words in "AB":
             self._format = words
+        elif words[0] in TOGGLES:
+            self._on[words[0]] = words[1] == "N"
         return SWITCHES[words].encode() + b"\r"
+
+    def _setup(self) -> str:
+        form, mode = "ASCII" if self._format == "A" else "BINARY", "CONT" if self._beat else "POLLED"
+        sr, zero, average = ("ON" if self._on[what] else "OFF" for what in "TZV")
+        return f"{form} {mode} S/R {sr} ZERO {zero} AVG {average} R ON ID= {self._id:02d} {self._rate} sps"
 
     def _frames(self, times: Any) -> list[bytes]:
         counts = self._lab.reference_nT(times)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
-from drivers.emulators.line import Answers, Lab
+from drivers.emulators.line import QUEUE, Answers, Lab
 
-SET = re.compile(r"(CURR|VOLT) ([+-]?[\d.]+)")
+SET = re.compile(r"(CURR|VOLT) ([+-]?(?:\d+\.?\d*|\.\d+))")
+LONG = re.compile(r"(CURR|VOLT|OUTP|MEAS|FUNC|SYST|ERR)(?:ENT|AGE|UT|URE|TION|EM|OR)\b")
 MAX = {"CURR": 12.0, "VOLT": 36.0}
 
 
@@ -20,7 +22,7 @@ class KepcoEmulator(Answers):
         (role,) = roles
         self._coil, self._serial = lab.coils[role[-1]], f"E{ord(role[-1]) * 1117}"
         self._values, self._current_mode, self._on = {"CURR": 0.0, "VOLT": 0.0}, False, False
-        self._errors: list[str] = []
+        self._errors = deque[str](maxlen=QUEUE)
 
     def _reply(self, t_s: float, text: str) -> bytes:
         said = self._do(t_s, text.upper())
@@ -28,13 +30,13 @@ class KepcoEmulator(Answers):
         return said.encode() + b"\n" if said else b""
 
     def _do(self, t_s: float, text: str) -> str:
-        if set_ := SET.fullmatch(text):
+        if set_ := SET.fullmatch(LONG.sub(r"\1", text)):
             return self._set(set_[1], float(set_[2]))
-        match text.replace(":", " ").split():
+        match LONG.sub(r"\1", text).replace(":", " ").split():
             case ["*IDN?"]:
                 return f"KEPCO,BOP 36-12,{self._serial},4.04-1.82"
             case ["SYST", "ERR?"]:
-                return self._errors.pop(0) if self._errors else '0,"No error"'
+                return self._errors.popleft() if self._errors else '0,"No error"'
             case ["CURR?" | "VOLT?" as what]:
                 return f"{self._values[what[:4]]:.4f}"
             case ["MEAS", "CURR?"]:
@@ -47,8 +49,10 @@ class KepcoEmulator(Answers):
                 self._current_mode = mode == "CURR"
             case ["OUTP?"]:
                 return f"{self._on:d}"
-            case ["OUTP", "0" | "1" as on]:
-                self._on = on == "1"
+            case ["OUTP", "0" | "1" | "ON" | "OFF" as on]:
+                self._on = on in ("1", "ON")
+            case ["SYST", "BEEP"]:
+                pass
             case _:
                 self._errors.append('-113,"Undefined header"')
         return ""

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.emulators.line import Answers, Lab
+from drivers.emulators.line import QUEUE, Answers, Lab
 
-COMMAND = re.compile(r"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?) | ([\d.]+|ON|OFF),)\(@([123])\)", re.IGNORECASE)
+COMMAND = re.compile(
+    r"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?) | (\d+\.?\d*|\.\d+|ON|OFF),)\(@([123])\)", re.IGNORECASE
+)
+LONG = re.compile(r"(CURR|VOLT|OUTP|MEAS|SYST|ERR)(?:ENT|AGE|UT|URE|EM|OR)\b")
 MAX = {1: {"VOLT": 6.18, "CURR": 5.15}, 2: {"VOLT": 25.75, "CURR": 1.03}, 3: {"VOLT": 25.75, "CURR": 1.03}}
 
 
@@ -32,7 +36,7 @@ class KeysightEmulator(Answers):
         super().__init__(self._reply, delay_s=0.005)
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
         self._serial = f"MY5912{ord(min(roles)[-1])}"
-        self._errors: list[str] = []
+        self._errors = deque[str](maxlen=QUEUE)
         self.pairing, self.tracking = "OFF", "0"
 
     def _reply(self, t_s: float, text: str) -> bytes:
@@ -40,16 +44,17 @@ class KeysightEmulator(Answers):
         return said.encode() + b"\n" if said else b""
 
     def _do(self, t_s: float, text: str) -> str:
-        match text.upper():
+        short = LONG.sub(r"\1", text.upper().lstrip(":"))
+        match short:
             case "*IDN?":
                 return f"Keysight Technologies,E36312A,{self._serial},1.0.3-1.0.4-1.01"
             case "SYST:ERR?":
-                return self._errors.pop(0) if self._errors else '+0,"No error"'
+                return self._errors.popleft() if self._errors else '+0,"No error"'
             case "OUTP:PAIR?":
                 return self.pairing
             case "OUTP:TRAC?":
                 return self.tracking
-        if (found := COMMAND.fullmatch(text)) is None or int(found[4]) not in self._outputs:
+        if (found := COMMAND.fullmatch(short)) is None or int(found[4]) not in self._outputs:
             return self._fault('-113,"Undefined header"')
         what, number = found[1].upper(), int(found[4])
         if found[2]:
@@ -68,7 +73,7 @@ class KeysightEmulator(Answers):
         output = self._outputs[number]
         if what == "OUTP":
             output.on = value in ("1", "ON")
-        elif what in MAX[number] and float(value) <= MAX[number][what]:
+        elif what in MAX[number] and value not in ("ON", "OFF") and float(value) <= MAX[number][what]:
             setattr(output, what, float(value))
         else:
             return self._fault('-222,"Data out of range"')

@@ -10,7 +10,7 @@ from drivers.emulators.line import Lab, Pieces
 
 BUSY_S, REPLY_S = 0.05, 0.015
 MAX = {"V": 31.0, "I": 5.1}
-SET = re.compile(r"([VI])SET1:([\d.]+)")
+SET = re.compile(r"([VI])SET1:(\d+\.?\d*)")
 
 
 class KoradEmulator:

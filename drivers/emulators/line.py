@@ -8,6 +8,7 @@ from typing import Any, Protocol
 from labcal.bench.frames import Lines
 
 Pieces = list[tuple[float, bytes]]
+QUEUE = 20  # errors that an instrument keeps
 
 
 class Lab(Protocol):

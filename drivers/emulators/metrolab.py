@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
+from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from drivers.emulators.line import Answers, Lab
+from drivers.emulators.line import QUEUE, Answers, Lab
 
+FETCH = re.compile(r":FETC:ARR:([XYZ])\? 1,(\d\d?)")
 SETTINGS = (":ABOR", ":INIT:CONT ", ":FORM:DATA ", ":AVER:COUN ", ":TRIG:SOUR ", ":TRIG:COUN ", ":SENS:FLUX:RANG ")
 
 
@@ -17,7 +20,7 @@ class MetrolabEmulator(Answers):
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, delay_s=0.01)
-        self._lab, self._field_T, self._errors = lab, np.zeros(3), list[str]()
+        self._lab, self._field_T, self._errors = lab, np.zeros(3), deque[str](maxlen=QUEUE)
 
     def _reply(self, t_s: float, text: str) -> bytes:
         answers = [self._one(t_s, words) for words in text.split(";")]
@@ -29,13 +32,13 @@ class MetrolabEmulator(Answers):
             case ["*IDN?"]:
                 return "Metrolab Technology SA,TFM1186,0000123,EL v2.0 C v3.0"
             case [":SYST:ERR?"]:
-                return self._errors.pop(0) if self._errors else '0,"No error"'
+                return self._errors.popleft() if self._errors else '0,"No error"'
             case ["*STB?"]:
                 return "4" if self._errors else "0"
             case [":INIT"]:
                 self._field_T = self._lab.reference_nT(np.array([t_s]))[0] * self._lab.reference_nT_per_unit * 1e-9
-            case [head, what] if head.startswith(":FETC:ARR:"):
-                return f"{self._field_T['XYZ'.index(head[10])]:.{int(what.split(',')[1])}f}T"
+            case _ if found := FETCH.fullmatch(words):
+                return f"{self._field_T['XYZ'.index(found[1])]:.{found[2]}f}T"
             case _ if not words.startswith(SETTINGS):
                 self._errors.append('-113,"Undefined header"')
         return ""

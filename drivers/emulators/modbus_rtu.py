@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from drivers.emulators.line import Pieces
 
 READ_COILS, READ_HOLDING, READ_INPUT, WRITE_COIL, WRITE_REGISTER, WRITE_REGISTERS = 1, 3, 4, 5, 6, 16
+SILENCE_S = 0.1  # ends a frame, however short it is
 ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE = 1, 2, 3
 
 
@@ -43,20 +44,22 @@ class RtuSlave:
         *,
         delay_s: float = 0.02,
     ) -> None:
-        self._device, self._read, self._write, self._delay_s = device, read, write, delay_s
-        self._frame, self._waiting = b"", Pieces()
+        self.device, self._read, self._write, self._delay_s = device, read, write, delay_s
+        self._frame, self._heard_s, self._waiting = b"", 0.0, Pieces()
 
     def take(self, t_s: float, data: bytes) -> None:
         """Bytes from the master; a frame that is whole, sound and meant for this device is answered."""
-        self._frame += data
+        if t_s > self._heard_s + SILENCE_S:
+            self._frame = b""
+        self._frame, self._heard_s = self._frame + data, t_s
         length = 8 if self._frame[1:2] != b"\x10" else 9 + (self._frame[6] if len(self._frame) > 6 else 256)
         if len(self._frame) < length:
             return
         frame, self._frame = self._frame[:length], b""
-        if crc(frame[:-2]) != frame[-2:] or frame[0] not in (0, self._device):
+        if crc(frame[:-2]) != frame[-2:] or frame[0] not in (0, self.device):
             return
         reply = self._answer(t_s, frame[:-2])
-        if frame[0] or not self._device:  # 0 is for all and not answered, but for who has no other address
+        if frame[0] or not self.device:  # 0 is for all and not answered, but for who has no other address
             self._waiting.append((t_s + self._delay_s, reply + crc(reply)))
 
     def emit(self, until_s: float) -> Pieces:

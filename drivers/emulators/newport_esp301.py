@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
-from drivers.emulators.line import Answers, Lab
+from drivers.emulators.line import QUEUE, Answers, Lab
 
-COMMAND = re.compile(r"(\d?)([A-Z]{2})(\?|-?[\d.]*)")
-OUT_OF_RANGE, MOTOR_OFF, UNKNOWN = 7, 113, 6
+COMMAND = re.compile(r"(\d?)([A-Z]{2})(\?|-?\d+\.?\d*|)")
+OUT_OF_RANGE, MOTOR_OFF, UNKNOWN, MISSING = 7, 113, 6, 38
 MAX_RATE = 40.0
 TEXTS = {
     OUT_OF_RANGE: "PARAMETER OUT OF RANGE",
     MOTOR_OFF: "MOTOR NOT ENABLED",
     UNKNOWN: "COMMAND DOES NOT EXIST",
+    MISSING: "COMMAND PARAMETER MISSING",
 }
 
 
@@ -25,7 +27,7 @@ class Esp301Emulator(Answers):
         super().__init__(self._reply, end=b"\r", delay_s=0.004)
         self._platform, self._on = lab.platform, False
         self._rates = {"VA": 10.0, "OH": 10.0, "OL": 1.0}
-        self._errors: list[int] = []
+        self._errors = deque[int](maxlen=QUEUE)
 
     def _reply(self, t_s: float, text: str) -> bytes:
         said = self._do(t_s, text)
@@ -37,7 +39,7 @@ class Esp301Emulator(Answers):
             case ("", "VE", "?"):
                 return "ESP301 Version 3.0.1 6/1/99"
             case ("", "TB", "?"):
-                code = self._errors.pop(0) if self._errors else 0
+                code = self._errors.popleft() if self._errors else 0
                 return f"{code}, {int(t_s * 400)}, {TEXTS.get(code, 'NO ERROR DETECTED')}"
             case ("1", "ID", "?"):
                 return "URS100BPP, SN1263"
@@ -49,6 +51,10 @@ class Esp301Emulator(Answers):
                 return f"{not self._platform.moving(t_s):d}"
             case ("1", "VA" | "OH" | "OL" as speed, "?"):
                 return f"{self._rates[speed]:.4f}"
+            case ("", "TE", "?"):
+                return str(self._errors.popleft() if self._errors else 0)
+            case ("1", "PA", "?"):
+                return f"{self._platform.now(t_s)[0]:.4f}"
             case ("1", what, value):
                 self._act(t_s, what, value)
             case _:
@@ -63,6 +69,8 @@ class Esp301Emulator(Answers):
                 self._on = False
             case "ST":
                 self._platform.stop(t_s)
+            case "VA" | "OH" | "OL" | "PA" if value in ("", "?"):
+                self._errors.append(MISSING)
             case "VA" | "OH" | "OL" if 0 < float(value) <= MAX_RATE:
                 self._rates[what] = float(value)
             case "PA" | "OR" if not self._on:

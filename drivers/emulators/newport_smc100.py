@@ -8,7 +8,7 @@ from typing import Any
 
 from drivers.emulators.line import Answers, Lab
 
-COMMAND = re.compile(r"(\d+)([A-Z]{2})(\?|-?[\d.]*)")
+COMMAND = re.compile(r"(\d+)([A-Z]{2})(\?|-?\d+\.?\d*|)")
 NOT_REFERENCED, HOMING, MOVING, READY = 0x0A, 0x1E, 0x28, 0x33
 MAX_RATE = HOME_RATE = 20.0
 
@@ -40,6 +40,8 @@ class Smc100Emulator(Answers):
                 return f"{self._platform.now(t_s)[0]:.5f}"
             case "VA", "?":
                 return f"{self._rate:.4f}"
+            case ("PA", "?") | ("TH", _):
+                return f"{self._platform.now(t_s)[0]:.5f}"
             case "OH", "?":
                 return f"{HOME_RATE:g}"
             case "TE", _:
@@ -62,6 +64,8 @@ class Smc100Emulator(Answers):
         match what:
             case "ST":
                 self._platform.stop(t_s)
+            case "VA" | "PA" if value in ("", "?"):
+                return "C"
             case "OR" if self._state(t_s) == NOT_REFERENCED:
                 self._homed = self._homing = True
                 self._platform.move(t_s, 0.0, HOME_RATE)

@@ -6,7 +6,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from drivers.emulators.line import Lab
-from drivers.emulators.modbus_rtu import ILLEGAL_ADDRESS, READ_HOLDING, WRITE_REGISTER, Refused, RtuPair, RtuSlave
+from drivers.emulators.modbus_rtu import (
+    ILLEGAL_ADDRESS,
+    READ_HOLDING,
+    WRITE_REGISTER,
+    WRITE_REGISTERS,
+    Refused,
+    RtuPair,
+    RtuSlave,
+)
 
 PER_V, PER_A = 100, 1000
 V, I, OUTPUT, OVP, OCP = 8, 9, 18, 82, 83  # noqa: E741  the symbols of the manual
@@ -44,10 +52,11 @@ class Riden:
         return [round(known[address + k]) for k in range(count)]
 
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
-        if function != WRITE_REGISTER or address not in self._held:
+        told = dict(enumerate(values, address))
+        if function not in (WRITE_REGISTER, WRITE_REGISTERS) or not told.keys() <= self._held.keys():
             raise Refused(ILLEGAL_ADDRESS)
-        self._held[address] = values[0]
-        if address == OUTPUT:
+        self._held |= told
+        if OUTPUT in told:
             self._protection = 0
         if self._held[OUTPUT]:
             self._protection = 1 if self._held[V] > self._held[OVP] else 2 if self._held[I] > self._held[OCP] else 0

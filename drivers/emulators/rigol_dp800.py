@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
-from drivers.emulators.line import Answers, Lab
+from drivers.emulators.line import QUEUE, Answers, Lab
 
-SOURCE = re.compile(r":?SOUR(?:CE)?(\d):(VOLT|CURR)(?:AGE|ENT)?(\?| [\d.]+)", re.IGNORECASE)
+NUMBER = r"\d+\.?\d*|\.\d+"
+SOURCE = re.compile(rf":?SOUR(?:CE)?(\d):(VOLT|CURR)(?:AGE|ENT)?(\?| (?:{NUMBER}))", re.IGNORECASE)
+APPLY = re.compile(rf":?APPL(?:Y)?(?:(\?) CH(\d)| CH(\d),({NUMBER}),({NUMBER}))", re.IGNORECASE)
+TRIP = re.compile(
+    rf":?OUTP(?:UT)?:(OVP|OCP)(?::(VAL(?:UE)?|QUES|CLEAR))?(\?)? CH(\d)(?:,(ON|OFF|{NUMBER}))?", re.IGNORECASE
+)
+ISUM = re.compile(r":?STAT(?:US)?:QUES(?:TIONABLE)?:INST(?:RUMENT)?:ISUM(\d):COND(?:ITION)?\?", re.IGNORECASE)
+ERROR = re.compile(r":?SYST(?:EM)?:ERR(?:OR)?\?", re.IGNORECASE)
+PANEL = re.compile(r":?SYST(?:EM)?:(?:REM|REMOTE|LOC|LOCAL|RWL(?:OCK)?(?: (?:ON|OFF))?)", re.IGNORECASE)
 OUTPUT = re.compile(r":?OUTP(?:UT)?(\?)? CH(\d)(?:,(ON|OFF))?", re.IGNORECASE)
 MEASURE = re.compile(r":?MEAS(?:URE)?:(VOLT|CURR|ALL)(?:AGE|ENT)?\? CH(\d)", re.IGNORECASE)
 MODE = re.compile(r":?OUTP(?:UT)?:MODE\? CH(\d)", re.IGNORECASE)
@@ -25,6 +34,8 @@ class Channel:
     CURR: float = 0.0
     on: bool = False
     limited: bool = False
+    trips: dict[str, str] = field(default_factory=lambda: {"OVP": "33.000", "OCP": "3.300"})
+    armed: dict[str, str] = field(default_factory=lambda: {"OVP": "OFF", "OCP": "OFF"})
 
 
 class RigolEmulator(Answers):
@@ -35,7 +46,7 @@ class RigolEmulator(Answers):
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, delay_s=0.01)
         self._channels = {int(s.get("channel", 1)): Channel(lab.coils[role[-1]]) for role, s in roles.items()}
-        self._errors: list[str] = []
+        self._errors = deque[str](maxlen=QUEUE)
 
     def _reply(self, t_s: float, text: str) -> bytes:
         try:
@@ -47,8 +58,8 @@ class RigolEmulator(Answers):
     def _do(self, t_s: float, text: str) -> str:
         if text.upper() == "*IDN?":
             return "RIGOL TECHNOLOGIES,DP832,DP8A000001,00.01.16"
-        if text.upper() in (":SYST:ERR?", "SYST:ERR?"):
-            return self._errors.pop(0) if self._errors else '0,"No error"'
+        if ERROR.fullmatch(text):
+            return self._errors.popleft() if self._errors else '0,"No error"'
         if found := SOURCE.fullmatch(text):
             return self._source(t_s, self._channels[int(found[1])], found[2].upper(), found[3].strip())
         if found := OUTPUT.fullmatch(text):
@@ -57,7 +68,14 @@ class RigolEmulator(Answers):
             return self._measure(t_s, self._channels[int(found[2])], found[1].upper())
         if found := MODE.fullmatch(text):
             return "CV" if self._channels[int(found[1])].limited else "CC"
-        return self._fault('-113,"Undefined header"')
+        if found := ISUM.fullmatch(text):
+            channel = self._channels[int(found[1])]
+            return f"{channel.on * (2 if channel.limited else 1)}"
+        if found := APPLY.fullmatch(text):
+            return self._apply(t_s, int(found[2] or found[3]), found)
+        if found := TRIP.fullmatch(text):
+            return self._trip(self._channels[int(found[4])], found)
+        return "" if PANEL.fullmatch(text) else self._fault('-113,"Undefined header"')
 
     def _source(self, t_s: float, channel: Channel, what: str, value: str) -> str:
         if value == "?":
@@ -66,6 +84,22 @@ class RigolEmulator(Answers):
             return self._fault('-222,"Data out of range"')
         setattr(channel, what, round(float(value), 3))
         return self._act(t_s, channel)
+
+    def _apply(self, t_s: float, number: int, found: re.Match[str]) -> str:
+        channel = self._channels[number]
+        if found[1]:
+            return f"CH{number}:30V/3A,{channel.VOLT:.3f},{channel.CURR:.4f}"
+        return self._source(t_s, channel, "VOLT", found[4]) or self._source(t_s, channel, "CURR", found[5])
+
+    def _trip(self, channel: Channel, found: re.Match[str]) -> str:
+        which, what, value = found[1].upper(), (found[2] or "")[:3].upper(), (found[5] or "").upper()
+        told = {"": channel.armed, "VAL": channel.trips}.get(what)
+        if found[3]:
+            return "NO" if told is None else told[which]
+        if told is not None and (value in ("ON", "OFF")) == (what == "") and value:
+            told[which] = value if what == "" else f"{float(value):.3f}"
+            return ""
+        return "" if what == "CLE" else self._fault('-108,"Parameter not allowed"')
 
     def _output(self, t_s: float, channel: Channel, asked: str | None, to: str | None) -> str:
         if asked:

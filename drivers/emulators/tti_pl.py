@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from drivers.emulators.line import Answers, Lab
 
-COMMAND = re.compile(r"(V|I|OP)(\d)(O?)(\?| -?[\d.]+)")
-MAX = {"V": 30.0, "I": 3.0}
+NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?"  # the manual's NRF
+COMMAND = re.compile(rf"(V|I|OP|OVP|OCP|LSR)(\d)([OV]?)(\?| {NUMBER})")
+STEP = re.compile(rf"(INC|DEC|DELTA)(V|I)(\d)(?: ({NUMBER}))?")
+MAX = {"V": 30.0, "I": 3.0, "OVP": 40.0, "OCP": 3.5}
 
 
 @dataclass
@@ -20,7 +22,11 @@ class Output:
     coil: Any
     V: float = 0.0
     I: float = 0.0  # noqa: E741  the symbol on its panel
+    OVP: float = 40.0
+    OCP: float = 3.5
     on: bool = False
+    limited: bool = False
+    steps: dict[str, float] = field(default_factory=lambda: {"V": 0.0, "I": 0.0})
 
 
 class TtiEmulator(Answers):
@@ -35,41 +41,75 @@ class TtiEmulator(Answers):
         self._serial = 512_340 + sum(ord(role[-1]) - ord("x") for role in roles)
 
     def _reply(self, t_s: float, text: str) -> bytes:
-        if text == "*IDN?":
-            return f"THURLBY THANDAR, PL303QMT-P, {self._serial}, 3.02-4.06\r\n".encode()
-        if text in ("IFLOCK", "IFLOCK?", "IFUNLOCK"):
-            self._locked = self._locked if text.endswith("?") else text == "IFLOCK"
-            return b"%d\r\n" % self._locked
-        if text == "*ESR?":
-            events, self._events = self._events, 0
-            return b"%d\r\n" % events
-        if text == "EER?":
-            error, self._error = self._error, 0
-            return b"%d\r\n" % error
-        if (found := COMMAND.fullmatch(text)) is None or int(found[2]) not in self._outputs:
-            self._events |= 32
-            return b""
-        output = self._outputs[int(found[2])]
-        if found[4] == "?":
-            return self._read(t_s, output, found)
-        self._set(t_s, output, found[1], float(found[4]))
-        return b""
+        said = self._do(t_s, text.upper())
+        return f"{said}\r\n".encode() if said else b""
 
-    def _read(self, t_s: float, output: Output, found: re.Match[str]) -> bytes:
+    def _do(self, t_s: float, text: str) -> str:
+        match text:
+            case "*IDN?":
+                return f"THURLBY THANDAR, PL303QMT-P, {self._serial}, 3.02-4.06"
+            case "IFLOCK" | "IFLOCK?" | "IFUNLOCK":
+                self._locked = self._locked if text.endswith("?") else text == "IFLOCK"
+                return f"{self._locked:d}"
+            case "*ESR?":
+                events, self._events = self._events, 0
+                return f"{events}"
+            case "EER?":
+                error, self._error = self._error, 0
+                return f"{error}"
+            case "QER?":
+                return "0"
+            case "TRIPRST" | "LOCAL":
+                return ""
+            case "OPALL 0" | "OPALL 1":
+                for output in self._outputs.values():
+                    self._set(t_s, output, "OP", float(text[-1]))
+                return ""
+        return self._of_one_output(t_s, text)
+
+    def _of_one_output(self, t_s: float, text: str) -> str:
+        found, step = COMMAND.fullmatch(text), STEP.fullmatch(text)
+        number = int(found[2]) if found else int(step[3]) if step else 0
+        if number not in self._outputs:
+            self._events |= 32
+            return ""
+        output = self._outputs[number]
+        if step:
+            self._step(t_s, output, step)
+        elif found and found[4] == "?":
+            return self._read(t_s, output, found)
+        elif found:
+            self._set(t_s, output, found[1], float(found[4]))
+        return ""
+
+    def _read(self, t_s: float, output: Output, found: re.Match[str]) -> str:
         what, number = found[1], found[2]
         if what == "OP":
-            return b"%d\r\n" % output.on
-        if not found[3]:
-            digits = 4 if what == "I" else 3
-            return f"{what}{number} {getattr(output, what):.{digits}f}\r\n".encode()
+            return f"{output.on:d}"
+        if what == "LSR":
+            return f"{output.on * (1 if output.limited else 2)}"
+        if found[3] != "O":
+            prefix, digits = what.removeprefix("O"), 4 if what == "I" else 3
+            return f"{prefix}{number} {getattr(output, what):.{digits}f}"
         current = output.coil.current.now(t_s)
-        return (f"{current:.3f}A\r\n" if what == "I" else f"{current * output.coil.resistance_ohm:.3f}V\r\n").encode()
+        return f"{current:.3f}A" if what == "I" else f"{current * output.coil.resistance_ohm:.3f}V"
+
+    def _step(self, t_s: float, output: Output, step: re.Match[str]) -> None:
+        how, what = step[1], step[2]
+        if how == "DELTA" and step[4]:
+            output.steps[what] = float(step[4])
+        elif how != "DELTA" and not step[4]:
+            self._set(t_s, output, what, getattr(output, what) + output.steps[what] * (1 if how == "INC" else -1))
+        else:
+            self._events |= 32
 
     def _set(self, t_s: float, output: Output, what: str, value: float) -> None:
         if what == "OP":
             output.on = bool(value)
+        elif what not in MAX:
+            self._events |= 32
         elif not 0 <= value <= MAX[what]:
             self._events, self._error = self._events | 16, 100
         else:
             setattr(output, what, round(value, 4))
-        output.coil.drive(t_s, output.I, output.V, output.on)
+        output.limited = output.coil.drive(t_s, output.I, output.V, output.on)

@@ -8,7 +8,7 @@ from typing import Any
 from drivers.emulators.line import Lab
 from drivers.emulators.modbus_rtu import ILLEGAL_ADDRESS, ILLEGAL_VALUE, READ_COILS, WRITE_COIL, Refused, RtuSlave
 
-CHANNELS, VERSION = 8, 0x8000
+CHANNELS, ALL, VERSION, ADDRESS = 8, 0xFF, 0x8000, 0x4000
 
 
 class WaveshareEmulator(RtuSlave):
@@ -23,15 +23,16 @@ class WaveshareEmulator(RtuSlave):
     def _get(self, t_s: float, function: int, address: int, count: int) -> list[int]:
         if function == READ_COILS and address + count <= CHANNELS:
             return [int(on) for on in self._on[address : address + count]]
-        if function != READ_COILS and (address, count) == (VERSION, 1):
-            return [300]
+        if function != READ_COILS and count == 1 and address in (known := {VERSION: 300, ADDRESS: self.device}):
+            return [known[address]]
         raise Refused(ILLEGAL_ADDRESS)
 
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
-        if function != WRITE_COIL or address >= CHANNELS:
+        if function != WRITE_COIL or (address >= CHANNELS and address != ALL):
             raise Refused(ILLEGAL_ADDRESS)
         if values[0] not in (0xFF00, 0x0000):
             raise Refused(ILLEGAL_VALUE)
-        self._on[address] = values[0] == 0xFF00
-        if address in self._coils:
-            self._coils[address].reverse(t_s, -1 if self._on[address] else 1)
+        for relay in range(CHANNELS) if address == ALL else (address,):
+            self._on[relay] = values[0] == 0xFF00
+            if relay in self._coils:
+                self._coils[relay].reverse(t_s, -1 if self._on[relay] else 1)

@@ -7,9 +7,11 @@ import dataclasses
 import inspect
 import os
 import pty
+import random
 import re
 import sys
 import tty
+from collections.abc import Iterator
 from contextlib import closing, suppress
 from datetime import UTC, datetime
 from importlib.metadata import entry_points
@@ -19,6 +21,7 @@ from typing import Any, get_type_hints
 import numpy as np
 import pytest
 
+from drivers.emulators.modbus_rtu import crc
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.instrument import quantity
 from labcal.bench.links import EmulatedLink, WiredLink, open_link
@@ -85,6 +88,7 @@ class Rig:
     """One driver on its emulator, and what went over the line."""
 
     def __init__(self, name: str) -> None:
+        self.name = name
         self.driver_class, emulator = DRIVERS[name].load(), EMULATORS[name].load()
         hints = get_type_hints(self.driver_class.__init__)
         self.settings = hints["settings"](**SETTINGS.get(name, {}))
@@ -177,6 +181,44 @@ def test_a_dangerous_message_cannot_be_sent(rig: Rig) -> None:
             rig.line.send(message)
         assert caught.value.fault == "forbidden"
     assert rig.sent == []
+
+
+def use(rig: Rig) -> None:
+    """Have the driver say most of what it can."""
+    for step in ("identify", "start", "home", lambda d: d.output(True), lambda d: d.set_current(0.5),
+                 lambda d: d.set_polarity("x", -1), lambda d: d.move_to(30.0, 5.0), lambda d: d.moving(),
+                 lambda d: d.measure_current(), lambda d: d.angle_deg(), "make_safe"):  # fmt: skip
+        with suppress(AttributeError, InstrumentError):
+            step(rig.driver) if callable(step) else getattr(rig.driver, step)()
+        rig.wait(8.0 if step == "home" else 0.1)
+
+
+def spoilt(message: bytes, chance: random.Random) -> Iterator[bytes]:
+    """It with other numbers and none, cut, with a byte turned, and, of a Modbus frame, any request that is sound."""
+    for other in (b"", b"?", b"-", b".", b"1.2.3", b"-7", b"1e999", b"999999999999", b"\xc2\xb2", b"nan"):
+        yield re.sub(rb"-?\d+\.?\d*(?=\D*$)", lambda _, other=other: other, message)
+    for _ in range(10):
+        at = chance.randrange(len(message))
+        yield message[:at] + chance.randbytes(1) + message[at + 1 :]
+        yield message[:at] + message[-1:]
+        pdu = message[:1] + bytes([chance.choice((1, 3, 4, 5, 6, 15, 16, 22)), *chance.randbytes(4)])
+        pdu += b"" if pdu[1] not in (15, 16) else bytes([2]) + chance.randbytes(2)
+        yield pdu + crc(pdu)
+
+
+def test_whatever_it_is_told_an_emulator_goes_on(rig: Rig) -> None:
+    use(rig)
+    emulator, chance, heard = rig.line._emulator, random.Random(1), rig.sent or [b"hello\r\n"]
+    for message in (*FORBIDDEN[rig.name], *sorted(set(heard))):
+        for nonsense in spoilt(message, chance):
+            rig.wait(0.2)
+            emulator.take(rig.clock.now(), nonsense)
+            emulator.emit(rig.clock.now() + 0.1)
+    rig.wait(1.0)
+    emulator.take(rig.clock.now(), b"\x1b\r\n")  # ends a stream, and what was cut
+    rig.wait(1.0)
+    rig.line.flush()
+    assert not rig.sent or rig.driver.identify().model
 
 
 def test_a_driver_is_short(rig: Rig) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
@@ -15,6 +16,7 @@ from labcal.bench.links.line import Link, wait_for_quiet
 from labcal.bench.links.urls import split
 from labcal.errors import InstrumentError
 
+logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # all that it would say on stderr is raised as well
 T = TypeVar("T")
 EXCEPTIONS = {
     1: ": it does not know the function",

@@ -1,0 +1,74 @@
+"""The emulators answer other programs too: messages that our own drivers never send, in the manuals' own bytes."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from importlib.metadata import entry_points
+from typing import Any, get_type_hints
+
+import pytest
+
+from labcal.bench.clock import VirtualClock
+from labcal.bench.links import EmulatedLink
+from labcal.twin import open_twin
+
+ROLES = {"zaber": "platform", "hmr2300": "reference", "waveshare-relay": "polarity"}
+WIRING: dict[str, dict[str, Any]] = {"waveshare-relay": {"x": 0}, "riden-rd60xx": {"address": 1}}
+TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
+    ("zaber", [
+        (b"/\n", b"@01 0 OK IDLE WR 0:3E\r\n"),
+        (b"/1 get deviceid\r", b"@01 0 OK IDLE WR 50117:70\r\n"),
+        (b"/1 1 05 move abs 9\r\n", b"@01 1 05 RJ IDLE WR BADDATA:05\r\n"),
+        (b"/home\r\n", b"@01 0 OK IDLE -- 0:8D\r\n"),
+        (b"/1 0 move abs 10000:41\r\n", b"@01 0 OK BUSY -- 0:68\r\n"),
+        (b"/1 0 move abs 10000:42\r\n/2 get pos\n", b""),
+    ]),
+    ("hmr2300", [
+        (b"*00q\r", b"ASCII POLLED S/R ON ZERO OFF AVG OFF R ON ID= 00 20 sps\r"),
+        (b"*99ID=\r", b"ID= 00\r"),
+        (b"*00T\r", b"WE_OFF\r"),
+        (b"*00WE\r*00T\r", b"OK\rS/R_OFF\r"),
+        (b"*00WE\r*00R=21\r", b"OK\rRe-enter\r"),
+        (b"*00]S\r", b"SET\r"),
+    ]),
+    ("tti-pl", [
+        (b"*ESR?\nV1V 5.0\n*ESR?\nV1?\n", b"128\r\n0\r\nV1 5.000\r\n"),
+        (b"OVP1 20\nOVP1?\nOCP1?\n", b"VP1 20.000\r\nCP1 3.500\r\n"),
+        (b"DELTAI1 0.1\nINCI1\nINCI1\nDECI1\nI1?\n", b"I1 0.1000\r\n"),
+        (b"opall 1\nop1?\nLSR1?\nTRIPRST\nQER?\n", b"1\r\n2\r\n0\r\n"),
+        (b"I1 1e9\n*ESR?\nEER?\n", b"16\r\n100\r\n"),
+    ]),
+    ("rigol-dp800", [
+        (b":APPL CH1,5.0,1.0\nAPPLY? CH1\n", b"CH1:30V/3A,5.000,1.0000\n"),
+        (b":OUTP:OVP:VAL CH1,8.8\n:OUTP:OVP CH1,ON\n:OUTP:OVP:VAL? CH1\n:OUTP:OVP? CH1\n", b"8.800\nON\n"),
+        (b":OUTP:OVP:QUES? CH1\n:STAT:QUES:INST:ISUM1:COND?\n:SYST:RWL ON\n", b"NO\n0\n"),
+        (b":SOUR1:CURR .\nsystem:error?\n", b'-113,"Undefined header"\n'),
+        (b":SOUR1:CURR 99\n:SYST:ERR?\n:SYST:ERR?\n", b'-222,"Data out of range"\n0,"No error"\n'),
+    ]),
+    ("waveshare-relay", [
+        (bytes.fromhex("0105 00FF FF00 BC0A"), bytes.fromhex("0105 00FF FF00 BC0A")),
+        (bytes.fromhex("0101 0000 0008 3DCC"), bytes.fromhex("0101 01FF 11C8")),
+        (bytes.fromhex("0105 00FF 0000 FDFA"), bytes.fromhex("0105 00FF 0000 FDFA")),
+        (bytes.fromhex("0103 8000"), b""),  # cut short
+        (bytes.fromhex("0103 8000 0001 ADCA"), bytes.fromhex("0103 0201 2CB8 09")),
+    ]),
+    ("riden-rd60xx", [
+        (bytes.fromhex("0110 0008 0002 04 01F4 03E8 B2B9"), bytes.fromhex("0110 0008 0002 C00A")),
+        (bytes.fromhex("0103 0008 0002 45C9"), bytes.fromhex("0103 04 01F4 03E8 BA83")),
+    ]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "talk"), TALKS, ids=[name for name, _ in TALKS])
+def test_it_answers_as_the_manual_says(name: str, talk: list[tuple[bytes, bytes]]) -> None:
+    driver, emulator = (
+        next(iter(entry_points(group=f"labcal.{of}", name=name))).load() for of in ("drivers", "emulators")
+    )
+    settings, clock = WIRING.get(name, {}), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    stated = get_type_hints(driver.__init__)["settings"](**settings)
+    line = EmulatedLink(
+        f"emulated://{name}", emulator(open_twin({}, 1), {ROLES.get(name, "coil-x"): settings}, stated), clock
+    )
+    for said, answered in talk:
+        line.send(said)
+        assert b"".join(piece for _, piece in line.receive(clock.now() + 1.0)) == answered, said
