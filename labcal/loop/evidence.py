@@ -281,10 +281,21 @@ def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) ->
     """Other causes that would do as well in the place of `chosen`, it first."""
     others = [c for c in accepted if c is not chosen]
     open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
+    open_to += _first_order(open_to, chosen)
     near = _near(search.rank([*open_to, chosen], others), chosen)
     if search.problem.whole is not None and len(near) > 1:
         near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen)
     return [near[0], *(w for w in near[1:] if earned(search, others, w))]
+
+
+def _first_order(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """Of a cause of second order, those of first order on its channels at its own refined shape."""
+    shape = {s.name: s.value for s in chosen.form.shape}
+    if not (chosen.family.second_order and shape):
+        return []
+    kin = [c for c in candidates if c.family.id in chosen.family.akin and c.form.channels == chosen.form.channels]
+    alike = {len(c.form.parameters): c for c in kin if {s.name for s in c.form.shape} == shape.keys()}
+    return [replace(c, form=c.form.reshaped(**shape)) for c in alike.values()]
 
 
 def _near(ranking: Sequence[Weighed], chosen: Candidate) -> list[Weighed]:

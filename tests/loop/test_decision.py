@@ -18,7 +18,7 @@ from labcal.loop import close_loop, evidence, working_range
 from labcal.loop.bins import binned, rows_in_a_bin
 from labcal.loop.close import _as_shipped, prepared
 from labcal.loop.correlation import correlation_s, follows_itself
-from labcal.loop.decide import earned, forward
+from labcal.loop.decide import earned, forward, refined
 from labcal.loop.delays import delays
 from labcal.loop.evidence import search_of, weighed
 from labcal.loop.floor import Floor
@@ -30,6 +30,7 @@ from labcal.loop.spectrum import Likelihood
 from labcal.loop.steps import drops, steps
 from labcal.loop.surrogates import p_value
 from labcal.model.effects import nonlinearity
+from labcal.model.effects.regressors import low_passed
 
 Started = Callable[..., Problem]
 Added = Callable[[dict[str, np.ndarray]], np.ndarray]
@@ -263,12 +264,16 @@ def test_the_heat_of_a_load_follows_the_square_of_its_current_slowly(searching: 
     assert found.form.at("tau_s") == pytest.approx(tau_s, rel=0.15)
 
 
-def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(searching: Callable[..., Search]) -> None:
+@pytest.mark.parametrize("tau_s", [None, 14.0])
+def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(
+    searching: Callable[..., Search], tau_s: float | None
+) -> None:
     t = searching({}, {}).problem.scene.t_s
     amps = 0.1 + 0.8 * (np.mod(t, 41.0) < 17.0)
-    search = searching({"i": amps}, {"i": "current"}, np.outer(amps, [80.0, -50.0, 30.0]))
-    square = next(c for c in search.candidates if c.family.second_order and not c.form.shape)
-    (first,) = evidence._preferred(search, [square], ())
+    acts = amps if tau_s is None else low_passed(t, np.zeros(len(t), dtype=np.intp), amps, tau_s)
+    search = searching({"i": amps}, {"i": "current"}, np.outer(acts, [80.0, -50.0, 30.0]))
+    square = next(c for c in search.candidates if c.family.second_order and bool(c.form.shape) == bool(tau_s))
+    (first,) = evidence._preferred(search, [refined(search, square, [])], ())
     assert first.cause == ("offset-current", ("i",))
 
 
@@ -284,3 +289,11 @@ def test_a_map_is_shipped_as_it_is_without_the_effects_that_are_not(
     assert found.fit().effects == ()
     assert np.allclose(found.affine.k_nT, refit(prepared(run)[0], []).problem.affine.k_nT, atol=0.1)
     assert found.metrics()["after"]["holdout_rms_nT"] > 1.2 * found.after.holdout_rms_nT
+
+
+def test_a_slow_wave_is_a_drift_and_no_smooth_channels(searching: Callable[..., Search]) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    turn = 2 * np.pi * (t - t[0]) / np.ptp(t)
+    panel = np.clip(np.sin(1.1 * turn + 1), 0, None)
+    search = searching({"i": panel}, {"i": "current"}, np.outer(np.sin(0.9 * turn + 0.4), [250.0, -120.0, 60.0]))
+    assert [c.cause for c in forward(search)[0]] == [("offset-drift", ())]

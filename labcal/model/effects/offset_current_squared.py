@@ -6,7 +6,7 @@ from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
 
-TAU_S = (3.0, 10.0, 30.0, 100.0)  # of what the load heats
+TAU_S = (10.0, 30.0, 100.0)  # of what the load heats
 
 
 def kernel(form: Form, scene: Scene) -> Array:

@@ -1,4 +1,4 @@
-"""Sensor offset that drifts smoothly in time: a low polynomial, or a settling after switch-on."""
+"""Sensor offset that drifts smoothly in time: a polynomial, or a settling after switch-on."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import numpy as np
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import AXES, on_each_axis
 from labcal.record import Run
+
+DEGREES = (1, 2, 3, 5)  # the last follows a slow wave once through the run
 
 
 def kernel(form: Form, scene: Scene) -> Array:
@@ -19,13 +21,13 @@ def kernel(form: Form, scene: Scene) -> Array:
 
 
 def candidates(run: Run) -> list[Form]:
-    """Polynomials of degree one to three about the middle of the run, and a settling from its start."""
+    """Polynomials about the middle of the run, and a settling from its start."""
     first, last = float(run.t_s[0]), float(run.t_s[-1])
     span = last - first
     if span <= 0:
         return []
     centre = (Shape("t_ref_s", (first + last) / 2, "s"),)
-    found = [Form(kernel, _polynomial(degree), shape=centre) for degree in (1, 2, 3)]
+    found = [Form(kernel, _polynomial(degree), shape=centre) for degree in DEGREES]
     grid = tuple(span * f for f in (0.05, 0.15, 0.4))
     settling = (Shape("t_ref_s", first, "s"), Shape("tau_s", grid[1], "s", grid))
     return [*found, Form(kernel, tuple((f"c_{a}", "nT") for a in AXES), shape=settling)]
