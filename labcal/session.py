@@ -286,8 +286,8 @@ def _cage_sha256(run: str) -> str | None:
 
 def _proposing(closed: ClosedLoop) -> ClosedLoop:
     """With a procedure that is installed: the loop's own choice, else one that says it separates the rivals."""
-    proposed, there = closed.next_experiment, procedures()
-    if proposed is None or proposed.procedure in there:
+    proposed = closed.next_experiment
+    if proposed is None or proposed.procedure in (there := procedures()):
         return closed
     rivals = [{cause.effect, rival.effect} for cause in closed.accepted for rival in cause.rivals]
     fitting = (p.name for p in there.values() if any(set(pair) in rivals for pair in p.separates))

@@ -13,10 +13,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.search import Candidate, Search, Weighed
+from labcal.loop.search import Candidate, Columns, Search, Weighed
 
 Array = NDArray[np.float64]
 SURROGATES = 100
+LEAST = 1e-4  # of a column's square must be new to what stands there
 TAIL = 0.2  # of the surrogates: their excess over the rest is taken as exponential
 
 
@@ -29,16 +30,31 @@ def by_chance(search: Search, accepted: Sequence[Candidate], seed: int = 0) -> A
     left = left - known @ (known.T @ left)
     signs = np.random.default_rng(seed).choice([-1.0, 1.0], size=(len(left), SURROGATES))
     drawn = left[:, None] * signs
+    drawn = drawn - known @ (known.T @ drawn)
     heaviest = np.full(SURROGATES, -np.inf)
     for group in search.standing:
-        moved = search.moved_each(group)
-        for place, candidate in enumerate(group.candidates):
-            X = _flat(moved[:, :, place], weight)
-            new = _basis(X - known @ (known.T @ X), X)
-            if new.shape[1]:
-                gain = 0.5 * np.sum((new.T @ drawn) ** 2, axis=0)
-                heaviest = np.maximum(heaviest, gain - search.price(candidate, new.shape[1]))
+        for candidate, gain, new in zip(group.candidates, *_gains(search, group, weight, known, drawn), strict=True):
+            if new:
+                heaviest = np.maximum(heaviest, gain - search.price(candidate, int(new)))
     return np.sort(heaviest)
+
+
+def _gains(search: Search, group: Columns, weight: Array, known: Array, drawn: Array) -> tuple[Array, NDArray[np.intp]]:
+    """What each candidate of a group takes off the surrogates, halved (candidates, surrogates), and its new columns.
+
+    Orthonormal columns `known` (n q, b) stand beside it, and nothing of them is in `drawn` (n q, surrogates).
+    """
+    moved = search.moved_each(group) * weight[:, None, None, None]
+    c, p = moved.shape[2:]
+    X = np.ascontiguousarray(moved.reshape(-1, c * p).T)
+    each, carried, pull = X.reshape(c, p, -1), (X @ known).reshape(c, p, -1), (X @ drawn).reshape(c, p, -1)
+    own = each @ np.swapaxes(each, 1, 2)
+    size = np.maximum(np.sqrt(np.einsum("cpp->cp", own)), 1e-300)
+    values, vectors = np.linalg.eigh((own - carried @ np.swapaxes(carried, 1, 2)) / (size[:, :, None] * size[:, None]))
+    new = values > LEAST
+    along = np.swapaxes(vectors, 1, 2) @ (pull / size[:, :, None])
+    part = np.where(new, 1 / np.where(new, values, 1.0), 0.0)
+    return 0.5 * np.sum(along**2 * part[:, :, None], axis=1), new.sum(axis=1)
 
 
 def p_value(weighed: Weighed, heaviest: Array) -> float:
@@ -56,10 +72,10 @@ def _flat(columns: Array, weight: Array) -> Array:
     return (columns * weight[:, None, None]).reshape(-1, columns.shape[2])
 
 
-def _basis(columns: Array, whole: Array | None = None, least: float = 1e-4) -> Array:
-    """Orthonormal columns that span the given ones, but for directions with less than `least` of `whole`'s square."""
-    size = np.sqrt(np.sum((columns if whole is None else whole) ** 2, axis=0))
+def _basis(columns: Array) -> Array:
+    """Orthonormal columns that span the given ones."""
+    size = np.sqrt(np.sum(columns**2, axis=0))
     scaled = columns / np.maximum(size, 1e-300)
     values, vectors = np.linalg.eigh(scaled.T @ scaled)
-    kept = values > least * (1e-6 if whole is None else 1.0)
+    kept = values > 1e-6 * LEAST
     return np.asarray(scaled @ (vectors[:, kept] / np.sqrt(values[kept])))
