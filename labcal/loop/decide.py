@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import minimum
 from labcal.loop.delays import delays
 from labcal.loop.pairs import pairs
 from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
@@ -133,19 +134,21 @@ def _spanned(search: Search, chosen: Candidate, ids: Collection[str]) -> list[Ar
     kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
 
     def made() -> Array:
-        return spanning(np.concatenate([search.columns(c)[search.moving] for c in kin], axis=2))
+        return spanning(np.concatenate([search.moved(c) for c in kin], axis=2))
 
     return [search.once(("spanned", *(id(c.form) for c in kin)), (), made)] if kin else []
 
 
 def spanning(columns: Array, least: float = 1e-4) -> Array:
-    """Transformed columns (n, q, few) that span the given ones to a part `least` of their norms."""
+    """A few columns (n, q, few) that span the given ones to a part `least` of their norms."""
     n, q, p = columns.shape
     flat = columns.reshape(n * q, p)
-    flat = flat / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
-    values, vectors = np.linalg.eigh(flat.T @ flat)
-    kept = vectors[:, values > least**2 * values[-1]] / np.sqrt(values[values > least**2 * values[-1]])
-    return transformed((flat @ kept).reshape(n, q, -1))
+    gram = flat.T @ flat
+    size = np.maximum(np.sqrt(np.diag(gram)), 1e-300)
+    values, vectors = np.linalg.eigh(gram / np.outer(size, size))
+    kept = values > least**2 * values[-1]
+    few = flat @ (vectors[:, kept] / size[:, None] / np.sqrt(values[kept]))
+    return np.asarray(few.reshape(n, q, -1))
 
 
 def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
@@ -190,8 +193,6 @@ def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidat
 
 
 def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[Candidate]) -> Candidate:
-    from scipy.optimize import minimize_scalar
-
     low, high = _bracket(search, candidate, name)
     stage = search.stage(accepted)
 
@@ -200,11 +201,9 @@ def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[C
         return -stage.beside(transformed(columns))[0].log
 
     start = candidate.form.at(name)
-    found = minimize_scalar(
-        badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": 1e-3 * (high - low)}
-    )
-    if found.fun < badness(start):
-        return Candidate(candidate.family, candidate.form.reshaped(**{name: float(found.x)}), candidate.looks)
+    found, value = minimum.least(badness, low, high, within=1e-3 * (high - low), most=18)
+    if value < badness(start):
+        return Candidate(candidate.family, candidate.form.reshaped(**{name: found}), candidate.looks)
     return candidate
 
 
