@@ -52,16 +52,29 @@ def timed_application() -> Any:
 
         def __init__(self) -> None:
             super().__init__([])
-            self.depth = 0
+            self.depth, self.kind = 0, "all"
             self.forget()
 
         def forget(self) -> None:
             """Begin anew."""
-            self.longest_ms, self.worked_ms, self.what = 0.0, 0.0, ""
+            self.kinds: dict[str, tuple[float, float, str]] = {}  # clock, work [ms], and what the most work was
+
+        @property
+        def worked_ms(self) -> float:
+            """The most work of an event."""
+            return max((worked for _, worked, _ in self.kinds.values()), default=0.0)
 
         def longest(self) -> str:
             """The longest event in words."""
-            return f"longest event {self.longest_ms:.1f} ms ({self.what}), {self.worked_ms:.1f} ms of work"
+            longest = max(clock for clock, _, _ in self.kinds.values())
+            worked, what = max((worked, what) for _, worked, what in self.kinds.values())
+            return f"longest event {longest:.1f} ms by the clock, {worked:.1f} ms of work ({what})"
+
+        def table(self) -> str:
+            """The longest event of each kind, the most work first."""
+            rows = sorted(((worked, clock, kind, what) for kind, (clock, worked, what) in self.kinds.items()))[::-1]
+            return "\n".join(f"{worked:7.1f} ms of work  {clock:7.1f} ms by the clock  {kind}: {what}"
+                             for worked, clock, kind, what in rows)  # fmt: skip
 
         def notify(self, receiver: QObject, event: QEvent) -> bool:
             """Hand the event on, timed."""
@@ -69,12 +82,15 @@ def timed_application() -> Any:
             self.depth += 1
             done = super().notify(receiver, event)
             self.depth -= 1
-            took = 1000 * (time.perf_counter() - begun)
             if outermost:
-                self.worked_ms = max(self.worked_ms, 1000 * (time.thread_time() - worked))
-            if outermost and took > self.longest_ms:
-                self.longest_ms, self.what = took, f"{event.type().name} of {type(receiver).__name__}"
+                self._keep(1000 * (time.perf_counter() - begun), 1000 * (time.thread_time() - worked), receiver, event)
             return done
+
+        def _keep(self, took_ms: float, worked_ms: float, receiver: QObject, event: QEvent) -> None:
+            longest, most, what = self.kinds.get(self.kind, (0.0, -1.0, ""))
+            if worked_ms > most:
+                what = f"{event.type().name} of {type(receiver).__name__}"
+            self.kinds[self.kind] = max(longest, took_ms), max(most, worked_ms), what
 
     return Timed()
 

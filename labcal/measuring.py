@@ -82,26 +82,39 @@ def _proposed(closed: ClosedLoop) -> Iterator[str]:
 
 def _measured(plan: Rehearsal, run: str, bench: Path, talk: Talk, seed: int | None) -> tuple[str, str]:
     """The id of the run of all rows so far and the new ones, and that of the new run."""
-    before = session.load_run(run)
-    clock = _going_on(before) if plan.simulated else None
+    clock: Clock | None = None
+    if plan.simulated:
+        start, now_s = goes_on(run)
+        clock = VirtualClock(start)
+        clock.wait_until(now_s)
     outcome = session.run(plan.procedure, bench, answer=talk.answer, clock=clock, seed=seed, tell=talk.tell)
     if outcome.fault is not None:
         raise outcome.fault
+    return together(run, outcome.run_id), outcome.run_id
+
+
+def together(run: str, new: str) -> str:
+    """Keep the run of all rows of `run` and then of `new` in the store; returns its id.
+
+    Raises InputError where `new` is of another DUT or reference.
+    """
+    first, second = session.load_run(run), session.load_run(new)
     try:
-        both = joined([before, session.load_run(outcome.run_id)], f"{before.run_id}+{outcome.run_id}")
+        both = joined([first, second], f"{first.run_id}+{second.run_id}")
     except ValueError as error:
         raise InputError(str(error)) from None
     with tempfile.TemporaryDirectory() as folder, Store.open() as store:
         write_bundle(both, Path(folder) / "both")
-        store.add_bundle(Path(folder) / "both")
-    return both.run_id, outcome.run_id
+        return store.add_bundle(Path(folder) / "both")
 
 
-def _going_on(run: Run) -> Clock:
-    """A virtual clock that goes on a minute after `run`: what a simulated DUT does by the time, it goes on doing."""
-    clock = VirtualClock(_start(run))
-    clock.wait_until(float(np.ptp(run.t_s)) + GAP_S)
-    return clock
+def goes_on(run: str) -> tuple[datetime, float]:
+    """When `run` began, and how many seconds later simulated time goes on: a minute after the run's end.
+
+    What a simulated DUT does by the time, it goes on doing.
+    """
+    measured = session.load_run(run)
+    return _start(measured), float(np.ptp(measured.t_s)) + GAP_S
 
 
 def _start(run: Run) -> datetime:

@@ -34,6 +34,10 @@ class AxisLights(QFrame):
             column.addWidget(self.looks[axis])
             row.addLayout(column, 1)
 
+    def set_theme(self, theme: Theme) -> None:
+        """What is shown next has the theme's colours."""
+        self._theme = theme
+
     def show_run(self, run: RunViewModel) -> None:
         """Write what is known of each axis."""
         for axis, worst in self.worst.items():

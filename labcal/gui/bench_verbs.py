@@ -5,6 +5,7 @@ from __future__ import annotations
 import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -56,15 +57,15 @@ def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
 
 def run(
     talk: Talk, procedure: str, bench: str, given: Mapping[str, str], dut: str, operator: str,
-    pace: str = "at once", seed: int | None = None,
+    pace: str = "at once", seed: int | None = None, after: str = "",
 ) -> dict[str, Any]:  # fmt: skip
-    """Run a procedure; answers, stop and all else come in by `talk` meanwhile."""
+    """Run a procedure, in simulated time after the run `after`; answers, stop and all else come in by `talk`."""
     from labcal import session
 
     def work(**common: Any) -> Outcome:
         return session.run(procedure, Path(bench), given, dut=dut, operator=operator, **common)
 
-    return _on_bench(talk, bench, pace, seed, work)
+    return _on_bench(talk, bench, pace, seed, work, after)
 
 
 def resume(
@@ -76,13 +77,15 @@ def resume(
     return _on_bench(talk, bench, pace, seed, lambda **common: session.resume(run, Path(bench), dut=dut, **common))
 
 
-def _on_bench(talk: Talk, bench: str, pace: str, seed: int | None, work: Callable[..., Outcome]) -> dict[str, Any]:
+def _on_bench(
+    talk: Talk, bench: str, pace: str, seed: int | None, work: Callable[..., Outcome], after: str = ""
+) -> dict[str, Any]:
     from labcal.bench.config import read_config
 
     simulated = read_config(Path(bench)).simulated
     talk.on_bench(simulated)
     try:
-        clock = paced(simulated, pace)
+        clock = paced(pace, *_from(after)) if simulated else None
         ended = work(answer=talk.answer, clock=clock, seed=seed, control=talk.control, tell=talk.tell)
     finally:
         talk.off_bench()
@@ -90,6 +93,15 @@ def _on_bench(talk: Talk, bench: str, pace: str, seed: int | None, work: Callabl
     if ended.fault is not None:
         fault = asdict(fault_of(ended.fault, "".join(traceback.format_exception(ended.fault))))
     return {"run_id": ended.run_id, "status": ended.status, "fault": fault, "failed": [m.name for m in ended.failed]}
+
+
+def _from(after: str) -> tuple[datetime, float]:
+    """Where simulated time begins: now, or where a run has ended."""
+    if not after:
+        return datetime.now(UTC), 0.0
+    from labcal import measuring
+
+    return measuring.goes_on(after)
 
 
 def plan(talk: Talk, procedure: str, bench: str, given: Mapping[str, str], seed: int | None = None) -> list[str]:

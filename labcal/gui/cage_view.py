@@ -66,6 +66,11 @@ class CageView(QWidget):
         self.setAccessibleName(self.tr("The cage with its field vectors"))
         self.setToolTip(self.tr("Drag, or use the arrow keys, to look from another side"))
 
+    def set_theme(self, theme: Theme) -> None:
+        """Draw in the theme's colours; the vectors come in theirs."""
+        self._theme = theme
+        self.update()
+
     def show_vectors(self, applied: Triple | None, ambient: Triple | None, reference: Triple | None) -> None:
         """Fields [nT] in the cage's frame."""
         known = zip(vector_colours(self._theme), (applied, ambient, reference), strict=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +40,7 @@ class Desk(QObject):
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.study_vm = StudyViewModel(self.study)
         self.study_vm.drafted.connect(self.calibrations_changed)
+        self.study_vm.added.connect(self.store_changed)
         self.facts: dict[str, Any] = {}
         self.answered: dict[str, dict[str, Any]] = {}  # by instrument, when they were last asked
         self.bench = ""
@@ -100,8 +102,10 @@ class Desk(QObject):
 
     def start(self, procedure: str, given: dict[str, str]) -> None:
         """Run a procedure for the DUT and the operator above."""
+        study = self.study_vm
+        after = study.run if procedure == study.wanted else ""
         self._pulse.start()
-        self.run.start(self._order(procedure, given))
+        self.run.start(replace(self._order(procedure, given), after=after))
 
     def resume(self, run_id: str, procedure: str, dut: str) -> None:
         """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
@@ -130,9 +134,13 @@ class Desk(QObject):
             self.bench_worker.kill()
             self._switch_off()
 
-    def _ended(self) -> None:
-        """Where the worker died, its coils are whatever they were: to zero with them."""
+    def _ended(self, run_id: str, status: str) -> None:
+        """Where the worker died, its coils are whatever they were: to zero with them. What was wanted is added."""
         self._force.stop()  # the next run is not to pay for this one
+        order = self.run.order
+        if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
+            self.study_vm.add(order.procedure, run_id)
+            self.went.emit("Loop")
         if self.run.fault is not None and self.run.fault.kind == "crash":
             self._switch_off()
 

@@ -35,6 +35,11 @@ class Mounting(QWidget):
         self.setMinimumSize(QSize(300, 280))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
+    def set_theme(self, theme: Theme) -> None:
+        """Draw in the theme's colours."""
+        self._theme = theme
+        self.update()
+
     def show_drawing(self, drawing: Any) -> None:
         """Draw this; what has no picture hides the widget."""
         self._drawing = dict(drawing)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 
-from labcal.gui.plots import Loci, legend_of, named_curves, plot, words_only
+from labcal.gui.plots import Loci, ink, name_above, named_curves, plot
 from labcal.gui.study_plots import Residuals, faint
 from labcal.gui.take_away import take_away
 from labcal.gui.theme import Theme
@@ -82,6 +82,13 @@ class FitViews(Card):
         self.faces.addWidget(widget)
         return widget
 
+    def set_theme(self, theme: Theme) -> None:
+        """What is shown next has the theme's colours."""
+        self._theme = theme
+        for n in range(self.faces.count()):
+            if isinstance(face := self.faces.widget(n), pg.PlotWidget):
+                ink(face, theme)
+
     def _titles(self) -> tuple[str, ...]:
         """Of `FACES`."""
         return (
@@ -111,7 +118,6 @@ class FitViews(Card):
         if said is None:
             return
         t, bias, u = unpack(said["t_s"]), unpack(said["bias_nT"]), unpack(said["u_nT"])
-        legend = legend_of(self.growth)
         for axis, colour in enumerate(self._theme.axes):
             upper, lower = (
                 pg.PlotCurveItem(t, bias[:, axis] + s * u[:, axis], pen=pg.mkPen(faint(colour, 120)))
@@ -119,9 +125,9 @@ class FitViews(Card):
             )
             for item in (upper, lower, pg.FillBetweenItem(upper, lower, brush=faint(colour, 50))):
                 self.growth.addItem(item)
-            name = f'<span style="color: {colour}">{method}  b{"xyz"[axis]}</span>'
-            self.growth.plot(t, bias[:, axis], pen=pg.mkPen(colour, width=2), name=name)
-        words_only(legend)
+            self.growth.plot(t, bias[:, axis], pen=pg.mkPen(colour, width=2))
+        names = [(f"{method}  b{axis}", colour) for axis, colour in zip("xyz", self._theme.axes, strict=True)]
+        name_above(self.growth, names)
         self.growth.autoRange()
 
     def _chosen(self) -> None:

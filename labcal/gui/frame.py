@@ -204,7 +204,7 @@ class Frame(QMainWindow):
         return rail
 
     def _status_line(self) -> QFrame:
-        line = named(QFrame(), "statusline")
+        self.bottom = line = named(QFrame(), "statusline")
         row = QHBoxLayout(line)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         row.addWidget(self.message, 1)

@@ -100,6 +100,10 @@ class Measurements(Table):
         self._theme = theme
         self._shown: tuple[int, int] = (0, 0)
 
+    def set_theme(self, theme: Theme) -> None:
+        """What is shown next has the theme's colours."""
+        self._theme = theme
+
     def show_measurements(self, measurements: Iterable[Measurement]) -> None:
         """Write them all."""
         newest = list(measurements)[::-1]

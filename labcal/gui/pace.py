@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from datetime import UTC, datetime
+from datetime import datetime
 
 from labcal.bench.clock import Clock, VirtualClock
 
@@ -15,9 +15,10 @@ class PacedClock(VirtualClock):
 
     listen_s = 0.2
 
-    def __init__(self, start: datetime, speed: float) -> None:
+    def __init__(self, start: datetime, speed: float, now_s: float = 0.0) -> None:
         super().__init__(start)
         self._speed = speed
+        super().wait_until(now_s)
 
     def wait_until(self, t_s: float) -> None:
         """Return when as much time has passed as `t_s` is ahead, divided by the speed."""
@@ -25,9 +26,9 @@ class PacedClock(VirtualClock):
         super().wait_until(t_s)
 
 
-def paced(simulated: bool, pace: str) -> Clock | None:
-    """The clock for a bench: a real bench takes its own, whatever the pace."""
-    if not simulated:
-        return None
-    start, speed = datetime.now(UTC), PACES[pace]
-    return PacedClock(start, speed) if speed else VirtualClock(start)
+def paced(pace: str, start: datetime, now_s: float = 0.0) -> Clock:
+    """The clock of a simulated bench, `now_s` seconds after its `start`."""
+    clock = PacedClock(start, PACES[pace], now_s) if PACES[pace] else VirtualClock(start)
+    if not PACES[pace]:
+        clock.wait_until(now_s)
+    return clock

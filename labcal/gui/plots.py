@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 import pyqtgraph as pg
@@ -19,22 +19,48 @@ AXES = ("x", "y", "z")
 MOST = 1500  # points of a locus
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
+WIDE_GAP = "&nbsp; &nbsp; "
+_stock: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 
 
 def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
     """An empty plot with named axes (units in the name) in the theme's colours, without pyqtgraph's own menus."""
-    widget = pg.PlotWidget(background=theme.surface, enableMenu=False)
+    widget = _stock.pop() if _stock else _blank()
+    for side, text in (("bottom", bottom), ("left", left)):
+        widget.getPlotItem().getAxis(side).setLabel(say(text))
+    ink(widget, theme)
+    return widget
+
+
+def _blank() -> pg.PlotWidget:
+    widget = pg.PlotWidget(enableMenu=False)
     item = widget.getPlotItem()
     item.showGrid(x=True, y=True, alpha=0.15)
     item.hideButtons()
-    for side, text in (("bottom", bottom), ("left", left)):
-        axis = item.getAxis(side)
-        axis.setLabel(say(text), color=theme.muted)
-        axis.setPen(pg.mkPen(theme.line))
-        axis.setTextPen(pg.mkPen(theme.muted))
-        axis.enableAutoSIPrefix(False)
+    for side in ("bottom", "left"):
+        item.getAxis(side).enableAutoSIPrefix(False)
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return widget
+
+
+def stock_up(number: int) -> bool:
+    """Have one plot more ready for the page that is built next, unless there are `number`; says whether there are.
+
+    A plot takes 20 ms to make, and a page has up to four.
+    """
+    if len(_stock) < number:
+        _stock.append(_blank())
+    return len(_stock) >= number
+
+
+def ink(widget: pg.PlotWidget, theme: Theme) -> None:
+    """Put ground, axes and their names into the theme's colours."""
+    widget.setBackground(theme.surface)
+    for side in ("bottom", "left"):
+        axis = widget.getPlotItem().getAxis(side)
+        axis.setLabel(axis.labelText, color=theme.muted)
+        axis.setPen(pg.mkPen(theme.line))
+        axis.setTextPen(pg.mkPen(theme.muted))
 
 
 class Traces(QWidget):
@@ -46,15 +72,24 @@ class Traces(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         self.plot = plot(theme, "time  s", left)
         row.addWidget(self.plot)
-        self._curves = [self.plot.plot(pen=pg.mkPen(colour)) for colour in theme.axes]
-        self._names = [
-            pg.TextItem(name, colour, anchor=(0, 0.5)) for name, colour in zip(AXES, theme.axes, strict=True)
-        ]
+        self._curves = [self.plot.plot() for _ in AXES]
+        self._names = [pg.TextItem(name, anchor=(0, 0.5)) for name in AXES]
         for name in self._names:
             self.plot.addItem(name, ignoreBounds=True)
         for curve in self._curves:
             curve.setDownsampling(auto=True, method="peak")
             curve.setClipToView(True)
+        self._colour(theme)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Each curve and its name in the axis' colour."""
+        ink(self.plot, theme)
+        self._colour(theme)
+
+    def _colour(self, theme: Theme) -> None:
+        for curve, name, colour in zip(self._curves, self._names, theme.axes, strict=True):
+            curve.setPen(pg.mkPen(colour))
+            name.setColor(colour)
 
     def show_rows(self, rows: Array) -> None:
         """Draw `rows` (n, 4): time [s], x, y, z."""
@@ -76,7 +111,8 @@ class Loci(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         circle = np.linspace(0, 2 * np.pi, 181)
-        colours = (theme.accent, theme.axis_x)[:clouds]
+        self._plots: list[pg.PlotWidget] = []
+        self._circles: list[pg.PlotDataItem] = []
         self._views: list[list[tuple[pg.PlotCurveItem, pg.PlotCurveItem]]] = []
         for right, up in VIEWS:
             widget = plot(theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
@@ -84,9 +120,26 @@ class Loci(QWidget):
                 widget.getPlotItem().getAxis(side).setStyle(showValues=False, tickLength=0)
             widget.setAspectLocked(True)
             widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
-            widget.plot(np.cos(circle), np.sin(circle), pen=pg.mkPen(theme.muted))
-            self._views.append([_lines(widget, colour) for colour in colours])
+            self._plots.append(widget)
+            self._circles.append(widget.plot(np.cos(circle), np.sin(circle)))
+            self._views.append([_lines(widget) for _ in range(clouds)])
             row.addWidget(widget)
+        self._colour(theme)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Circles and lines in the theme's colours."""
+        for widget in self._plots:
+            ink(widget, theme)
+        self._colour(theme)
+
+    def _colour(self, theme: Theme) -> None:
+        for circle, clouds in zip(self._circles, self._views, strict=True):
+            circle.setPen(pg.mkPen(theme.muted))
+            for colour, (front, behind) in zip((theme.accent, theme.axis_x), clouds, strict=False):
+                faint = QColor(colour)
+                faint.setAlpha(90)
+                front.setPen(pg.mkPen(colour, width=2))
+                behind.setPen(pg.mkPen(faint))
 
     def show_field(self, field_nT: Array, cloud: int = 0, most: int = MOST) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
@@ -98,26 +151,17 @@ class Loci(QWidget):
             behind.setData(x, np.where(toward, np.nan, y), connect="finite")
 
 
-def legend_of(widget: pg.PlotWidget, ground: object = None) -> pg.LegendItem:
-    """The plot's legend at its upper right, empty."""
-    legend = widget.getPlotItem().legend or widget.addLegend(offset=(-8, 2), brush=ground, colCount=3)
-    legend.clear()
-    return legend
-
-
-def words_only(legend: pg.LegendItem) -> None:
-    """No samples beside the words: a word has the colour of what it names."""
-    for sample, _ in legend.items:
-        sample.hide()
+def name_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> None:
+    """Write what is drawn above it, (name, colour) each: a word has the colour of what it names, and covers nothing."""
+    words = [f'<span style="color: {colour}; font-weight: 600">{name}</span>' for name, colour in named]
+    widget.setTitle(WIDE_GAP.join(words), size="9pt")
 
 
 def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:
     """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour."""
-    legend = legend_of(widget)
-    for name, colour, values in curves:
-        inked = f'<span style="color: {colour}; font-weight: 600">{name}</span>'
-        widget.plot(t_s, values, pen=pg.mkPen(colour), name=inked, connect="finite")
-    words_only(legend)
+    for _, colour, values in curves:
+        widget.plot(t_s, values, pen=pg.mkPen(colour), connect="finite")
+    name_above(widget, [(name, colour) for name, colour, _ in curves])
     widget.autoRange()
 
 
@@ -135,11 +179,9 @@ def _broken(path: Array) -> Array:
     return np.insert(path, jumps, np.nan, axis=0)
 
 
-def _lines(widget: pg.PlotWidget, colour: str) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
+def _lines(widget: pg.PlotWidget) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
     """What lies in front of the sphere, and behind it."""
-    faint = QColor(colour)
-    faint.setAlpha(90)
-    front, behind = pg.PlotCurveItem(pen=pg.mkPen(colour, width=2)), pg.PlotCurveItem(pen=pg.mkPen(faint))
+    front, behind = pg.PlotCurveItem(), pg.PlotCurveItem()
     widget.addItem(behind)
     widget.addItem(front)
     return front, behind

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
+
 from PySide6.QtCore import QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import (
@@ -64,7 +66,8 @@ class Words(QLabel):
         self._enlarge()
 
     def _enlarge(self) -> None:
-        fitting = next((pt for pt in range(LARGEST_PT, SMALLEST_PT, -1) if self._fits(pt)), SMALLEST_PT)
+        sizes = range(SMALLEST_PT + 1, LARGEST_PT + 1)
+        fitting = SMALLEST_PT + bisect_left(sizes, True, key=lambda pt: not self._fits(pt))
         if fitting != self._pt:
             self._pt = fitting
             self.setStyleSheet(f"font-size: {fitting}pt")

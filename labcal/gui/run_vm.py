@@ -43,6 +43,7 @@ class Order:
     operator: str = ""
     pace: str = "at once"
     seed: int | None = None
+    after: str = ""  # the run that this one is added to
 
 
 class RunViewModel(QObject):
@@ -90,7 +91,7 @@ class RunViewModel(QObject):
     def start(self, order: Order) -> None:
         """Begin. One run at a time."""
         self._begin(order, "run", procedure=order.procedure, given=dict(order.given), dut=order.dut,
-                    operator=order.operator)  # fmt: skip
+                    operator=order.operator, after=order.after)  # fmt: skip
 
     def resume(self, run_id: str, order: Order) -> None:
         """Go on with an interrupted run."""

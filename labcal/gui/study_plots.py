@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from labcal.gui.plots import legend_of, plot, words_only
+from labcal.gui.plots import ink, name_above, plot
 from labcal.gui.theme import Theme
 from labcal.gui.words import say
 
-LEGEND_SHARE = 0.2  # of the height is left free above the points, for the legend
+ROOM_ABOVE = 1.1  # bars: for the words of the line
+BAR_LINES, AXIS_LINES = 1.7, 3.2  # lines of text that a bar and the axis below are high
 Array = NDArray[np.float64]
 
 
@@ -33,13 +34,23 @@ class Residuals(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         self.plot = plot(theme, "", left)
         column.addWidget(self.plot)
-        self._band = pg.LinearRegionItem(
-            (0, 0), "horizontal", faint(theme.muted, 45), pen=pg.mkPen(None), movable=False
-        )
+        self._band = pg.LinearRegionItem((0, 0), "horizontal", pen=pg.mkPen(None), movable=False)
         self._band.setZValue(-10)
+        self._zero = pg.InfiniteLine(0, 0)
         self.plot.addItem(self._band)
-        self.plot.addItem(pg.InfiniteLine(0, 0, pen=pg.mkPen(theme.line)))
+        self.plot.addItem(self._zero)
         self._clouds: list[pg.ScatterPlotItem] = []
+        self._colour(theme)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Ground, band and zero in the theme's colours; the points come in theirs."""
+        self._theme = theme
+        ink(self.plot, theme)
+        self._colour(theme)
+
+    def _colour(self, theme: Theme) -> None:
+        self._band.setBrush(faint(theme.muted, 45))
+        self._zero.setPen(pg.mkPen(theme.line))
 
     def show_residual(
         self, against: str, x: Array, clouds: list[tuple[str, str, Array]], noise_nT: float | None
@@ -48,35 +59,24 @@ class Residuals(QWidget):
         for old in self._clouds:
             self.plot.removeItem(old)
         self._clouds = []
-        ground = pg.mkBrush(faint(self._theme.surface, 225))
-        legend = legend_of(self.plot, ground)
-        for name, colour, values in clouds:
-            self._add(name, colour, x, values.reshape(len(values), -1))
-        words_only(legend)
+        for _, colour, values in clouds:
+            self._add(colour, x, values.reshape(len(values), -1))
+        name_above(self.plot, [(name, colour) for name, colour, _ in clouds])
         self._band.setRegion((-2 * (noise_nT or 0.0), 2 * (noise_nT or 0.0)))
         self._band.setVisible(noise_nT is not None)
         self.plot.getPlotItem().setLabel("bottom", against, color=self._theme.muted)
         self.plot.autoRange()
-        low, high = self.plot.viewRange()[1]
-        self.plot.setYRange(low, high + LEGEND_SHARE * (high - low), padding=0)
 
-    def _add(self, name: str, colour: str, x: Array, values: Array) -> None:
+    def _add(self, colour: str, x: Array, values: Array) -> None:
         xs, ys = np.repeat(x, values.shape[1]), values.ravel()
         good = np.isfinite(xs) & np.isfinite(ys)
-        cloud = pg.ScatterPlotItem(
-            xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(faint(colour, 130)), name=_inked(name, colour)
-        )
+        cloud = pg.ScatterPlotItem(xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(faint(colour, 130)))
         self.plot.addItem(cloud)
         self._clouds.append(cloud)
 
     def clear(self) -> None:
         """Nothing to show."""
         self.show_residual("", np.empty(0), [], None)
-
-
-def _inked(name: str, colour: str) -> str:
-    """A legend's word in the colour of what it names."""
-    return f'<span style="color: {colour}; font-weight: 600">{name}</span>'
 
 
 class Bars(QWidget):
@@ -89,7 +89,13 @@ class Bars(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         self.plot = plot(theme, "held-out rms  nT", "")
         self.plot.getPlotItem().showGrid(x=True, y=False, alpha=0.15)
+        self.plot.getPlotItem().getAxis("left").setStyle(tickLength=0)
         column.addWidget(self.plot)
+
+    def set_theme(self, theme: Theme) -> None:
+        """What is shown next has the theme's colours."""
+        self._theme = theme
+        ink(self.plot, theme)
 
     def show_bars(self, rows: list[tuple[str, float, tuple[float, float] | None, str]], noise_nT: float) -> None:
         """`rows`: name, rms [nT], its interval, colour."""
@@ -103,12 +109,11 @@ class Bars(QWidget):
         for at, (_, _, interval, _) in zip(y, rows, strict=True):
             if interval is not None:
                 self.plot.plot(interval, (at, at), pen=pg.mkPen(self._theme.text, width=2))
-        pen, options = (
-            pg.mkPen(self._theme.text, width=1.5, dash=(4, 3)),
-            {"position": 0.06, "color": self._theme.muted},
-        )
+        pen = pg.mkPen(self._theme.text, width=1.5, dash=(4, 3))
+        options = {"position": 0.97, "color": self._theme.muted, "anchors": [(0, 0), (0, 0)]}
         line = pg.InfiniteLine(noise_nT, 90, pen=pen, label=say("noise alone"), labelOpts=options)
         self.plot.addItem(line)
         self.plot.getAxis("left").setTicks([[(float(at), row[0]) for at, row in zip(y, rows, strict=True)]])
         top = max([noise_nT, *widths, *(i[1] for _, _, i, _ in rows if i is not None)], default=1.0)
-        self.plot.setRange(xRange=(0, 1.05 * top), yRange=(-len(rows) + 0.3, 0.7), padding=0)
+        self.plot.setRange(xRange=(0, 1.05 * top), yRange=(-len(rows) + 0.4, ROOM_ABOVE), padding=0)
+        self.setFixedHeight(round(self.fontMetrics().height() * (BAR_LINES * (len(rows) + ROOM_ABOVE) + AXIS_LINES)))

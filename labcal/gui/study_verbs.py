@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from labcal.fit import Fit
     from labcal.loop import Pictures
 
-MOST = 3000  # points of a picture
+MOST = 1500  # rows in a picture
 
 
 def calibration_path(run_id: str) -> Path:
@@ -63,9 +63,8 @@ def look(talk: Talk, run: str) -> dict[str, Any]:
     """A run as it was recorded, thinned for pictures."""
     measured = _run(run)
     rows = thinned(len(measured))
-    return {"run_id": measured.run_id, "n_samples": len(measured)} | _regressors(measured, rows) | {
-        "before": pack(measured.reading_nT[rows])
-    }  # fmt: skip
+    head = {"run_id": measured.run_id, "dut": measured.dut.serial, "n_samples": len(measured)}
+    return head | _regressors(measured, rows) | {"before": pack(measured.reading_nT[rows])}
 
 
 def fit(talk: Talk, run: str, method: str) -> dict[str, Any]:
@@ -105,6 +104,13 @@ def loop(talk: Talk, run: str) -> dict[str, Any]:
     write_text(path.with_suffix(".loop"), json.dumps(document))
     said = {"loop": document, "remarks": list(closed.remarks), "draft": str(path)}
     return said | _before_and_after(measured, closed.pictures)
+
+
+def together(talk: Talk, run: str, new: str) -> str:
+    """Keep the run of all rows of both; returns its id."""
+    from labcal import measuring
+
+    return measuring.together(run, new)
 
 
 def cause(talk: Talk, run: str, effect: str, channels: list[str]) -> dict[str, Any]:
@@ -153,5 +159,6 @@ VERBS: dict[str, Callable[..., Any]] = {
     "draft": draft,
     "loop": loop,
     "cause": cause,
+    "together": together,
     "growth": growth,
 }

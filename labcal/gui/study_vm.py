@@ -15,7 +15,9 @@ class StudyViewModel(QObject):
     """One run at a time; asking for another forgets the first. `changed` after everything that is learned."""
 
     changed = Signal()
+    told = Signal()  # how far it is
     drafted = Signal(str)  # path of a calibration file
+    added = Signal()  # a run of all rows is new in the store
 
     def __init__(self, worker: Works) -> None:
         super().__init__()
@@ -26,6 +28,8 @@ class StudyViewModel(QObject):
 
     def _forget(self, run: str) -> None:
         self.run = run
+        self.wanted = ""  # the procedure that would tell causes apart: its next run is added to this one
+        self.measured: list[str] = []  # what was added, in words
         self.look: dict[str, Any] | None = None
         self.fits: dict[str, dict[str, Any]] = {}
         self.loop: dict[str, Any] | None = None
@@ -69,6 +73,22 @@ class StudyViewModel(QObject):
         if "loop" not in self.waiting:
             self.loop = None
             self._ask("loop", "loop", self._looped, run=self.run)
+
+    def want(self, procedure: str) -> None:
+        """Add the next finished run of `procedure` to the run under study, and decide again."""
+        self.wanted = procedure
+
+    def add(self, procedure: str, run_id: str) -> None:
+        """Add the rows of a run that has finished, and trace the residual of all of them."""
+        self.wanted = ""
+        self._ask("all rows", "together", partial(self._together, f"{procedure} ({run_id})"), run=self.run, new=run_id)
+
+    def _together(self, words: str, run: str) -> None:
+        told = [*self.measured, words]
+        self.added.emit()
+        self.open(run)
+        self.measured = told
+        self.close_loop()
 
     def look_at(self, effect: str, channels: list[str]) -> None:
         """See what one cause alone would change, whether the loop named it or not."""
@@ -131,7 +151,7 @@ class StudyViewModel(QObject):
 
     def _progress(self, text: str) -> None:
         self.message = text
-        self.changed.emit()
+        self.told.emit()
 
 
 def cause_name(effect: str, channels: list[str]) -> str:

@@ -134,6 +134,7 @@ QFrame#topfault { background: $surface; border: 2px solid $bad; border-radius: 6
 QFrame#good { background: $surface; border: 2px solid $good; border-radius: 6px; }
 QLabel#ask { font-size: ${ask_pt}pt; font-weight: 600; }
 QLabel#huge { font-size: ${huge_pt}pt; font-weight: 600; }
+QPlainTextEdit#story { background: transparent; border: 0; padding: 0; }
 QCheckBox:focus, QRadioButton:focus { color: $accent; }
 """
 )

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import gc
+from collections.abc import Callable, Iterator
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from threading import Thread
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
-from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui import hold
 from labcal.gui.desk import Desk
@@ -19,6 +21,7 @@ from labcal.gui.frame import Frame
 from labcal.gui.problem import save_problem
 from labcal.gui.scanner import Scanner
 from labcal.gui.theme import DARK, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.turns import Turns
 from labcal.gui.widgets import named
 from labcal.gui.wire import Fault
 
@@ -26,41 +29,79 @@ if TYPE_CHECKING:
     from labcal.gui.pages.run import RunPage
 
 AHEAD_MS = 400
+LOOK_MS = 20  # between two looks whether the imports are done
+PLOTS = 4  # of a page, at most, when it is built
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
 
 class Later(QWidget):
     """A page that is built when it is first seen: the window is up before the plots are."""
 
-    def __init__(self, build: Callable[[], QWidget]) -> None:
+    wanted = Signal()  # it is in sight, and not yet built
+
+    def __init__(self, build: Callable[[], QWidget], sheet: Callable[[], str]) -> None:
         super().__init__()
-        self._build = build
+        self._build, self._sheet = build, sheet
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self.page: QWidget | None = None
 
+    @property
+    def ready(self) -> bool:
+        """Whether it is built, and dressed."""
+        return self.page is not None and self.page.parent() is self
+
     def made(self) -> QWidget:
-        """The page itself."""
-        if self.page is None:
-            self.page = self._build()
-            self._column.addWidget(self.page)
-            for part in self.page.findChildren(QWidget):
-                part.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
+        """The page itself, at once."""
+        while self.page is None or not self.ready:
+            self.build()
         return self.page
 
-    def forget(self) -> None:
-        """Build it anew: at once where it is in sight, else when it is next seen."""
-        if self.page is not None:
-            self.page.hide()
-            self.page.setParent(None)
-            self.page.deleteLater()
-            self.page = None
-        if self.isVisible():
-            QTimer.singleShot(0, self, self.made)
+    def build(self) -> None:
+        """Build the page; when asked again, put it into its place."""
+        if self.page is None:
+            self.page = self._build()
+            return
+        self._column.addWidget(self.page)
+        for piece in self.pieces():
+            piece.setStyleSheet(self._sheet())
+        for part in self.page.findChildren(QWidget):
+            part.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
+
+    def pieces(self) -> list[QWidget]:
+        """What is dressed at a time: the cards, and what stands between them."""
+        return pieces(self.page) if self.page is not None and self.ready else []
+
+    def inked(self, theme: Theme) -> Iterator[Callable[[], object]]:
+        """What puts each part that draws for itself into the colours of `theme`; the page comes last, and redraws."""
+        parts = [] if self.page is None else [*self.page.findChildren(QWidget), self.page]
+        return (partial(part.set_theme, theme) for part in parts if hasattr(part, "set_theme"))
 
     def showEvent(self, event: object) -> None:
-        """Build it now."""
-        self.made()
+        """Ask to be built next."""
+        if not self.ready:
+            self.wanted.emit()
+
+
+def import_pages() -> None:
+    """What the pages are made of takes a second to import: in a thread of its own, the window is alive meanwhile."""
+    for name in PAGES:
+        import_module(f"labcal.gui.pages.{name.lower()}")
+
+
+def stock_one() -> bool:
+    """Make one more plot for the next page; says whether there are enough."""
+    from labcal.gui.plots import stock_up
+
+    return stock_up(PLOTS)
+
+
+def pieces(widget: QWidget) -> list[QWidget]:
+    """Cards, tables, buttons: what is not only there to hold others."""
+    ours = type(widget).__module__.startswith("labcal.") and type(widget).__base__ is QWidget
+    if not ours and type(widget) not in (QWidget, QStackedWidget, QSplitter):
+        return [widget]
+    return [piece for one in widget.children() if isinstance(one, QWidget) for piece in pieces(one)]
 
 
 def build_page(name: str, desk: Desk, theme: Callable[[], Theme]) -> QWidget:
@@ -82,8 +123,10 @@ class Window(Frame):
     def __init__(self, desk: Desk, theme: Theme | None = None) -> None:
         self.desk = desk
         self.theme = theme or system_theme()
-        self.later = {name: Later(partial(build_page, name, desk, lambda: self.theme)) for name in PAGES}
+        self.later = {name: Later(partial(build_page, name, desk, lambda: self.theme), self.sheet) for name in PAGES}
         super().__init__(desk.lab, dict(self.later))
+        self._turns, self._ahead = Turns(self), Turns(self)
+        self._imports = Thread(target=import_pages, daemon=True, name="imports")
         self.wall = str(desk.settings.value("wall", "no")) == "yes"
         self.fault = named(FaultCard(), "topfault")
         self.above.addWidget(self.fault)
@@ -92,6 +135,7 @@ class Window(Frame):
         self.hearers += [hold.hear, self.scanner.hear]
         self._connect(desk)
         self._look()
+        self._turns.finish()
         if theme is None:
             QGuiApplication.styleHints().colorSchemeChanged.connect(lambda _: self.set_theme(system_theme()))
         if (geometry := desk.settings.value("geometry")) is not None:
@@ -110,21 +154,33 @@ class Window(Frame):
         desk.plan_asked.connect(self._plan)
         desk.run.changed.connect(self._lock)
         QShortcut(QKeySequence("F11"), self, self.toggle_wall)
+        for later in self.later.values():
+            later.wanted.connect(partial(self._ahead.add, self.build_ahead))
 
     def build_ahead(self) -> None:
-        """Build the next page that nobody has seen, and again a moment later: none is to be built during a run.
+        """Build a piece of a page that is not there yet, what is in sight first; go on until all are there.
 
         Then have the worker of fits ready.
         """
-        waiting = [later for later in self.later.values() if later.page is None]
-        if waiting and not self.desk.run.alive:
-            waiting[0].made()
-            QTimer.singleShot(AHEAD_MS, self, self.build_ahead)
-        elif not waiting:
-            self.desk.study_vm.prepare()
+        waiting = [later for later in self.later.values() if not later.ready]
+        if not waiting:
+            gc.freeze()  # what is built stays: the collector need not go through it again
+            return self.desk.study_vm.prepare()
+        first = min(waiting, key=lambda later: not later.isVisible())
+        if first is self.later["Start"]:
+            first.build()
+        elif self._imports.ident is None:
+            self._imports.start()
+        elif self._imports.is_alive():
+            return QTimer.singleShot(LOOK_MS, self, self.build_ahead)
+        elif first.page is not None or stock_one():
+            first.build()
+        return self._ahead.add(self.build_ahead)
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
+        if self._imports.is_alive():
+            self._imports.join()
         return self.later[name].made()
 
     def toggle_wall(self) -> None:
@@ -134,18 +190,24 @@ class Window(Frame):
         self._look()
 
     def set_theme(self, theme: Theme) -> None:
-        """Show everything in `theme`; what is known stays."""
+        """Show everything in `theme`, what is in sight first."""
         self.theme = theme
-        for later in self.later.values():
-            later.forget()
-        self._look()
+        self._look(inked=True)
 
-    def _look(self) -> None:
-        """The style sheet is the window's own: the application's is looked up by widgets that nobody sees, too."""
-        scale = WALL_SCALE if self.wall else 1.0
+    def sheet(self) -> str:
+        """The style sheet of every part."""
+        return style_sheet(self.theme, WALL_SCALE if self.wall else 1.0)
+
+    def _look(self, *, inked: bool = False) -> None:
+        """Each part is dressed in an event of its own, what is in sight first: none of them takes long."""
         QApplication.setPalette(_palette(self.theme))
-        self.setStyleSheet(style_sheet(self.theme, scale))
-        self.set_scale(scale)
+        sheet = self.sheet()
+        self.set_scale(WALL_SCALE if self.wall else 1.0)
+        for part in (self.top, self.side, self.rail, self.bottom, self.fault):
+            self._turns.add(partial(part.setStyleSheet, sheet))
+        for later in sorted(self.later.values(), key=lambda one: not one.isVisible()):
+            self._turns.add(*(partial(part.setStyleSheet, sheet) for part in later.pieces()))
+            self._turns.add(*(later.inked(self.theme) if inked else ()))
 
     def _lock(self) -> None:
         """Who and what stand fixed while a run goes on."""

@@ -50,12 +50,53 @@ def told_by_the_loop(procedure):
     return {"loop": loop, "remarks": [], "draft": "d.json", "before": residual, "after": residual, "against": against}
 
 
-def test_what_would_tell_them_apart_is_planned_in_words_and_started_by_a_click(qtbot, still):
+def looked_at(run, dut="EM-07"):
+    """What the worker says of a run."""
+    return {"run_id": run, "dut": dut, "n_samples": 50, "against": {}, "before": pack(np.ones((50, 3)))}
+
+
+@pytest.fixture
+def undecided(still):
+    """The Loop page on a run whose loop has two causes that do as well."""
     still.open_page("Loop")
-    page, study = still.page("Loop"), still.desk.study_vm
+    still.page("Loop")
+    study, worker = still.desk.study_vm, still.desk.study
     study.open("r1")
+    worker.answer("look", looked_at("r1"))
     study.close_loop()
-    still.desk.study.answer("loop", told_by_the_loop("reverse"))
+    worker.answer("loop", told_by_the_loop("reverse"))
+    return still
+
+
+def test_every_cause_is_named_whole_with_its_reason(qtbot, undecided):
+    page = undecided.page("Loop")
+    qtbot.waitUntil(lambda: page.others.count() == 2)
+    texts = [page.others.item(n).text() for n in range(2)]
+    assert texts == [
+        "✓ offset-current (i_eps): named\nit falls",
+        "? offset-drift: a rival\ndoes about as well as offset-current (i_eps)",
+    ]
+    for n in range(2):
+        item = page.others.visualItemRect(page.others.item(n))
+        room = page.others.fontMetrics().boundingRect(
+            item.adjusted(0, 0, 0, 10_000), Qt.TextFlag.TextWordWrap, texts[n]
+        )
+        assert item.height() >= room.height(), "a reason is cut off"
+        assert page.others.item(n).toolTip() == texts[n]
+    page.others.setCurrentRow(1)
+    assert page.change_why.text() == "does about as well as offset-current (i_eps)"
+
+
+def test_what_would_tell_causes_apart_is_not_measured_on_another_dut(qtbot, undecided):
+    page = undecided.page("Loop")
+    undecided.desk.who(dut="EM-08")
+    qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
+    assert "This run is of EM-07; the DUT at the top is EM-08" in page.fault.text.text()
+    assert undecided.desk.bench_worker.asked == []
+
+
+def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_decides_again(qtbot, undecided):
+    still, page, study = undecided, undecided.page("Loop"), undecided.desk.study_vm
     qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
     choose, worker = still.page("Run").choose, still.desk.bench_worker
     assert still.stack.currentWidget() is still.later["Run"]
@@ -67,8 +108,29 @@ def test_what_would_tell_them_apart_is_planned_in_words_and_started_by_a_click(q
     assert choose.plan.isVisible()
     for words in ("largest field at the DUT 50.0 µT", "turns between", "°/s", "°C", " min,", "a person: Mount the DUT"):
         assert words in said
+    assert "added to run r1" in said
     qtbot.mouseClick(choose.start, Qt.MouseButton.LeftButton)
-    assert [(one[0], one[3]["procedure"]) for one in worker.asked] == [("run", "reverse")]
+    assert [(one[0], one[3]["procedure"], one[3]["after"]) for one in worker.asked] == [("run", "reverse", "r1")]
+    worker.answer("run", {"run_id": "r2", "status": "finished", "fault": None, "failed": []})
+    assert still.stack.currentWidget() is still.later["Loop"]
+    ((_, _, _, what),) = [one for one in still.desk.study.asked if one[0] == "together"]
+    assert what == {"run": "r1", "new": "r2"}
+    still.desk.study.answer("together", "r1+r2")
+    assert [one[3] for one in still.desk.study.asked if one[0] == "loop"] == [{"run": "r1+r2"}]
+    still.desk.study.answer("look", looked_at("r1+r2"))
+    still.desk.study.answer("loop", told_by_the_loop("repeat"))
+    assert study.run == "r1+r2"
+    assert "Added to it: reverse (r2)." in page.unknown.toPlainText()
+
+
+@pytest.mark.parametrize("status", ["stopped", "failed: aborted by the operator"])
+def test_a_run_that_did_not_finish_is_added_to_nothing(qtbot, undecided, status):
+    undecided.desk.study_vm.want("reverse")
+    undecided.desk.start("reverse", {})
+    undecided.desk.bench_worker.answer("run", {"run_id": "r2", "status": status, "fault": None, "failed": []})
+    undecided.desk.start("preflight", {})  # another procedure is no answer to the question either
+    undecided.desk.bench_worker.answer("run", {"run_id": "r3", "status": "finished", "fault": None, "failed": []})
+    assert [one for one in undecided.desk.study.asked if one[0] == "together"] == []
 
 
 def test_a_plan_is_that_of_its_settings_and_one_beyond_a_limit_is_refused_in_words(qtbot, still, choose):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, QSettings, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QInputDialog, QPushButton
 
 from labcal.gui.wire import Fault, unpack
 
@@ -110,7 +110,7 @@ def test_every_view_of_a_fit_has_something_to_show(qtbot, lab):
         assert views.faces.currentIndex() == n
     qtbot.waitUntil(lambda: "ekf" in study.growth or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
-    assert len(views.growth.getPlotItem().listDataItems()) >= 3
+    qtbot.waitUntil(lambda: len(views.growth.getPlotItem().listDataItems()) >= 3, timeout=LONG_MS)
     assert len(views.magnitude.getPlotItem().listDataItems()) == 3
     assert "rms" in views.histogram.getPlotItem().titleLabel.text
     assert len(views.residual._clouds) == 1
@@ -148,15 +148,30 @@ def test_the_loop_tells_its_story_and_leaves_a_draft(qtbot, lab):
 
 def test_a_cause_that_was_not_named_is_picked_and_its_change_is_drawn(qtbot, lab):
     page, study = lab.page("Loop"), lab.desk.study_vm
-    rejected = next(row for row in range(page.others.rowCount()) if "not named" in page.others.text(row, 1))
-    page.others.selectRow(rejected)
-    name = page.others.text(rejected, 0)
+    qtbot.waitUntil(lambda: page.others.count() > 0, timeout=LONG_MS)
+    rejected = next(n for n in range(page.others.count()) if ": not named" in page.others.item(n).text())
+    name, why = page.others.item(rejected).text().removeprefix("– ").split(": not named\n")
+    page.others.scrollToItem(page.others.item(rejected))
+    place = page.others.visualItemRect(page.others.item(rejected)).center()
+    qtbot.mouseClick(page.others.viewport(), Qt.MouseButton.LeftButton, pos=place)
     qtbot.waitUntil(lambda: name in study.causes or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
     assert name in page.change_heading.text()
     assert "→" in page.change_words.text()
+    assert page.change_why.text() == why
     page.others.clearSelection()
     assert page.change_heading.text() == "3  What changes if it is added"
+
+
+def correct_by_hand(qtbot, page, run, serial):
+    """Click on the run, click on the button; the box that asks is answered with `serial`."""
+    qtbot.waitUntil(lambda: run in [page.table.text(n, 6) for n in range(page.table.rowCount())], timeout=LONG_MS)
+    row = next(n for n in range(page.table.rowCount()) if page.table.text(n, 6) == run)
+    place = page.table.visualItemRect(page.table.item(row, 0)).center()
+    qtbot.mouseClick(page.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(QInputDialog, "getText", lambda *said, text: (serial, True))
+        qtbot.mouseClick(page.correct, Qt.MouseButton.LeftButton)
 
 
 def test_a_wrong_serial_is_corrected_until_signing_and_the_draft_follows(qtbot, lab):
@@ -166,7 +181,7 @@ def test_a_wrong_serial_is_corrected_until_signing_and_the_draft_follows(qtbot, 
     qtbot.waitUntil(lambda: page.table.rowCount() == 1, timeout=LONG_MS)
     run = page.table.text(0, 6)
     for serial in ("EM-08", "EM-07"):
-        page.correct_serial(run, serial)
+        correct_by_hand(qtbot, page, run, serial)
         qtbot.waitUntil(lambda s=serial: page.table.text(0, 1) == s, timeout=LONG_MS)
         draft = json.loads(Path(lab.desk.study_vm.loop["draft"]).read_text())
         assert draft["dut"]["serial"] == serial
@@ -196,9 +211,10 @@ def test_after_signing_the_serial_stands(qtbot, lab):
     lab.open_page("History")
     page = lab.page("History")
     qtbot.waitUntil(lambda: page.table.rowCount() == 1, timeout=LONG_MS)
-    page.correct_serial(page.table.text(0, 6), "EM-09")
+    correct_by_hand(qtbot, page, page.table.text(0, 6), "EM-09")
     qtbot.waitUntil(page.fault.isVisible, timeout=LONG_MS)
     assert "is signed" in page.fault.text.text()
+    assert page.table.text(0, 1) == "EM-07"
     page.fault.show_fault(None)
 
 
@@ -322,12 +338,17 @@ def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
     from labcal.gui.theme import DARK
 
     lab.open_page("Fit")
+    pages = {name: lab.page(name) for name in lab.later}
     lab.set_theme(DARK)
-    assert all(later.page is None for name, later in lab.later.items() if name != "Fit")  # built when next seen
+    views = lab.page("Fit").views
+    qtbot.waitUntil(lambda: views.loci._plots[0].backgroundBrush().color().name() == DARK.surface, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: DARK.surface in lab.page("History").table.parent().styleSheet(), timeout=LONG_MS)
+    assert pages == {name: lab.page(name) for name in lab.later}  # in place: what is chosen stays chosen
     assert lab.page("Fit").table.horizontalHeaderItem(1).text() == "ml"
-    before = lab.rail.width()
+    before, words = lab.rail.width(), lab.top.off.fontMetrics().height()
     lab.toggle_wall()
     assert lab.rail.width() > 1.5 * before
+    qtbot.waitUntil(lambda: lab.top.off.fontMetrics().height() > 1.5 * words, timeout=LONG_MS)
 
 
 @pytest.mark.parametrize("name", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])

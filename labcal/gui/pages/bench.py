@@ -53,6 +53,11 @@ class BenchPage(QWidget):
         """Nobody looks."""
         self._readings.stop()
 
+    def set_theme(self, theme: Theme) -> None:
+        """States and arrows in the theme's colours."""
+        self._theme = theme
+        self._bench_known()
+
     def _instruments_card(self) -> Card:
         card = Card(self.tr("Instruments"), "")
         self.heading = card.heading

@@ -62,7 +62,7 @@ class CertificatePage(QWidget):
 
     def __init__(self, desk: Desk, theme: Theme) -> None:
         super().__init__()
-        self._desk, self._theme = desk, theme
+        self._desk = desk
         self._files: dict[str, dict[str, Any]] = {}
         self._wanted = ""
         column = QVBoxLayout(self)

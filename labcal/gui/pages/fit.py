@@ -15,6 +15,7 @@ from labcal.gui.fit_views import FitViews
 from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
+from labcal.gui.turns import Turns
 from labcal.gui.widgets import Card, button, label, set_primary, shrinking
 from labcal.gui.words import say
 
@@ -46,7 +47,13 @@ class FitPage(QWidget):
         halves.addWidget(self.views)
         halves.setSizes([320, 420])
         column.addWidget(halves, 1)
+        self._turns = Turns(self)
         self._study.changed.connect(self._show)
+        self._show()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Names of axes and pictures in the theme's colours."""
+        self._theme = theme
         self._show()
 
     def _head(self) -> QHBoxLayout:
@@ -119,8 +126,7 @@ class FitPage(QWidget):
         set_primary(self.trace, "ml" in study.fits)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
-        self._show_fits()
-        self._show_pictures()
+        self._turns.add(self._show_fits, self._show_pictures)
         if study.run and not study.fits:
             self.empty.setText(self.tr("Fit estimates K and k of this run; All methods compares eleven ways."))
 

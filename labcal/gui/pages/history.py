@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog,
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Table
-from labcal.gui.plots import plot
+from labcal.gui.plots import ink, name_above, plot
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label
 from labcal.gui.words import say
@@ -53,6 +53,12 @@ class HistoryPage(QWidget):
     def showEvent(self, event: object) -> None:
         """What there is now."""
         self.refresh()
+
+    def set_theme(self, theme: Theme) -> None:
+        """The trend in the theme's colours."""
+        self._theme = theme
+        ink(self.plot, theme)
+        self._draw()
 
     def refresh(self) -> None:
         """Ask for runs and calibrations again."""
@@ -104,7 +110,6 @@ class HistoryPage(QWidget):
         self.parameter.activated.connect(self._draw)
         self.plot = plot(self._theme, "", "")
         self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem(utcOffset=0)})
-        self.plot.addLegend(offset=(-8, 8), labelTextColor=self._theme.text)
         card.body.addWidget(self.parameter)
         self.none = label(
             self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day.")
@@ -210,14 +215,15 @@ class HistoryPage(QWidget):
         self.plot.getPlotItem().setLabel(
             "left", f"{self.parameter.currentText()}  {say(unit)}", color=self._theme.muted
         )
-        for axis, (name, colour) in enumerate(zip(names, self._theme.axes, strict=True)):
-            self._line(np.array(times), mine, start, axis, name, colour)
+        for axis, colour in enumerate(self._theme.axes):
+            self._line(np.array(times), mine, start, axis, colour)
         if times:
+            name_above(self.plot, zip(names, self._theme.axes, strict=True))
             self.plot.autoRange(padding=0.1)
             if max(times) - min(times) < DAY_S:
                 self.plot.setXRange(min(times) - DAY_S, max(times) + DAY_S)
 
-    def _line(self, t: Any, files: list[dict[str, Any]], start: int, axis: int, name: str, colour: str) -> None:
+    def _line(self, t: Any, files: list[dict[str, Any]], start: int, axis: int, colour: str) -> None:
         if not files:
             return
         at = 9 + axis if start == 9 else 4 * axis
@@ -226,9 +232,7 @@ class HistoryPage(QWidget):
         if start == 0:
             value, U = 1e6 * (value / value[0] - 1), 1e6 * U / abs(value[0])
         self.plot.addItem(pg.ErrorBarItem(x=t, y=value, height=2 * U, beam=0, pen=pg.mkPen(colour, width=2)))
-        self.plot.plot(
-            t, value, pen=pg.mkPen(colour), symbol="o", symbolSize=7, symbolBrush=colour, symbolPen=None, name=name
-        )
+        self.plot.plot(t, value, pen=pg.mkPen(colour), symbol="o", symbolSize=7, symbolBrush=colour, symbolPen=None)
 
     def _when(self, one: dict[str, Any]) -> float:
         started = next((run["started_utc"] for run in self._runs if run["run_id"] == one["run_id"]), None)

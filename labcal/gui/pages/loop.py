@@ -6,19 +6,20 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QPlainTextEdit, QVBoxLayout, QWidget
 
 from labcal.gui.chooser import RunChooser
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Table
 from labcal.gui.numbers import number
 from labcal.gui.study_plots import Bars, Residuals
 from labcal.gui.study_vm import cause_name
 from labcal.gui.take_away import take_away
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, chooser, label, set_primary, set_state, shrinking
-from labcal.gui.wire import unpack
+from labcal.gui.turns import Turns
+from labcal.gui.widgets import Card, button, chooser, label, named, set_primary, set_state, shrinking
+from labcal.gui.wire import Fault, unpack
 from labcal.gui.words import say
 
 WORDS = {
@@ -74,7 +75,9 @@ class LoopPage(QWidget):
         column.addWidget(self.empty, 1)
         self.story = self._story()
         column.addWidget(self.story, 1)
+        self._turns = Turns(self)
         self._study.changed.connect(self._show)
+        self._study.told.connect(self._tell)
         self._show()
 
     def _head(self) -> QHBoxLayout:
@@ -100,14 +103,20 @@ class LoopPage(QWidget):
 
     def _story(self) -> QWidget:
         holder = QWidget()
-        grid = QGridLayout(holder)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(2 * GRID)
-        grid.addWidget(self._verdict_card(), 0, 0, 1, 2)
-        for at, card in enumerate((self._left_card(), self._who_card(), self._change_card(), self._unknown_card())):
-            grid.addWidget(card, 1 + at // 2, at % 2)
-            grid.setColumnStretch(at % 2, 1)
-            grid.setRowStretch(1 + at // 2, 1)
+        column = QVBoxLayout(holder)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2 * GRID)
+        column.addWidget(self._verdict_card())
+        halves = QHBoxLayout()
+        halves.setSpacing(2 * GRID)
+        for cards in (((self._left_card(), 1), (self._change_card(), 1)),
+                      ((self._who_card(), 3), (self._unknown_card(), 2))):  # fmt: skip
+            half = QVBoxLayout()
+            half.setSpacing(2 * GRID)
+            for card, share in cards:
+                half.addWidget(card, share)
+            halves.addLayout(half, 1)
+        column.addLayout(halves, 1)
         return holder
 
     def _verdict_card(self) -> Card:
@@ -136,14 +145,16 @@ class LoopPage(QWidget):
     def _who_card(self) -> Card:
         card = Card(self.tr("2  Who could have done it"), self.tr("choose one"))
         self.bars = Bars(self._theme)
-        self.others = Table((self.tr("cause"), self.tr("standing"), self.tr("why")), stretch=2)
+        self.others = QListWidget()
+        self.others.setWordWrap(True)
+        self.others.setResizeMode(QListWidget.ResizeMode.Adjust)
+        self.others.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.others.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
+        self.others.setSpacing(GRID // 4)
         self.others.setAccessibleName(self.tr("Candidates; choose one to see what it alone would change"))
         self.others.setToolTip(self.tr("Choose one to see what it alone would change"))
-        header = self.others.horizontalHeader()
-        header.setSectionResizeMode(0, header.ResizeMode.Interactive)
-        self.others.setColumnWidth(0, 20 * GRID)
         self.others.itemSelectionChanged.connect(self._picked)
-        card.body.addWidget(self.bars, 1)
+        card.body.addWidget(self.bars)
         card.body.addWidget(self.others, 1)
         return card
 
@@ -166,7 +177,7 @@ class LoopPage(QWidget):
 
     def _unknown_card(self) -> Card:
         card = Card(self.tr("4  What we still do not know"), "")
-        self.unknown = QPlainTextEdit()
+        self.unknown = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
         self.next = button(
             "", self.tr("Its plan is shown on the Run page before anything moves; Start is pressed there"), primary=True
@@ -178,8 +189,17 @@ class LoopPage(QWidget):
 
     def _measure(self) -> None:
         proposed = (self._study.loop or {}).get("loop", {}).get("next_experiment") or {}
-        if proposed.get("procedure"):
-            self._desk.plan_asked.emit(proposed["procedure"])
+        mine, there = (self._study.look or {}).get("dut", ""), self._desk.lab.state.dut_serial
+        if mine != there:
+            words = self.tr("This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.")
+            return self.fault.show_fault(Fault("input", words.format(mine, there)))
+        self._study.want(proposed["procedure"])
+        return self._desk.plan_asked.emit(proposed["procedure"])
+
+    def set_theme(self, theme: Theme) -> None:
+        """States, bars and points in the theme's colours."""
+        self._theme = theme
+        self._show()
 
     def _show(self) -> None:
         study = self._study
@@ -187,7 +207,7 @@ class LoopPage(QWidget):
             self.chooser.show_run(study.run)
         self.fault.show_fault(study.fault)
         working = "loop" in study.waiting
-        self.waiting.setText(self.tr("tracing … {0}").format(study.message) if working else "")
+        self._tell()
         self.cancel.setVisible(study.busy)
         self.close_loop.setEnabled(bool(study.run) and not study.busy)
         self.sign.setEnabled(study.loop is not None)
@@ -202,6 +222,12 @@ class LoopPage(QWidget):
         if study.loop is not None:
             self._show_loop(study.loop["loop"], study.loop["remarks"])
 
+    def _tell(self) -> None:
+        """How far the work is."""
+        study = self._study
+        words = self.tr("tracing … {0}").format(study.message) if "loop" in study.waiting else ""
+        self.waiting.setText(", ".join(study.waiting) if study.busy and not words else words)
+
     def _show_loop(self, loop: dict[str, Any], remarks: list[str]) -> None:
         words, state = WORDS[loop["verdict"]]
         self.verdict.setText(say(words))
@@ -211,12 +237,16 @@ class LoopPage(QWidget):
         self.before_after.setText(f"{number(before, signed=False)} → {number(after, signed=False)} nT")
         floor = number(loop["noise_floor_nT"], signed=False)
         self.noise.setText(self.tr("held-out rms; noise alone: {0} nT, {1}").format(floor, loop["noise_floor_source"]))
-        self._show_candidates(loop)
         self._show_unknown(loop, remarks)
         self._fill_against(loop)
-        self._show_change()
+        self._name_change()
+        self._turns.add(self._show_candidates, self._show_bars, self._show_left, self._show_change)
 
-    def _show_candidates(self, loop: dict[str, Any]) -> None:
+    def _show_bars(self) -> None:
+        """As calibrated, with each named cause in turn, and with its rivals instead."""
+        if self._study.loop is None:
+            return
+        loop = self._study.loop["loop"]
         base = loop["before"]["holdout_rms_nT"]
         rows: list[tuple[str, float, tuple[float, float] | None, str]] = [
             (self.tr("as calibrated"), base, None, self._theme.muted)
@@ -231,30 +261,42 @@ class LoopPage(QWidget):
                 for r in effect["rivals"]
             ]
         self.bars.show_bars(rows, loop["noise_floor_nT"])
-        words = {"accepted": self.tr("✓ named"), "rival": self.tr("? rival"), "rejected": self.tr("– not named")}
-        listed = candidates(loop)
-        self.others.setRowCount(len(listed))
-        for row, (standing, effect, why) in enumerate(listed):
-            for column, text in enumerate((cause(effect), words[standing], why)):
-                self.others.set_cell(row, column, text)
 
-    def picked(self) -> tuple[str, dict[str, Any]] | None:
-        """Standing and cause that is chosen in the table; None for the loop's own verdict."""
+    def _show_candidates(self) -> None:
+        """Every cause with its standing, and below it why: whole, however long."""
+        if self._study.loop is None:
+            return
+        words = {"accepted": self.tr("✓ {0}: named"), "rival": self.tr("? {0}: a rival"),
+                 "rejected": self.tr("– {0}: not named")}  # fmt: skip
+        inks = {"accepted": self._theme.good, "rival": self._theme.warning, "rejected": self._theme.text}
+        listed = candidates(self._study.loop["loop"])
+        while self.others.count() > len(listed):
+            self.others.takeItem(len(listed))
+        self.others.addItems([""] * (len(listed) - self.others.count()))
+        for row, (standing, effect, why) in enumerate(listed):
+            item, text = self.others.item(row), f"{words[standing].format(cause(effect))}\n{why}"
+            if item.text() != text:
+                item.setText(text)
+                item.setToolTip(text)
+            item.setForeground(QColor(inks[standing]))
+
+    def picked(self) -> tuple[str, dict[str, Any], str] | None:
+        """Standing, cause and why of what is chosen in the list; None for the loop's own verdict."""
         loop, rows = self._study.loop, self.others.selectedIndexes()
         if loop is None or not rows:
             return None
-        standing, effect, _ = candidates(loop["loop"])[rows[0].row()]
-        return standing, effect
+        return candidates(loop["loop"])[rows[0].row()]
 
     def _picked(self) -> None:
         if (chosen := self.picked()) is not None:
             self._study.look_at(chosen[1]["effect"], chosen[1]["channels"])
         if self._study.loop is not None:
             self._fill_against(self._study.loop["loop"])
-            self._show_change()
+            self._name_change()
+            self._turns.add(self._show_change)
 
     def _show_unknown(self, loop: dict[str, Any], remarks: list[str]) -> None:
-        lines = list(remarks)
+        lines = [self.tr("Added to it: {0}.").format(one) for one in self._study.measured] + list(remarks)
         aside = {name: n for name, n in loop["set_aside"].items() if n}
         lines += [self.tr("Rows set aside: {0} {1}").format(n, name) for name, n in aside.items()]
         for effect in loop["accepted"]:
@@ -282,34 +324,39 @@ class LoopPage(QWidget):
             self.against.clear()
             self.against.addItems(names)
 
-    def _show_change(self) -> None:
-        said = self._study.loop
-        if said is None:
-            return
-        before, theme = unpack(said["before"]), self._theme
-        noise = said["loop"]["noise_floor_nT"] / before.shape[1] ** 0.5
-        clouds = [
-            (f"{axis}", colour, before[:, n])
-            for n, (axis, colour) in enumerate(zip("xyz", theme.axes, strict=True))
-            if n < before.shape[1]
-        ]
-        self.left.show_residual("time  s", unpack(said["against"]["time  s"]), clouds, noise)
-        self._draw_change(said, noise)
+    def _show_left(self) -> None:
+        if (said := self._study.loop) is not None:
+            before = unpack(said["before"])
+            inks = zip("xyz", self._theme.axes, strict=True)
+            clouds = [(axis, ink, before[:, n]) for n, (axis, ink) in enumerate(inks) if n < before.shape[1]]
+            noise_nT = said["loop"]["noise_floor_nT"] / before.shape[1] ** 0.5
+            self.left.show_residual("time  s", unpack(said["against"]["time  s"]), clouds, noise_nT)
 
-    def _draw_change(self, said: dict[str, Any], noise_nT: float) -> None:
-        """Before and after: of all named causes, or of the one that is chosen, alone."""
-        chosen, theme, name = self.picked(), self._theme, self.against.currentText()
-        one = said if chosen is None else self._study.causes.get(cause(chosen[1]))
+    def _one(self) -> dict[str, Any] | None:
+        """What is drawn before and after: all named causes, or the one that is chosen, alone."""
+        chosen = self.picked()
+        return self._study.loop if chosen is None else self._study.causes.get(cause(chosen[1]))
+
+    def _name_change(self) -> None:
+        """Whose change it is, why it stands as it does, and how much it is."""
+        chosen, one = self.picked(), self._one()
         title = self.tr("3  What changes if it is added") if chosen is None else f"3  + {cause(chosen[1])}"
         self.change_heading.setText(title)
-        self.change_why.setText("" if chosen is None else chosen[1].get("why", ""))
+        self.change_heading.setToolTip(title)
+        self.change_why.setText("" if chosen is None else chosen[2])
         self.change_why.setVisible(chosen is not None)
         if one is None:
-            self.change_words.setText(self.tr("computing …") if self._study.busy else "")
+            return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
+        both = (unpack(one["before"]), unpack(one["after"]))
+        rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
+        self.change_words.setText(" → ".join(rms) + " nT")
+        return self.change_words.setToolTip(self.tr("Rms over all rows, before and after"))
+
+    def _show_change(self) -> None:
+        one, said, theme, name = self._one(), self._study.loop, self._theme, self.against.currentText()
+        if one is None or said is None or name not in one["against"]:
             return self.change.clear()
         before, after = unpack(one["before"]), unpack(one["after"])
-        rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in (before, after))
-        self.change_words.setText(" → ".join(rms) + " nT")
-        self.change_words.setToolTip(self.tr("Rms over all rows, before and after"))
+        noise_nT = said["loop"]["noise_floor_nT"] / before.shape[1] ** 0.5
         both = [(self.tr("before"), theme.axis_x, before), (self.tr("after"), theme.accent, after)]
         return self.change.show_residual(name, unpack(one["against"][name]), both, noise_nT)

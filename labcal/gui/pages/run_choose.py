@@ -99,13 +99,24 @@ class Choose(QWidget):
                 self.plan.setText(text)
                 self._check()
 
+        def planned(lines: list[str]) -> None:
+            say("\n".join([*lines, *self._what_for()]))
+
         self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
         self.plan.show()
         self._check()
         self._desk.bench_worker.ask(
-            "plan", lambda lines: say("\n".join(lines)), lambda fault: say(f"✕ {fault.text} {fault.remedy}"),
+            "plan", planned, lambda fault: say(f"✕ {fault.text} {fault.remedy}"),
             procedure=name, bench=self._desk.bench, given=given,
         )  # fmt: skip
+
+    def _what_for(self) -> list[str]:
+        """Where the run is wanted to tell causes apart: what becomes of it."""
+        study, item = self._desk.study_vm, self.list.currentItem()
+        if not study.wanted or item.text() != study.wanted:
+            return []
+        words = self.tr("What this measures is added to run {0}; then the cause is decided again, by itself.")
+        return [words.format(study.run)]
 
     def _other_settings(self) -> None:
         """A plan is that of its settings."""

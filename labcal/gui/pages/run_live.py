@@ -66,6 +66,11 @@ class Live(QWidget):
         self._run.changed.connect(self._show)
         self._show()
 
+    def set_theme(self, theme: Theme) -> None:
+        """Steps, lights and verdicts in the theme's colours."""
+        self._theme = theme
+        self._show()
+
     def _left(self) -> QWidget:
         card = Card()
         card.setMinimumWidth(32 * GRID)
@@ -231,7 +236,8 @@ class Live(QWidget):
     def _show_step(self, item: QListWidgetItem, text: str, mark: str) -> None:
         if item.text() != text:
             item.setText(text)
-            colour = {"next": self._theme.muted, "broken": self._theme.bad}.get(mark, self._theme.text)
+        colour = {"next": self._theme.muted, "broken": self._theme.bad}.get(mark, self._theme.text)
+        if item.foreground().color().name() != colour:
             item.setForeground(QColor(colour))
 
     def _draw(self) -> None:

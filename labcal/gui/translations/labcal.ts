@@ -341,6 +341,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A setting is not accepted: see above.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -874,15 +878,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cause</source>
+        <source>✓ {0}: named</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>standing</source>
+        <source>? {0}: a rival</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>why</source>
+        <source>– {0}: not named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to it: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -910,6 +918,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>tracing … {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -931,18 +943,6 @@
     </message>
     <message>
         <source>or {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✓ named</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>? rival</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>– not named</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
