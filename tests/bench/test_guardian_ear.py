@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import select
 import socket
 import subprocess
@@ -19,6 +20,7 @@ from labcal.bench.guardian import wire
 from labcal.bench.guardian.client import Connection
 from labcal.bench.guardian.server import CALLERS, LINE_BYTES, Server
 from labcal.bench.links import ports
+from labcal.errors import InstrumentError
 
 BENCH = "f" * 64
 LONG_S = 60.0
@@ -142,6 +144,15 @@ def test_only_the_session_sets_currents_and_anybody_says_zero(ear: Ear) -> None:
         assert second["error"]["what"] == "session 7 drives this bench."
         ear.asked({"order": "zero"}, {"order": "zero", "with": {"why": "a person"}})
     assert ear.coils.heard == [("zero", "a caller said so", False), ("zero", "a person", False)]
+
+
+@pytest.mark.parametrize("bench", [BENCH, "of another file"])
+def test_who_may_not_begin_is_told_what_is_not_at_zero_and_which_guardian_tries(ear: Ear, bench: str) -> None:
+    ear.coils.unresolved = {"x": InstrumentError("coil x does not answer.", fault="silent", remedy="Plug it in.")}
+    (answer,) = ear.asked({"order": "hello", "with": {"who": "session 1", "bench": bench}})
+    assert answer["error"]["what"] == "coil x does not answer."
+    assert f"kill {os.getpid()}" in answer["error"]["remedy"]
+    assert ear.server.dismissed.is_set() == (bench != BENCH)
 
 
 def test_a_crowd_that_says_nothing_is_held_to_its_places(ear: Ear) -> None:

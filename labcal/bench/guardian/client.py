@@ -162,6 +162,9 @@ class GuardianClient:
     def _meet(self) -> dict[str, dict[str, Any]]:
         """Find the guardian of these ports, or start one, and be its session."""
         me, deadline = f"session {os.getpid()}", time.monotonic() + START_S
+        not_met = InstrumentError(
+            "the guardian did not start.", fault="guardian lost", remedy="See guardian.log in labcal's data folder."
+        )
         while time.monotonic() < deadline:
             try:
                 if (connection := found(self._urls)) is not None:
@@ -174,12 +177,11 @@ class GuardianClient:
                 self._forget()
             except InstrumentError as fault:
                 self._forget()
-                if fault.fault != "another bench":
+                if fault.fault != wire.OTHER_BENCH:
                     raise
+                not_met = InstrumentError(fault.what, fault="in use", remedy=fault.remedy)
             time.sleep(0.02)
-        raise InstrumentError(
-            "the guardian did not start.", fault="guardian lost", remedy="See guardian.log in labcal's data folder."
-        )
+        raise not_met
 
     def _forget(self) -> None:
         if self._connection is not None:

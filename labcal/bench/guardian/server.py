@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hmac
 import json
+import os
 import socket
 import threading
 import time
@@ -14,7 +15,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from labcal.bench.guardian.keeper import Guardian
-from labcal.bench.guardian.wire import Message, fault_message, packed, zero_message
+from labcal.bench.guardian.wire import OTHER_BENCH, Message, fault_message, packed, zero_message
 from labcal.errors import InstrumentError
 
 LINE_BYTES = 65536  # no order is longer
@@ -138,11 +139,18 @@ class Server:
     def _welcome(self, caller: Caller, who: str, bench: str) -> Message:
         """Take the caller as the session. Refused while another one drives, or zero is not confirmed."""
         self._refuse_second(caller)
-        if bench != self._fingerprint:
+        other_bench = bench != self._fingerprint
+        if other_bench:
             self.dismissed.set()
-            raise InstrumentError("the guardian has read another bench file; it makes room.", fault="another bench")
         for fault in self._guardian.unresolved.values():
-            raise fault
+            raise InstrumentError(
+                fault.what,
+                fault=OTHER_BENCH if other_bench else fault.fault,
+                remedy=f"{fault.remedy} Guardian {os.getpid()} goes on trying; where it will never answer: "
+                f"kill {os.getpid()}.",
+            )
+        if other_bench:
+            raise InstrumentError("the guardian has read another bench file; it makes room.", fault=OTHER_BENCH)
         for coil in self._guardian.coils.values():
             coil.tripped = None
         caller.who, self.session, self.had_session = who, caller, True

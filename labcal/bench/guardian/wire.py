@@ -19,6 +19,7 @@ from labcal.errors import InstrumentError, LimitError
 
 Message = dict[str, Any]
 Card = dict[str, Any]  # pid, address, token: how a guardian is reached
+OTHER_BENCH = "another bench"  # a guardian that has read another file makes room as soon as it may
 
 
 def listen() -> tuple[socket.socket, Card]:
