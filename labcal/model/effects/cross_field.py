@@ -35,8 +35,8 @@ def _parameters(drive: str, terms: tuple[tuple[int, ...], ...]) -> tuple[tuple[s
 
 
 def candidates(run: Run) -> list[Form]:
-    """Products with the axis' own component, all products of second order, and the even cubic ones."""
-    sets = (MIXED, SQUARES, MIXED + SQUARES + OPPOSITE, CUBIC)
+    """Products with the axis' own component, of the two others, all of second order, and the even cubic ones."""
+    sets = (MIXED, SQUARES, OPPOSITE, MIXED + SQUARES + OPPOSITE, CUBIC)
     return [Form(kernel, _parameters(drive, terms)) for drive in ("", BODY) for terms in sets]
 
 
