@@ -279,6 +279,11 @@ def _standing(candidate: Candidate) -> tuple[int, int, bool]:
 
 def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
     """Other causes that would do as well in the place of `chosen`, it first."""
+    about = [c.form for c in (chosen, *accepted)]
+    return search.once("rivals", about, lambda: _as_heavy(search, accepted, chosen))
+
+
+def _as_heavy(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
     others = [c for c in accepted if c is not chosen]
     open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
     open_to += _first_order(open_to, chosen)

@@ -261,8 +261,10 @@ class Search:
         return self.once("moved", (group,), made) if self._may_keep() else made()
 
     def _may_keep(self) -> bool:
-        numbers = self.y.size * sum(len(c.form.parameters) for c in self.candidates)
-        return numbers < KEPT_NUMBERS
+        def counted() -> int:
+            return sum(len(c.form.parameters) for c in self.candidates)
+
+        return self.y.size * self.once("parameters", (), counted, everywhere=True) < KEPT_NUMBERS
 
     def _ground(self, group: Columns) -> Grams:
         """The Gram matrices of a group with the base and with y."""
