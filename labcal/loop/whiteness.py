@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import chdtrc, fdtrc, ndtr
 
+from labcal.loop import tails
 from labcal.loop.gaps import bridged
 from labcal.loop.problem import Problem
 from labcal.loop.result import ResidualTest
@@ -57,7 +57,7 @@ def white(problem: Problem, y: Array) -> ResidualTest:
             continue
         looks += 1
         q = ljung_box(part)
-        p = float(chdtrc(LAGS * part.shape[1], q))
+        p = tails.of_chi2(LAGS * part.shape[1], q)
         name = problem.run.segments[int(problem.scene.segment[rows][0])].id
         worst = min(worst, (p, q, name, memory(part)))
     p, q, name = min(1.0, looks * worst[0]), worst[1], worst[2]
@@ -90,7 +90,7 @@ def independent(problem: Problem, y: Array) -> Iterator[ResidualTest]:
         other = _Series.of(drive)
         z, r = max(_crossed(part, other) for part in own)
         looks = y.shape[1] * (2 * LATE + 1)
-        p = min(1.0, looks * 2 * float(ndtr(-z)))
+        p = min(1.0, looks * 2 * tails.of_normal(z))
         share = r**2 / y.shape[1]
         passes = p >= CHANCE or r**2 < MATERIAL
         says = f"independent of {name}" if passes else f"goes with {name} (correlation {r:+.2f})"
@@ -169,7 +169,7 @@ def replicates(problem: Problem, good: Mask) -> Iterator[ResidualTest]:
     q = repeated[0].shape[1]
     free = q * sum(len(v) - 1 for v in repeated), q * len(repeated)
     ratio = (between / free[1]) / max(within / free[0], 1e-300)
-    p = float(fdtrc(free[1], free[0], ratio))
+    p = tails.of_f(free[1], free[0], ratio)
     share = max(between - free[1], 0.0) / float(np.sum(problem.y[good] ** 2))
     passes = p >= CHANCE or share < MATERIAL
     says = (
