@@ -50,7 +50,7 @@ def _gains(search: Search, group: Columns, weight: Array, known: Array, drawn: A
     each, carried, pull = X.reshape(c, p, -1), (X @ known).reshape(c, p, -1), (X @ drawn).reshape(c, p, -1)
     own = each @ np.swapaxes(each, 1, 2)
     size = np.maximum(np.sqrt(np.einsum("cpp->cp", own)), 1e-300)
-    values, vectors = np.linalg.eigh((own - carried @ np.swapaxes(carried, 1, 2)) / (size[:, :, None] * size[:, None]))
+    values, vectors = np.linalg.eigh((own - carried @ np.swapaxes(carried, 1, 2)) / size[:, :, None] / size[:, None])
     new = values > LEAST
     along = np.swapaxes(vectors, 1, 2) @ (pull / size[:, :, None])
     part = np.where(new, 1 / np.where(new, values, 1.0), 0.0)
