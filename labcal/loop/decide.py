@@ -38,23 +38,24 @@ def forward(
     """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
     accepted: list[Candidate] = []
     rankings: list[list[Weighed]] = []
-    total = 0.0
+    total, out_of_play = 0.0, set(refused)
     while len(accepted) < most:
         open_to = [c for c in looks(search, accepted) if not _same(c, accepted)]
         ranking = search.rank(open_to, accepted, neighbourhood(search, accepted))
         rankings.append(ranking)
-        best = _best(search, accepted, [w for w in ranking if w.candidate.cause not in refused], total)
+        best = _best(search, accepted, [w for w in ranking if w.candidate.cause not in out_of_play], total)
         if best is None:
-            both = _pair(search, accepted, ranking, refused, total) if len(accepted) + 2 <= most else []
+            both = _pair(search, accepted, ranking, out_of_play, total) if len(accepted) + 2 <= most else []
             accepted = [*accepted, *both]
             if not both:
                 break
             continue
         chosen = refined(search, best.candidate, accepted)
-        total += best.drop
-        accepted = reexamined(search, [*accepted, chosen])
-        if chosen not in accepted:
-            break
+        kept = reexamined(search, [*accepted, chosen])
+        if chosen in kept:
+            accepted, total = kept, total + best.drop
+        else:
+            out_of_play.add(best.candidate.cause)
     return accepted, rankings
 
 
@@ -80,7 +81,7 @@ def _pair(
 
 def _material(search: Search, accepted: Sequence[Candidate], total: float) -> float:
     """The least drop of the mean square that is worth a name beside what is accepted."""
-    rest = (float(np.mean(search.residual(accepted)[search.rows] ** 2)) - 1.0) / search.rows_each
+    rest = (search.stage(accepted, neighbourhood(search, accepted)).null.rss / search.data - 1.0) / search.rows_each
     return max(MATERIAL * search.lowest**2, min(SHARE * total, SHARE_OF_REST * rest))
 
 

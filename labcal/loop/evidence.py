@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.bins import binned
 from labcal.loop.correlation import correlation_s
-from labcal.loop.decide import Cause, earned, forward, looks, refined
+from labcal.loop.decide import MOST, Cause, earned, forward, looks, refined
 from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan
 from labcal.loop.problem import Problem
@@ -44,6 +44,16 @@ class Contender:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Choice:
+    """Effects that the rows of one search show, and the proof of each on blocks held out of those rows."""
+
+    accepted: tuple[Candidate, ...]
+    rankings: tuple[list[Weighed], ...]
+    steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
+    blocks: Plan
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
     """All that the verdict rests on."""
 
@@ -60,32 +70,45 @@ class Evidence:
 
 
 def weighed(search: Search, level: Floor) -> Evidence:
-    """Choose effects, and refuse again those that do not help on data that the fit has not seen."""
+    """Choose effects; their error is told by choices that were made again without each held-out fold."""
     bare, search = search, settled(search)
+    choice = decided(search, level)
+    accepted, blocks = choice.accepted, choice.blocks
+    while True:
+        honest = held_out(search, blocks, repeated(level, blocks, len(accepted)))
+        if not accepted or _carries(honest, level):
+            break
+        accepted = accepted[:-1]
+    if search is not bare and bool((search.good == bare.good).all()):
+        honest = replace(honest, before_nT=held_out(bare, blocks, _always(())).before_nT)
+    steps = choice.steps[: len(accepted)]
+    rivals = tuple(tuple(_as_good(search, blocks, accepted, one)) for one in accepted)
+    far = farness(search.everywhere(accepted)[0], search.good)
+    chance = by_chance(search, accepted)
+    return Evidence(search, accepted, choice.rankings, rivals, honest, steps, level, blocks, chance, far)
+
+
+def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int = MOST) -> Choice:
+    """Choose effects on the rows of `search`, and refuse again those that do not help on blocks held out of them."""
     refused: set[Cause] = set()
     for _ in range(REFUSALS):
-        accepted, rankings = forward(search, refused=refused)
-        accepted = _preferred(search, accepted, refused)
-        blocks = plan(search.problem, correlation_s(search, accepted))
-        accepted = _plainer(search, blocks, accepted)
-        steps = [_proof(search, blocks, accepted, i) for i in range(len(accepted))]
+        accepted, rankings = forward(search, most, refused)
+        apart = blocks or plan(search.problem, correlation_s(search, accepted))
+        accepted = _preferred(search, apart, accepted, refused)
+        accepted = _plainer(search, apart, accepted)
+        steps = [_proof(search, apart, accepted, i) for i in range(len(accepted))]
         idle = _idle(search, accepted, steps, level)
-        idle = _in_doubt(search, blocks, accepted, steps, level) if idle is None else idle
+        idle = _in_doubt(search, apart, accepted, steps, level) if idle is None else idle
         if idle is None:
             break
         refused.add(accepted[idle].cause)
         accepted, steps = accepted[:idle], steps[:idle]
-    while True:
-        honest = held_out(search, blocks, _choice(len(accepted), refused))
-        if not accepted or _carries(honest, level):
-            break
-        accepted, steps = accepted[:-1], steps[:-1]
-    if search is not bare and bool((search.good == bare.good).all()):
-        honest = replace(honest, before_nT=held_out(bare, blocks, _always(())).before_nT)
-    rivals = tuple(tuple(_as_good(search, blocks, accepted, chosen)) for chosen in accepted)
-    far = farness(search.everywhere(accepted)[0], search.good)
-    chance = by_chance(search, accepted)
-    return Evidence(search, tuple(accepted), tuple(rankings), rivals, honest, tuple(steps), level, blocks, chance, far)
+    return Choice(tuple(accepted), tuple(rankings), tuple(steps), apart)
+
+
+def repeated(level: Floor, blocks: Plan, most: int = MOST) -> Callable[[Search], Sequence[Candidate]]:
+    """The whole choice again on a part of the rows, its own proofs on the blocks that are left."""
+    return lambda part: decided(part, level, blocks.among(part.rows), most).accepted
 
 
 def settled(search: Search) -> Search:
@@ -176,10 +199,6 @@ def _remains(steps: Sequence[HeldOut], level: Floor, share: float) -> bool:
     return after > AT_FLOOR * level.nT and after**2 - level.nT**2 > share * (before**2 - after**2)
 
 
-def _choice(most: int, refused: Collection[Cause]) -> Callable[[Search], Sequence[Candidate]]:
-    return lambda part: forward(part, most, refused)[0]
-
-
 def _helps(step: HeldOut) -> bool:
     """Whether an effect lowers the held-out error, its whole interval above zero."""
     return step.improvement()[0] > 0
@@ -234,14 +253,22 @@ def _as_good(search: Search, blocks: Plan, accepted: Sequence[Candidate], chosen
     return out
 
 
-def _preferred(search: Search, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
-    """Of causes that do as well, the one that can be computed from readings alone; a channel without physics last."""
-    for place, chosen in enumerate(accepted):
-        equals = [w for w in _rivals(search, accepted, chosen) if w.candidate.cause not in refused]
-        best = min(equals, key=lambda w: _standing(w.candidate))
-        if _standing(best.candidate) < _standing(chosen):
-            others = [c for c in accepted if c is not chosen]
-            accepted = [*accepted[:place], refined(search, best.candidate, others), *accepted[place + 1 :]]
+def _preferred(search: Search, blocks: Plan, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
+    """Of causes that do as well, held out too, the one that can be computed from readings alone.
+
+    A channel without physics goes last.
+    """
+    for place, one in enumerate(accepted):
+        equals = [w.candidate for w in _rivals(search, accepted, one) if w.candidate.cause not in refused]
+        for other in sorted(equals, key=_standing):
+            if _standing(other) >= _standing(one):
+                break
+            others = [c for c in accepted if c is not one]
+            swapped = [*accepted[:place], refined(search, other, others), *accepted[place + 1 :]]
+            either = held_out(search, blocks, _always(swapped), accepted)
+            if either.after <= AS_GOOD * either.before:
+                accepted = swapped
+                break
     return accepted
 
 
@@ -267,14 +294,14 @@ def _simpler(search: Search, chosen: Candidate, others: Sequence[Candidate]) -> 
         yield refined(search, best.candidate, others)
 
 
-def _standing(candidate: Candidate) -> tuple[int, int, bool]:
-    """Low goes first: what readings alone can correct, then the rig's, then time's; the simpler before the richer."""
+def _standing(candidate: Candidate) -> tuple[int, bool]:
+    """Low goes first: what readings alone can correct, a channel without physics after, then the rig's, then time's."""
     kind = 1 if candidate.family.generic else 0
     if candidate.family.bound_to_run:
         kind = 3
     elif candidate.family.belongs_to == "rig":
         kind = 2
-    return kind, len(candidate.form.parameters), candidate.family.second_order
+    return kind, candidate.family.second_order
 
 
 def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:

@@ -14,6 +14,7 @@ from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 FOLDS = 5
+NOWHERE = -1
 BLOCKS = 40  # about so many blocks in a run
 DRAWS = 500
 
@@ -23,7 +24,7 @@ class Plan:
     """Which block and which fold each row belongs to, and how far training keeps away."""
 
     block: NDArray[np.intp]  # (n,)
-    fold: NDArray[np.intp]  # (n,)
+    fold: NDArray[np.intp]  # (n,) NOWHERE where a row is never held out
     guard_s: float
 
     def training(self, t_s: Array, fold: int) -> NDArray[np.bool_]:
@@ -34,6 +35,10 @@ class Plan:
         before = np.abs(t_s - times[np.maximum(place - 1, 0)])
         after = np.abs(times[np.minimum(place, len(times) - 1)] - t_s)
         return np.asarray(~held & (np.minimum(before, after) > self.guard_s))
+
+    def among(self, rows: NDArray[np.bool_]) -> Plan:
+        """The same blocks where no other rows than these are ever held out."""
+        return Plan(self.block, np.where(rows, self.fold, NOWHERE), self.guard_s)
 
 
 def plan(problem: Problem, correlation_s: float, block_s: float | None = None, seed: int = 0) -> Plan:
@@ -106,7 +111,7 @@ def held_out(
     problem, whole = search.problem, search.whole
     block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (plan.block, plan.fold))
     out, known = np.full((2, len(whole)), np.nan), list[tuple[Candidate, Array]]()
-    for fold in np.unique(plan.fold):
+    for fold in np.unique(plan.fold[plan.fold != NOWHERE]):
         part = search.on(plan.training(problem.scene.t_s, int(fold)) & search.rows)
         chosen = choose(part)
         seen_s = problem.scene.t_s[part.rows]

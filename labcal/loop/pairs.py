@@ -21,7 +21,6 @@ Array = NDArray[np.float64]
 SHORT = 12  # causes whose best looks are paired
 WEIGHED = 3  # pairs that are weighed in full
 NEW = 1e-4  # of a column's square must be new to the base and to the other cause
-FOLLOWING = frozenset({"offset-current", "offset-temperature", "offset-channel", "gain-temperature"})
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,37 +41,37 @@ def pairs(
     Paired are the best looks of the first causes of the ranking, and every cause that follows a channel in its plainest
     look. Two causes that are both bound to the run's time are no pair: together they follow any slow process.
     """
-    listed = [c for c in _listed(search, ranking) if c.cause not in refused]
+    short = [c for c in listed(search, ranking) if c.cause not in refused]
     tried = [
         (a, b)
-        for a, b in itertools.combinations(range(len(listed)), 2)
-        if listed[a].cause != listed[b].cause and not (listed[a].family.bound_to_run and listed[b].family.bound_to_run)
+        for a, b in itertools.combinations(range(len(short)), 2)
+        if short[a].cause != short[b].cause and not (short[a].family.bound_to_run and short[b].family.bound_to_run)
     ]
     if not tried:
         return []
-    gains = _together(search, stage, listed, tried)
+    gains = _together(search, stage, short, tried)
     best = sorted(zip(gains, tried, strict=True), key=lambda found: -found[0])[:WEIGHED]
     looks = float(np.log(len(tried)))
-    found = [_weighed(search, stage, listed[a], listed[b], looks) for _, (a, b) in best]
+    found = [_weighed(search, stage, short[a], short[b], looks) for _, (a, b) in best]
     return sorted(found, key=lambda pair: -pair.weight)
 
 
-def _listed(search: Search, ranking: Sequence[Weighed]) -> list[Candidate]:
+def listed(search: Search, ranking: Sequence[Weighed]) -> list[Candidate]:
     """The short list, each look once."""
     ranked = [w.candidate for w in sorted(ranking, key=lambda w: -w.gain)]
     plain: dict[tuple[str, tuple[str, ...]], Candidate] = {}
     for candidate in search.candidates:
         known = plain.get(candidate.cause)
-        if candidate.family.id in FOLLOWING and (known is None or candidate.size < known.size):
+        if candidate.form.channels and (known is None or candidate.size < known.size):
             plain[candidate.cause] = candidate
     first = [plain[c.cause] for c in ranked if c.cause in plain][:SHORT]
     return list({id(c.form): c for c in (*ranked[:SHORT], *first)}.values())
 
 
-def _together(search: Search, stage: Stage, listed: list[Candidate], tried: list[tuple[int, int]]) -> list[float]:
+def _together(search: Search, stage: Stage, short: list[Candidate], tried: list[tuple[int, int]]) -> list[float]:
     """Half the drop of the whitened sum of squares by both, less their prices, for each pair tried."""
     weight = np.repeat(stage.bands.spectra[stage.null.tried], np.diff(stage.bands.edges)) ** -0.5 / stage.null.level
-    columns = [search.moved(c) for c in listed]
+    columns = [search.moved(c) for c in short]
     ends = np.cumsum([0, *(X.shape[2] for X in columns)])
     base, X, y = (_flat(part, weight) for part in (stage.columns, np.concatenate(columns, axis=2), stage.y))
     own = np.maximum(np.sum(X**2, axis=0), 1e-300)
@@ -88,7 +87,7 @@ def _together(search: Search, stage: Stage, listed: list[Candidate], tried: list
         along = vectors.T @ pull[at]
         gain = 0.5 * float(np.sum(along[kept] ** 2 / values[kept]))
         gains.append(
-            gain - search.price(listed[a], ends[a + 1] - ends[a]) - search.price(listed[b], ends[b + 1] - ends[b])
+            gain - search.price(short[a], ends[a + 1] - ends[a]) - search.price(short[b], ends[b + 1] - ends[b])
         )
     return gains
 

@@ -193,8 +193,10 @@ class Search:
         return self.once(("on", rows.tobytes()), (), made)
 
     def unbinned(self) -> Search:
-        """A search on every row of the whole problem, among whatever it is asked about."""
-        return Search(self.whole, [], self.good, self.lowest, self.good)
+        """A search on every row behind these, among whatever it is asked about."""
+        bins = self.problem.bins
+        rows = self.good & (self.rows if bins is None else bins.spread(self.rows))
+        return Search(self.whole, [], rows, self.lowest, self.good)
 
     def without(self, lying: NDArray[np.bool_]) -> Search:
         """The same search without these rows (N,) of the whole problem, and without the bins that hold one."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -14,13 +15,13 @@ from scipy.spatial.transform import Rotation
 from labcal import session
 from labcal.fit.observations import AXIS
 from labcal.geometry import rotate, rotation_vector
-from labcal.loop import close_loop, evidence, working_range
+from labcal.loop import close_loop, decide, evidence, working_range
 from labcal.loop.bins import binned, rows_in_a_bin
 from labcal.loop.close import _as_shipped, prepared
 from labcal.loop.correlation import correlation_s, follows_itself
 from labcal.loop.decide import earned, forward, refined
 from labcal.loop.delays import delays
-from labcal.loop.evidence import search_of, weighed
+from labcal.loop.evidence import decided, search_of, weighed
 from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, held_out, plan
 from labcal.loop.problem import Problem
@@ -112,6 +113,31 @@ def test_a_block_that_hides_the_moment_of_a_step_does_not_count_against_it(start
     assert 0 < hidden <= np.bincount(blocks.block).max() + 2
     assert honest.after < 1.1 * np.sqrt(3) * 20.0 / 1.05  # the readings' own noise
     assert honest.before > 4 * honest.after
+
+
+def test_what_lies_in_a_held_out_fold_moves_no_choice_and_no_proof(started: Started) -> None:
+    """The choice made again without a fold takes its proofs, too, from the other rows alone."""
+    problem = started(lambda rows: 150.0 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5]))
+    blocks = plan(problem, 0.0)
+    spoiled = replace(problem, y=np.where((blocks.fold == 0)[:, None], 1e3, problem.y))
+    parts = [_search(p).on(blocks.training(problem.scene.t_s, 0)) for p in (problem, spoiled)]
+    one, other = (decided(part, LEVEL, blocks.among(part.rows)) for part in parts)
+    assert [c.cause for c in one.accepted] == [("offset-current", ("i_load",))] == [c.cause for c in other.accepted]
+    assert one.steps[0].after == other.steps[0].after
+    assert len(one.steps[0].after_nT) == parts[0].rows.sum()
+
+
+def test_a_newcomer_that_does_not_stand_takes_nothing_with_it(
+    started: Started, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def added(rows: dict[str, np.ndarray]) -> np.ndarray:
+        return (300.0 * rows["i_load"] + 60.0 * (rows["temp"] - 20))[:, None] * np.array([1.0, -0.7, 0.5])
+
+    search = _search(started(added))
+    both = {c.cause for c in forward(search)[0]}
+    assert both == {("offset-current", ("i_load",)), ("offset-temperature", ("temp",))}
+    monkeypatch.setattr(decide, "reexamined", lambda search, accepted: accepted if len(accepted) == 1 else [])
+    assert len(forward(search)[0]) == 1
 
 
 def _levelled_on_a_tilted_platform(rows: dict[str, np.ndarray], segments: list[dict[str, Any]]) -> None:
@@ -273,7 +299,7 @@ def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(
     acts = amps if tau_s is None else low_passed(t, np.zeros(len(t), dtype=np.intp), amps, tau_s)
     search = searching({"i": amps}, {"i": "current"}, np.outer(acts, [80.0, -50.0, 30.0]))
     square = next(c for c in search.candidates if c.family.second_order and bool(c.form.shape) == bool(tau_s))
-    (first,) = evidence._preferred(search, [refined(search, square, [])], ())
+    (first,) = evidence._preferred(search, plan(search.problem, 0.0), [refined(search, square, [])], ())
     assert first.cause == ("offset-current", ("i",))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.loop import decide
+from labcal.loop import decide, pairs
 from labcal.loop.decide import forward
 
 Channels = dict[str, np.ndarray]
@@ -45,6 +45,18 @@ def test_two_loads_that_hide_each_other_are_found_together(
     assert {c.family.id for c in accepted} <= {"offset-current", "offset-current-squared"}
     monkeypatch.setattr(decide, "pairs", lambda *given: [])
     assert forward(search)[0] == []
+
+
+def test_whatever_follows_a_channel_is_paired_in_its_plainest_look(making: ModuleType, searching: Any) -> None:
+    channels, _ = _alike(making.recorded()[0]["t_s"])
+    search = searching(channels, {"i_one": "current", "i_other": "temperature"})
+    listed = pairs.listed(search, search.rank(search.candidates))
+    following = {c.cause for c in search.candidates if c.form.channels}
+    assert {cause for cause, _ in following} > {"offset-current", "offset-current-squared", "gain-temperature"}
+    for cause in following:
+        assert min(c.size for c in search.candidates if c.cause == cause) in {
+            c.size for c in listed if c.cause == cause
+        }
 
 
 def _distracted(t: np.ndarray, seed: int) -> Channels:
