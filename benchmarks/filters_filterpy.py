@@ -38,18 +38,18 @@ def readings() -> tuple[np.ndarray, np.ndarray]:
 
 def predicted(x: np.ndarray, B: np.ndarray) -> np.ndarray:
     """h(x), (24)."""
-    return np.array([scalar_check.regressor(B[None])[0] @ x - scalar_check.bias_square(x)[0]])
+    return np.array([scalar_check.regressors(B[None].T)[:9, 0] @ x - scalar_check.bias_square(x)[0]])
 
 
 def slope(x: np.ndarray, B: np.ndarray) -> np.ndarray:
     """H(x), (26)."""
-    return scalar_check.regressor(B[None]) - scalar_check.bias_square(x)[1]
+    return scalar_check.regressors(B[None].T)[:9].T - scalar_check.bias_square(x)[1]
 
 
 def variance(x: np.ndarray, B: np.ndarray, H: float) -> float:
     """σ²(x), (5b)."""
     return float(
-        scalar_check.noise_variance(scalar_check.regressor(B[None]), np.array([H]), x, SIGMA**2 * np.eye(3))[0]
+        scalar_check.noise_variance(scalar_check.regressors(B[None].T), np.array([H * H]), x, SIGMA**2 * np.eye(3))[0]
     )
 
 

@@ -40,10 +40,10 @@ def estimate(
     passes. Raises ArithmeticError where the readings do not determine nine parameters (unless published).
     """
     unit = float(np.sqrt(np.mean(magnitude**2)))
-    L, magnitude = scalar_check.regressor(reading / unit), magnitude / unit
+    rows, square = scalar_check.regressors(reading.T / unit), (magnitude / unit) ** 2
     c_E = np.zeros(9) if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
     for _ in range(PASSES if near is None else 1):
-        found = moments(L, magnitude, c_E, noise / unit**2, reference_noise / unit)
+        found = moments(rows, square, c_E, noise / unit**2, reference_noise / unit)
         c_E, covariance = solve(found, unbiased=unbiased)
     return scalar_check.from_c_E(c_E, covariance).in_unit(unit)
 
@@ -53,6 +53,7 @@ def solve(found: Moments, *, unbiased: bool = True) -> tuple[Array, Array]:
     if not unbiased:
         covariance = np.linalg.inv(found.information)
         return covariance @ found.projection, np.asarray(covariance)
-    determined(found.information, found.noise_information)
-    back = np.linalg.inv(found.information - found.noise_information)
+    signal = found.information - found.noise_information
+    determined(signal, found.noise_information)
+    back = np.linalg.inv(signal)
     return back @ (found.projection - found.noise_gradient), back @ found.information @ back.T

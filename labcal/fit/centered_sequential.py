@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from labcal.fit import centered, scalar_check
 from labcal.fit.live import Start
-from labcal.fit.moments import Moments, moments, noise_part
+from labcal.fit.moments import Moments, moments, noise_information
 from labcal.fit.result import Fit
 from labcal.fit.scalar_check import Estimate
 from labcal.fit.scalar_run import Scalars, as_fit, noise_scale, scalars
@@ -115,8 +115,8 @@ class CenteredSequential:
             return self._start.settled()[1]
         s = self._state
         information = np.linalg.inv(s.covariance)
-        share = noise_part(s.L, s.variance, self._noise)
-        found = Moments(s.L, s.z, s.variance, np.asarray(information), information @ s.c_E, *share)
+        share = noise_information(s.L, s.variance, self._noise)
+        found = Moments(s.L, s.z, s.variance, np.asarray(information), information @ s.c_E, share)
         c_E, covariance = centered.solve(found)
         free = len(self._start) - 9
         observed = (free + self._surprise) / (free + self._steps)  # over expected, residuals squared
@@ -125,6 +125,6 @@ class CenteredSequential:
     def _begin(self, seen: Scalars, found: Estimate) -> None:
         self._unit = unit = float(np.sqrt(np.mean(seen.magnitude**2)))
         self._noise, self._reference_noise = seen.noise / unit**2, seen.reference_noise / unit
-        at, L = scalar_check.to_c_E(found.bias / unit, found.D), scalar_check.regressor(seen.reading / unit)
-        first = moments(L, seen.magnitude / unit, at, self._noise, self._reference_noise)
+        at, rows = scalar_check.to_c_E(found.bias / unit, found.D), scalar_check.regressors(seen.reading.T / unit)
+        first = moments(rows, (seen.magnitude / unit) ** 2, at, self._noise, self._reference_noise)
         self._state = State.of(first)

@@ -80,12 +80,12 @@ def linear(
     unit = float(np.sqrt(np.mean(magnitude**2)))
     c_E = np.zeros(9) if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
     found = moments(
-        scalar_check.regressor(reading / unit), magnitude / unit, c_E, noise / unit**2, reference_noise / unit
+        scalar_check.regressors(reading.T / unit), (magnitude / unit) ** 2, c_E, noise / unit**2, reference_noise / unit
     )
     information, share = (TRACELESS.T @ part @ TRACELESS for part in (found.information, found.noise_information))
     right = TRACELESS.T @ (found.projection - unbiased * found.noise_gradient)
     if unbiased:
-        determined(information, share)
+        determined(information - share, share)
     back = np.linalg.inv(information - unbiased * share)
     coefficients = np.append(back @ right, found.z)
     spread = np.zeros((9, 9))
@@ -125,7 +125,7 @@ def parameter_uncertainty(found: Estimate) -> SensorAxes:
     """Standard uncertainties of `parameters`, by the derivative of each by b and D."""
 
     def of_theta(theta: Array) -> Array:
-        at = Estimate(theta[:3] * size, scalar_check.unstacked(theta[3:]), found.covariance)
+        at = Estimate(theta[:3] * size, scalar_check.unstacked(theta[3:]), found.spread)
         return np.array(astuple(parameters(at)))
 
     size = max(1.0, float(np.abs(found.bias).max()))

@@ -147,8 +147,8 @@ class LiveFilter:
 def nearly_linear(seen: Scalars, found: Estimate) -> bool:
     """Whether |b − b̂|² is small against the noise of the weighted mean of v, σ̄ of (16)."""
     P = found.covariance[:3, :3]
-    c_E, L = scalar_check.to_c_E(found.bias, found.D), scalar_check.regressor(seen.reading)
-    variance = scalar_check.noise_variance(L, seen.magnitude, c_E, seen.noise, seen.reference_noise)
+    c_E, rows = scalar_check.to_c_E(found.bias, found.D), scalar_check.regressors(seen.reading.T)
+    variance = scalar_check.noise_variance(rows, seen.magnitude**2, c_E, seen.noise, seen.reference_noise)
     return bool(np.sqrt(2 * np.sum(P * P) * np.sum(1 / variance)) < NEGLIGIBLE)
 
 

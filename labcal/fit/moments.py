@@ -8,34 +8,46 @@ times the condition of the problem; set against the information it leaves what t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dpotrf
 
-from labcal.fit.scalar_check import (
-    COLUMN,
-    MISSING,
-    ROW,
-    SYMMETRIC,
-    TWICE,
-    noise_mean,
-    noise_variance,
-    observation,
-    unstacked,
-)
+from labcal.fit.scalar_check import MISSING, PERFECT, SYMMETRIC, noise_mean, noise_variance
 
 Array = NDArray[np.float64]
-UNIT_C = np.eye(9)[:, :3]  # c and E of the nine unit vectors of θ'
-UNIT_M = np.concatenate([np.zeros((3, 3, 3)), SYMMETRIC])
-SIGNAL_OVER_NOISE = 1.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Moments:
-    """Sums weighted by 1/σ².
+def _covariance() -> Array:
+    """Cov((L, 1), (L, 1)) (10, 10) as a map (1000, 9) of (L, 1) and of the noise: the rows' slopes hold B and 1."""
+    slopes = np.zeros((10, 3, 4))  # ∂(L, 1)/∂B = slopes @ (1, B)
+    slopes[:3, :, 0], slopes[3:9, :, 1:] = 2 * np.eye(3), -2 * SYMMETRIC
+    of_rows = np.zeros((4, 4, 10))  # (1, B)(1, B)ᵀ = of_rows @ (L, 1)
+    of_rows[0, 0, 9] = 1.0
+    of_rows[0, 1:, :3] = of_rows[1:, 0, :3] = np.eye(3) / 2
+    of_rows[1:, 1:, 3:9] = -SYMMETRIC.transpose(1, 2, 0) / np.where(np.eye(3), 1, 2)[:, :, None]
+    by_noise = np.einsum("iap,jbq,pqk->ijkab", slopes, slopes, of_rows, optimize=True)
+    return np.asarray(by_noise.reshape(1000, 9))
+
+
+COVARIANCE = _covariance()
+
+
+class Sums(NamedTuple):
+    """Sums over the readings, weighted by 1/σ².
+
+    `products` (10, 10) are those of the rows (L, 1) among themselves, `noise` (10, 10) what the readings' noise adds to
+    them, and `pull` (10,) those of the rows with −|H|² − μ, which v would be if (c, I + E) were nought.
+    """
+
+    products: Array
+    noise: Array
+    pull: Array
+
+
+class Moments(NamedTuple):
+    """The same about the means.
 
     `L` (9,) and `z` (less the noise mean) are the means (15); `variance` is σ̄² (16); `information` (9, 9) and
     `projection` (9,) are the sums of L̃ᵀL̃ and of L̃ᵀ(z̃ − μ̃), (18). The gradient's mean at the truth is
@@ -47,55 +59,58 @@ class Moments:
     variance: float
     information: Array
     projection: Array
-    noise_gradient: Array
     noise_information: Array
 
+    @property
+    def noise_gradient(self) -> Array:
+        """The gradient's mean (9,) at c = 0, E = 0 if that were the truth."""
+        return np.asarray(-self.noise_information @ PERFECT)
 
-def moments(L: Array, magnitude: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Moments:
-    """Moments of regressors (n, 9) and magnitudes (n,), weighted and centred by the noise at `c_E` (9,)."""
-    variance = noise_variance(L, magnitude, c_E, noise, reference_noise)
-    return weighted(L, observation(L, magnitude) - noise_mean(c_E, noise), variance, noise)
+
+def weighted(of_row: Array, rows: Array, square: Array, covariance: Array) -> Sums:
+    """Sums of rows over their variances and of the rows themselves (10, n); `square` (n,) is |H|² + μ.
+
+    `covariance` (100, 10) is that of the rows, as `row_covariance` gives it.
+    """
+    products = of_row.dot(rows.T)
+    return Sums(products, covariance.dot(products[9]).reshape(10, 10), -of_row.dot(square))
 
 
-def weighted(L: Array, z: Array, variance: Array, noise: Array) -> Moments:
-    """Moments of the regressors `L` (n, 9) and observations less their noise mean `z` (n,) at given variances (n,)."""
+def row_covariance(noise: Array) -> Array:
+    """Cov((L, 1), (L, 1)) by the reading's noise (3, 3), as a map (100, 10) of (L, 1), which holds B and BBᵀ."""
+    return np.asarray(COVARIANCE.dot(noise.ravel()).reshape(100, 10))
+
+
+def moments(rows: Array, square: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Moments:
+    """Moments of rows (10, n) and |H|² (n,), weighted and centred by the noise at `c_E` (9,)."""
+    variance = noise_variance(rows, square, c_E, noise, reference_noise)
+    return centred(rows, square + noise_mean(c_E, noise), variance, noise)
+
+
+def centred(rows: Array, square: Array, variance: Array, noise: Array) -> Moments:
+    """Moments of rows (10, n) at given variances (n,); `square` (n,) is |H|² + μ."""
     weight = 1 / variance
     total = float(weight.sum())
-    L_mean, z_mean = L.T @ weight / total, float(weight @ z) / total
-    centred = L.T - L_mean[:, None]
-    of_row = centred * weight
-    at_noise = noise_part(L_mean, 1 / total, noise)
-    return Moments(L_mean, z_mean, 1 / total, of_row @ centred.T, of_row @ (z - z_mean), *at_noise)
+    mean = rows @ weight / total
+    z = -(PERFECT @ rows[:9]) - square  # (3a)
+    z_mean = float(weight @ z) / total
+    about = rows[:9] - mean[:9, None]
+    of_row = about * weight
+    by_noise = noise_information(mean[:9], 1 / total, noise)
+    return Moments(mean[:9], z_mean, 1 / total, of_row @ about.T, of_row @ (z - z_mean), by_noise)
 
 
-def noise_part(L_mean: Array, variance: float, noise: Array) -> tuple[Array, Array]:
-    """`noise_gradient` and `noise_information`; both follow from the mean of L alone, which holds ΣwB and ΣwBBᵀ."""
-    by_sums, by_total = _slopes_of_units()
-    slopes = (by_sums @ np.outer(noise, L_mean).ravel() + by_total @ noise.ravel()).reshape(9, 9) / variance
-    return slopes[3] + slopes[4] + slopes[5], -slopes.T
+def noise_information(L: Array, variance: float, noise: Array) -> Array:
+    """Σ w Cov(L, L) (9, 9) from the mean of L (9,) and 1/Σw."""
+    by_rows = row_covariance(noise) @ np.append(L, 1.0) / variance
+    return np.asarray(by_rows.reshape(10, 10)[:9, :9])
 
 
-@cache
-def _slopes_of_units() -> tuple[Array, Array]:
-    """`_slopes`, linear in the noise (9,) and in the sums (10,): its values (81, 81) and (81, 9) for the unit ones."""
-    each = np.array([[_slopes(S, sums).ravel() for sums in np.eye(10)] for S in np.eye(9).reshape(9, 3, 3)])
-    return np.ascontiguousarray(each[:, :9].reshape(81, 81).T), np.ascontiguousarray(each[:, 9].T)
-
-
-def _slopes(noise: Array, sums: Array) -> Array:
-    """Σ w Cov(L, v) (9, 9), one row a unit of c or of M; `sums` are ΣwL (9), then Σw."""
-    first, second = sums[:3] / 2, unstacked(sums[3:9] / -TWICE)
-    q = 2 * (UNIT_M @ first - UNIT_C * sums[9]) @ noise
-    Bq = 2 * (second @ UNIT_M - first[:, None] * UNIT_C[:, None, :]) @ noise
-    both = Bq + Bq.transpose(0, 2, 1)
-    return np.hstack([2 * q, -TWICE * both[:, ROW, COLUMN]])
-
-
-def determined(information: Array, noise_information: Array) -> None:
-    """Raise ArithmeticError where the information (p, p) on some direction is the noise's rather than the signal's.
+def determined(signal: Array, noise: Array) -> None:
+    """Raise ArithmeticError where the information on some direction is the noise's (p, p) rather than the signal's.
 
     Readings that lie in one plane, or on one sphere for the centred data, still differ by their noise; what that seems
     to tell is taken off, and a direction counts where the signal tells as much again.
     """
-    if dpotrf(information - (1 + SIGNAL_OVER_NOISE) * noise_information)[1]:
+    if dpotrf(signal - noise)[1]:
         raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")

@@ -11,10 +11,13 @@ then a polynomial of θ': Tr Σ = Tr S M and hᵀΣh = uᵀSu.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg.lapack import dsyev
 
 Array = NDArray[np.float64]
 
@@ -23,26 +26,58 @@ MISSING = "turn the sensor about another body axis, or in a field of another mag
 TWICE = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])  # an off-diagonal element stands in a quadratic form twice
 PLACE = np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])  # where a matrix' elements stand among the six
 PERFECT = np.repeat([0.0, 1.0, 0.0], 3)  # c and M = I + E of a perfect sensor
+OF_M = 3 + PLACE  # where M stands in (c, M)
+C_AND_M = np.column_stack([[0, 1, 2], OF_M])  # where c and M stand side by side
+FORM = np.array([1, 2, 3, 5, 10, 15, 6, 7, 11, 0])  # 4 (−1, B)ᵀ Q (−1, B) is these elements of Q
+FACTOR = np.repeat([-4.0, 4.0], [9, 1])  # times these, by (L, 1)
 SYMMETRIC = np.eye(6)[:, PLACE]  # (6, 3, 3): the symmetric matrices of the six unit vectors
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Estimate:
-    """`bias` (3,) in the readings' unit, `D` (3, 3) symmetric, `covariance` (9, 9) of θ = (b, D)."""
+    """`bias` (3,) in the readings' unit and `D` (3, 3) symmetric; `spread` works out the `covariance`."""
 
     bias: Array
     D: Array
-    covariance: Array
+    spread: Callable[[], Array]
+
+    @cached_property
+    def covariance(self) -> Array:
+        """The covariance (9, 9) of θ = (b, D), worked out when first asked for."""
+        return self.spread()
 
     @property
     def theta(self) -> Array:
         """(b, D) as nine numbers, (10)."""
         return np.concatenate([self.bias, stacked(self.D)])
 
+    @property
+    def c_E(self) -> Array:
+        """θ' as nine numbers, (2a) and (2b)."""
+        return to_c_E(self.bias, self.D)
+
     def in_unit(self, unit: float) -> Estimate:
         """The same where one unit of the readings is `unit` of another."""
-        scale = np.repeat([unit, 1.0], [3, 6])
-        return Estimate(self.bias * unit, self.D, self.covariance * np.outer(scale, scale))
+
+        def spread() -> Array:
+            scale = np.repeat([unit, 1.0], [3, 6])
+            return self.covariance * np.outer(scale, scale)
+
+        return Estimate(self.bias * unit, self.D, spread)
+
+    def moved(self, by: Array) -> Estimate:
+        """The same where all readings are larger by `by` (3,)."""
+
+        def spread() -> Array:
+            slope = np.eye(9)
+            slope[:3, 3:] = (SYMMETRIC @ by).T
+            return np.asarray(slope @ self.covariance @ slope.T)
+
+        return Estimate(self.bias + by + self.D.dot(by), self.D, spread)
+
+    def wider(self, factor: float) -> Estimate:
+        """The same with all of its covariance times `factor`."""
+        return Estimate(self.bias, self.D, lambda: self.covariance * factor)
 
 
 def stacked(symmetric: Array) -> Array:
@@ -52,23 +87,18 @@ def stacked(symmetric: Array) -> Array:
 
 def unstacked(six: Array) -> Array:
     """The symmetric matrix (3, 3) of six numbers."""
-    return np.asarray(six[PLACE])
+    return six.take(PLACE)
 
 
-def regressor(reading: Array) -> Array:
-    """L = [2 Bᵀ, −S] (n, 9) for readings (n, 3), (2c) and (4a)."""
-    out = np.empty((9, len(reading)))
-    x, y, z = np.multiply(reading.T, 2, out=out[:3])
-    for row, (a, b) in enumerate(((x, x), (y, y), (z, z), (x, y), (x, z), (y, z)), start=3):
-        np.multiply(a, b, out=out[row])
-    out[3:6] *= -0.25
-    out[6:] *= -0.5
-    return out.T
-
-
-def observation(L: Array, magnitude: Array) -> Array:
-    """Z = |B|² − |H|² (n,), (3a), from the regressors of the readings (n, 9), which hold the squares of B."""
-    return np.asarray(-(L[:, 3] + L[:, 4] + L[:, 5] + magnitude * magnitude))
+def regressors(B: Array) -> Array:
+    """L = [2 Bᵀ, −S], (2c) and (4a), and 1, one below the other (10, n), for readings (3, n)."""
+    out, minus = np.empty((10, B.shape[1])), -B
+    np.add(B, B, out=out[:3])
+    np.multiply(B, minus, out=out[3:6])
+    np.multiply(out[0], minus[1:], out=out[6:8])
+    np.multiply(out[1], minus[2], out=out[8])
+    out[9] = 1.0
+    return out
 
 
 def noise_mean(c_E: Array, noise: Array) -> float:
@@ -76,22 +106,24 @@ def noise_mean(c_E: Array, noise: Array) -> float:
 
     (5a) prints −Tr Σ; by (1) the reading contains the noise, so v = 2 hᵀε + |ε|².
     """
-    return float(np.vdot(noise, unstacked(c_E[3:] + PERFECT[3:])))
+    return float(np.vdot(noise, (c_E + PERFECT).take(OF_M)))
 
 
-def noise_variance(L: Array, magnitude: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Array:
-    """Variance of v (n,), (5b), from the regressors (n, 9), for the covariance `noise` (3, 3) of the reading.
+def noise_variance(rows: Array, square: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Array:
+    """Variance of v (n,), (5b), from the regressors (10, n) and |H|² (n,), for the covariance `noise` (3, 3).
 
     `reference_noise`, the standard deviation of |H|, is not in (5b). The direction of h comes from the reading, its
     length from |H|: weights that share the reading's noise would bias the estimate.
     """
-    c, c_M = c_E[:3], c_E + PERFECT
-    M = unstacked(c_M[3:])
-    MS = M @ noise
-    of_noise = c @ noise @ c - L @ np.concatenate([MS @ c, stacked(MS @ M)])  # uᵀSu
-    of_reading = of_noise / (bias_square(c_E)[0] - L @ c_M)  # over |(I + D) B − b|²
-    of_square = 2 * float(np.vdot(MS, MS.T))
-    return np.asarray(4 * (of_reading + reference_noise**2) * (magnitude * magnitude) + of_square)
+    c_M = c_E + PERFECT
+    K = c_M.take(C_AND_M)  # u = K (−1, B)
+    form = K.T.dot(noise.dot(K))
+    variance = (FACTOR * form.take(FORM)).dot(rows)  # 4 uᵀSu
+    variance /= bias_square(c_E)[0] - c_M.dot(rows[:9])  # over |(I + D) B − b|²
+    variance += 4 * reference_noise**2
+    variance *= square
+    variance += 2 * float(np.vdot(noise, form[1:, 1:]))
+    return np.asarray(variance)
 
 
 def to_c_E(bias: Array, D: Array) -> Array:
@@ -101,11 +133,11 @@ def to_c_E(bias: Array, D: Array) -> Array:
 
 def to_b_D(c_E: Array) -> tuple[Array, Array]:
     """B (3,) and D (3, 3) of θ' (9,), (6) to (9). Raises ArithmeticError where I + E is not positive definite."""
-    values, vectors = np.linalg.eigh(unstacked(c_E[3:] + PERFECT[3:]))
+    values, vectors, _ = dsyev((c_E + PERFECT).take(OF_M))
     if not values[0] > 0:
         raise ArithmeticError(f"I + E is not positive definite, so no real scale factors belong to it: {MISSING}")
     root = np.sqrt(values)
-    return vectors @ (c_E[:3] @ vectors / root), (vectors * (root - 1)) @ vectors.T
+    return vectors.dot(c_E[:3].dot(vectors) / root), (vectors * (root - 1)).dot(vectors.T)
 
 
 def jacobian(bias: Array, D: Array) -> Array:
@@ -123,9 +155,18 @@ def jacobian(bias: Array, D: Array) -> Array:
 
 def from_c_E(c_E: Array, covariance: Array) -> Estimate:
     """θ and its covariance from θ' and its covariance (9, 9), (6) to (11). Raises ArithmeticError as `to_b_D` does."""
+    return lazily(c_E, lambda: covariance)
+
+
+def lazily(c_E: Array, covariance: Callable[[], Array]) -> Estimate:
+    """The same where the covariance of θ' has still to be worked out, if anybody asks."""
     bias, D = to_b_D(c_E)
-    back = np.linalg.inv(jacobian(bias, D))
-    return Estimate(bias, D, back @ covariance @ back.T)
+
+    def carried() -> Array:
+        back = np.linalg.inv(jacobian(bias, D))
+        return np.asarray(back @ covariance() @ back.T)
+
+    return Estimate(bias, D, carried)
 
 
 def bias_square(c_E: Array) -> tuple[float, Array]:

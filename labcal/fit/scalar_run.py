@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -99,7 +99,7 @@ def as_fit(run: Run, method: str, seen: Scalars, found: Estimate, *, widened: bo
     slope, gain = to_contract(run.dut.nominal_nT_per_unit), run.dut.nominal_nT_per_unit
     if not widened:
         wider = variance_inflation(residual(seen, found)[:, None], run.segment_index[usable(run)])
-        found = replace(found, covariance=found.covariance * wider)
+        found = found.wider(wider)
     uncertain = worst_uncertainty(found, float(seen.magnitude.max()))
     if uncertain > LARGEST_U * seen.magnitude.max():
         return Fit(method, ok=False, why_not=f"the field would be uncertain by {uncertain:.0f} nT: {MISSING}")
@@ -126,8 +126,8 @@ def to_contract(gain: float) -> Array:
 
 def residual(seen: Scalars, found: Estimate) -> Array:
     """The residual of (3b) over its standard deviation (n,)."""
-    c_E, L = scalar_check.to_c_E(found.bias, found.D), scalar_check.regressor(seen.reading)
-    variance = scalar_check.noise_variance(L, seen.magnitude, c_E, seen.noise, seen.reference_noise)
+    c_E, rows = scalar_check.to_c_E(found.bias, found.D), scalar_check.regressors(seen.reading.T)
+    variance = scalar_check.noise_variance(rows, seen.magnitude**2, c_E, seen.noise, seen.reference_noise)
     field = seen.reading + seen.reading @ found.D - found.bias
     v = np.einsum("ij,ij->i", field, field) - seen.magnitude**2 - scalar_check.noise_mean(c_E, seen.noise)
     return np.asarray(v / np.sqrt(variance))

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.fit import scalar_check, twostep
 from labcal.fit.correlation import variance_inflation
-from labcal.fit.moments import determined, moments
+from labcal.fit.moments import determined, row_covariance, weighted
 from labcal.fit.result import Fit
 from labcal.fit.scalar_check import COLUMN, MISSING, ROW, TWICE, Estimate
 from labcal.fit.scalar_run import ROUNDS, Scalars, as_fit, scalars, usable
@@ -61,7 +61,7 @@ def telemetry(run: Run, *, channels: Sequence[str] | None = None) -> Fit:
         return Fit("telemetry", ok=False, why_not=str(error))
     wider = variance_inflation(residual(seen, current, found)[:, None], run.segment_index[rows])
     widened = found.covariance * wider
-    fitted = as_fit(run, "telemetry", seen, replace(found.affine, covariance=widened[:9, :9]), widened=True)
+    fitted = as_fit(run, "telemetry", seen, replace(found.affine, spread=lambda: widened[:9, :9]), widened=True)
     u = np.sqrt(np.diag(widened)[9:]).reshape(-1, 3)
     return replace(fitted, effects=tuple(map(record, chosen, zero.values(), found.e, u))) if fitted.ok else fitted
 
@@ -135,7 +135,7 @@ def estimate(
         q = np.concatenate([near.affine.theta, near.e.ravel()]) / to_unit
     q, covariance = descend(rows, q, unbiased=unbiased)
     q, covariance = q * to_unit, covariance * np.outer(to_unit, to_unit)
-    affine = Estimate(q[:3], scalar_check.unstacked(q[3:9]), covariance[:9, :9])
+    affine = Estimate(q[:3], scalar_check.unstacked(q[3:9]), lambda: covariance[:9, :9])
     return TelemetryEstimate(affine, q[9:].reshape(-1, 3), covariance)
 
 
@@ -185,8 +185,12 @@ def symmetric(a: Array, b: Array) -> Array:
 def first_guess(rows: Rows) -> Array:
     """B and D (9,) without the currents: where TWOSTEP starts, or a perfect sensor."""
     try:
-        L = scalar_check.regressor(rows.reading)
-        c_E = twostep.start(moments(L, rows.magnitude, np.zeros(9), rows.noise, rows.reference_noise))
+        L = scalar_check.regressors(rows.reading.T)
+        perfect, square = np.zeros(9), rows.magnitude**2
+        variance = scalar_check.noise_variance(L, square, perfect, rows.noise, rows.reference_noise)
+        mean = scalar_check.noise_mean(perfect, rows.noise)
+        found = weighted(L / variance, L, square + mean, row_covariance(rows.noise))
+        c_E = twostep.start(found, perfect[:3])
         bias, D = scalar_check.to_b_D(c_E)
     except (ArithmeticError, np.linalg.LinAlgError):
         return np.zeros(9)
@@ -217,7 +221,7 @@ def descend(rows: Rows, q: Array, *, unbiased: bool) -> tuple[Array, Array]:
         before, loss, q, damping = q, now, q + step, damping / 10
         if np.abs(step).max() < SETTLED:
             if unbiased:
-                determined(information, share)
+                determined(information - share, share)
             back = np.linalg.inv(information - share)
             return q, back @ information @ back.T
     raise ArithmeticError(f"Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {MISSING}")

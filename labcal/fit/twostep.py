@@ -1,7 +1,9 @@
 """`twostep`: the centred estimate, then Gauss-Newton with the centre term (Alonso & Shuster's TWOSTEP).
 
-As Crassidis, Lai & Harman 2003 use it below (22): the loss of (3b) is the sum of the centred loss, which is quadratic,
-and of one term for the means, (z̄ − μ̄ − L̄ θ' + |b|²)² / σ̄². A step costs the same however long the run is.
+As Crassidis, Lai & Harman 2003 use it below (22). Of (3), with M = I + E, only |b|² is not linear in the parameters:
+v = |b|² − |H|² − L (c, M), and by (27) |b|² = ∂|b|²/∂(c, M) (c, M). A step is therefore linear least squares with the
+regressors L − ∂|b|²/∂(c, M), of whose sums the centred loss and the term of the means are two parts, and costs the same
+however long the run is.
 """
 
 from __future__ import annotations
@@ -10,19 +12,20 @@ from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg.lapack import dgesv
+from scipy.linalg.lapack import dgesv, dgetrs
 
 from labcal.fit import scalar_check
-from labcal.fit.moments import Moments, determined, moments, weighted
+from labcal.fit.moments import Sums, determined, row_covariance, weighted
 from labcal.fit.result import Fit
-from labcal.fit.scalar_check import MISSING, Estimate
+from labcal.fit.scalar_check import MISSING, PERFECT, Estimate
 from labcal.fit.scalar_run import fit_scalar
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-STEPS, ROUGH, SETTLED = 50, 1.0, 1e-5  # steps; their size at the end, in standard uncertainties
+STEPS, ROUGH, SETTLED = 50, 1e-2, 1e-5  # steps; their size at the end, in standard uncertainties
 ROUNDING = 1e-10  # of a step, where the field's magnitude is one
 RIDGE = 10.0  # of the start, in units of what the noise alone seems to tell
+EYE, NINE_OF_TEN = np.eye(3), np.eye(10, 9)
 
 
 def twostep(run: Run) -> Fit:
@@ -43,60 +46,63 @@ def estimate(
 
     Raises ArithmeticError where the iteration finds no minimum.
     """
-    unit = sqrt(magnitude @ magnitude / len(magnitude))
-    L, magnitude = scalar_check.regressor(reading / unit), magnitude / unit
+    unit = sqrt(magnitude.dot(magnitude) / len(magnitude))
+    B, square = np.ascontiguousarray(reading.T) / unit, (magnitude / unit) ** 2
     noise, reference_noise = noise / unit**2, reference_noise / unit
-    c_E = rough(L, magnitude, noise) if near is None else scalar_check.to_c_E(near.bias / unit, near.D)
-    found = moments(L, magnitude, c_E, noise, reference_noise)  # the weights depend on the parameters, (5b)
-    c_E = descend(found, c_E, unbiased=unbiased)
-    return scalar_check.from_c_E(c_E, covariance(found, c_E, unbiased=unbiased)).in_unit(unit)
+    centre = np.add.reduce(B, axis=1) / len(square)
+    B -= centre[:, None]  # products of readings far from nought would lose digits
+    rows, covariance = scalar_check.regressors(B), row_covariance(noise)
+    c_E = rough(rows, square, covariance, noise, -centre) if near is None else near.in_unit(1 / unit).moved(-centre).c_E
+    of_row = rows / scalar_check.noise_variance(rows, square, c_E, noise, reference_noise)  # (5b), by the parameters
+    found = weighted(of_row, rows, square + scalar_check.noise_mean(c_E, noise), covariance)
+    share = found.noise if unbiased else np.zeros((10, 10))
+    c_E, signal = descend(found, c_E, share)
+    if unbiased:
+        determined(signal, share[:9, :9])
+    return scalar_check.lazily(c_E, lambda: sandwich(signal, share[:9, :9])).moved(centre).in_unit(unit)
 
 
-def rough(L: Array, magnitude: Array, noise: Array) -> Array:
-    """(c, E) (9,) near enough to weigh the rows by: a few steps with all weights alike."""
-    z = scalar_check.observation(L, magnitude) - scalar_check.noise_mean(np.zeros(9), noise)
-    alike = weighted(L, z, np.full(len(L), 4 * np.trace(noise) / 3), noise)
-    return descend(alike, start(alike), settled=ROUGH)
+def rough(rows: Array, square: Array, covariance: Array, noise: Array, bias: Array) -> Array:
+    """(c, E) (9,) near enough to weigh the rows by: the estimate with all weights alike, from about `bias` (3,)."""
+    mean = float(np.vdot(noise, EYE))
+    alike = weighted(rows, rows, square + mean, covariance)
+    return descend(alike, start(alike, bias), alike.noise, settled=ROUGH * sqrt(4 * mean / 3))[0]
 
 
-def start(found: Moments) -> Array:
-    """The centred estimate (9,), held near a perfect sensor in what the centred data do not determine."""
-    return np.asarray(np.linalg.solve(found.information + RIDGE * found.noise_information, found.projection))
+def start(found: Sums, bias: Array) -> Array:
+    """The centred estimate (9,), held near D = 0 and a `bias` (3,) in what the centred data do not determine.
 
-
-def descend(found: Moments, c_E: Array, *, unbiased: bool = True, settled: float = SETTLED) -> Array:
-    """(c, E) (9,) at the minimum of the full loss, from moments alone; the last step is `settled` uncertainties long.
-
-    Raises ArithmeticError where the iteration does not settle.
+    |b|² is a tenth parameter here, which is the same as subtracting the means, (17).
     """
-    projection, centred = less_noise(found, unbiased=unbiased)
+    ridge, perfect = RIDGE * found.noise, PERFECT.copy()
+    perfect[:3] = bias
+    *_, free, singular = dgesv(found.products + ridge, found.pull + ridge[:, :9].dot(perfect))
+    if singular:
+        raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")
+    return np.asarray(free[:9] - PERFECT)
+
+
+def descend(found: Sums, c_E: Array, share: Array, *, settled: float = SETTLED) -> tuple[Array, Array]:
+    """(c, E) (9,) at the minimum of the full loss and its curvature (9, 9), the noise's `share` (10, 10) taken off.
+
+    `settled` is the size of the last step in uncertainties. Raises ArithmeticError where the iteration does not settle.
+    """
+    signal, slopes = found.products - share, NINE_OF_TEN.copy()
+    slopes[9] = -scalar_check.bias_square(c_E)[1]
     for _ in range(STEPS):
-        square, slope = scalar_check.bias_square(c_E)
-        row = found.L - slope
-        off_centre = (found.z - float(found.L @ c_E) + square) / found.variance
-        curvature = centred + (row / found.variance)[:, None] * row
-        *_, step, singular = dgesv(curvature, projection - centred @ c_E + off_centre * row)
+        curvature = slopes.T.dot(signal).dot(slopes)
+        factors, pivots, c_M, singular = dgesv(curvature, slopes.T.dot(found.pull))
         if singular:
             break
-        c_E = c_E + step
-        if abs(step @ curvature @ step) < settled**2 or np.abs(step).max() < ROUNDING:
-            return c_E
+        slopes[9] = -scalar_check.bias_square(c_M - PERFECT)[1]
+        gradient = slopes.T.dot(found.pull - signal.dot(slopes.dot(c_M)))
+        step, _ = dgetrs(factors, pivots, gradient)
+        if abs(gradient.dot(step)) < settled**2 or np.abs(step).max() < ROUNDING:
+            return c_M + step - PERFECT, curvature
     raise ArithmeticError(f"Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {MISSING}")
 
 
-def less_noise(found: Moments, *, unbiased: bool) -> tuple[Array, Array]:
-    """The projection (9,) and the information (9, 9) of the centred data, the noise's share taken off."""
-    if not unbiased:
-        return found.projection, found.information
-    return found.projection - found.noise_gradient, found.information - found.noise_information
-
-
-def covariance(found: Moments, c_E: Array, *, unbiased: bool = True) -> Array:
-    """The covariance (9, 9) of (c, E) at the minimum. Raises ArithmeticError where the noise seems to determine it."""
-    row = found.L - scalar_check.bias_square(c_E)[1]
-    information = found.information + np.outer(row, row) / found.variance
-    if not unbiased:
-        return np.asarray(np.linalg.inv(information))
-    determined(information, found.noise_information)
-    back = np.linalg.inv(information - found.noise_information)
-    return back @ information @ back.T
+def sandwich(signal: Array, share: Array) -> Array:
+    """The covariance (9, 9) of (c, E) at the minimum, from the `signal`'s information and the noise's share of it."""
+    back = np.linalg.inv(signal)
+    return np.asarray(back @ (signal + share) @ back.T)

@@ -28,7 +28,7 @@ def test_the_parameters_are_those_of_the_sensor_model():
     T = sensor_matrix(p)
     values, vectors = np.linalg.eigh(np.linalg.inv(T @ T.T))
     K = vectors * np.sqrt(values) @ vectors.T
-    found = foster_elkaim.parameters(Estimate(K @ o, K - np.eye(3), np.eye(9)))
+    found = foster_elkaim.parameters(Estimate(K @ o, K - np.eye(3), lambda: np.eye(9)))
     np.testing.assert_allclose([found.a, found.b, found.c, found.rho, found.phi, found.lam], p, rtol=1e-9)
     np.testing.assert_allclose([found.x0, found.y0, found.z0], o, rtol=1e-9)
 
@@ -37,7 +37,7 @@ def test_parameter_uncertainty_agrees_with_samples():
     run = lab.run_of(lab.tumbling(1), 1)
     found = twostep.estimate(run.reading, run.reference_magnitude, NOISE)
     draws = np.random.default_rng(0).multivariate_normal(found.theta, found.covariance, 2000)
-    values = [foster_elkaim.parameters(Estimate(d[:3], scalar_check.unstacked(d[3:]), found.covariance)) for d in draws]
+    values = [foster_elkaim.parameters(Estimate(d[:3], scalar_check.unstacked(d[3:]), found.spread)) for d in draws]
     u = foster_elkaim.parameter_uncertainty(found)
     for name in ("a", "b", "c", "x0", "y0", "z0", "rho", "phi", "lam"):
         assert np.std([getattr(v, name) for v in values]) == pytest.approx(getattr(u, name), rel=0.08), name

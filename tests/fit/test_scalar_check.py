@@ -6,7 +6,7 @@ import pytest
 from scipy.signal import lfilter
 
 from labcal.fit import centered, fit, scalar_check, twostep
-from labcal.fit.moments import weighted
+from labcal.fit.moments import centred
 
 B, D = np.array([0.1, -0.06, 0.12]), np.array([[0.05, 0.03, -0.04], [0.03, 0.1, 0.02], [-0.04, 0.02, -0.03]])
 TRUTH = np.concatenate([lab.BIAS, scalar_check.stacked(lab.D)])
@@ -56,10 +56,10 @@ def test_noise_mean_and_variance_agree_with_samples():
     c_E = scalar_check.to_c_E(B, D)
     reading = np.linalg.solve(np.eye(3) + D, field + B) + random.multivariate_normal(np.zeros(3), S, 200_000)
     magnitude = np.full(len(reading), np.linalg.norm(field))
-    L = scalar_check.regressor(reading)
-    v = scalar_check.observation(L, magnitude) - L @ c_E + B @ B
+    rows = scalar_check.regressors(reading.T)
+    v = np.sum(reading**2, axis=1) - magnitude**2 - c_E @ rows[:9] + B @ B
     assert v.mean() == pytest.approx(scalar_check.noise_mean(c_E, S), abs=5 * v.std() / np.sqrt(len(v)))
-    assert v.var() == pytest.approx(scalar_check.noise_variance(L, magnitude, c_E, S).mean(), rel=0.02)
+    assert v.var() == pytest.approx(scalar_check.noise_variance(rows, magnitude**2, c_E, S).mean(), rel=0.02)
 
 
 def test_what_the_noise_adds_to_the_gradient_and_the_information_agrees_with_samples():
@@ -67,11 +67,11 @@ def test_what_the_noise_adds_to_the_gradient_and_the_information_agrees_with_sam
     S, c_E = 0.02**2 * np.eye(3), scalar_check.to_c_E(B, D)
     exact = np.linalg.solve(np.eye(3) + D, (clean + B).T).T
     magnitude = np.linalg.norm(clean, axis=1)
-    variance = scalar_check.noise_variance(scalar_check.regressor(exact), magnitude, c_E, S)
+    variance = scalar_check.noise_variance(scalar_check.regressors(exact.T), magnitude**2, c_E, S)
 
     def sums(reading):
-        L = scalar_check.regressor(reading)
-        return weighted(L, scalar_check.observation(L, magnitude) - scalar_check.noise_mean(c_E, S), variance, S)
+        rows = scalar_check.regressors(reading.T)
+        return centred(rows, magnitude**2 + scalar_check.noise_mean(c_E, S), variance, S)
 
     bare = sums(exact)
     gradients, informations = [], []
@@ -139,6 +139,20 @@ def test_the_answer_turns_and_scales_with_the_data(module):
     np.testing.assert_allclose(turned.D, R @ plain.D @ R.T, atol=1e-10)
     np.testing.assert_allclose(scaled.bias, plain.bias * 1e-3, rtol=1e-7)
     np.testing.assert_allclose(scaled.D, plain.D, atol=1e-10)
+
+
+@pytest.mark.parametrize("times", [1, 30])
+def test_the_answer_moves_with_the_readings_however_far(times):
+    run, S, by = (
+        lab.run_of(lab.circles([0, 1, 2], [2e4, 4e4]), 3),
+        25.0**2 * np.eye(3),
+        times * np.array([3e4, -2e4, 1e4]),
+    )
+    plain = twostep.estimate(run.reading, run.reference_magnitude, S).moved(by)
+    found = twostep.estimate(run.reading + by, run.reference_magnitude, S)
+    u = np.sqrt(np.diag(plain.covariance))
+    np.testing.assert_allclose((found.theta - plain.theta) / u, 0, atol=1e-6)
+    np.testing.assert_allclose((found.covariance - plain.covariance) / np.outer(u, u), 0, atol=1e-6)
 
 
 def test_counts_give_the_map_in_nanotesla_per_count():

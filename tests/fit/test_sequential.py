@@ -5,7 +5,7 @@ import pytest
 from labcal.fit import fit, scalar_check, twostep
 from labcal.fit.centered_sequential import State, advance
 from labcal.fit.ekf import EKF, slope
-from labcal.fit.moments import moments, weighted
+from labcal.fit.moments import centred, moments
 from labcal.fit.scalar_step import shared_gradient, terms
 from labcal.fit.ukf import UKF, AugmentedUKF
 
@@ -18,13 +18,13 @@ def test_the_recursion_equals_the_batch_on_the_same_weights():
     run = lab.run_of(lab.tumbling(1), 1)
     B, H = run.reading / 4e4, run.reference_magnitude / 4e4
     S, c_E = NOISE / 4e4**2, scalar_check.to_c_E(lab.BIAS / 4e4, lab.D)
-    L = scalar_check.regressor(B)
-    z = scalar_check.observation(L, H) - scalar_check.noise_mean(c_E, S)
-    variance = scalar_check.noise_variance(L, H, c_E, S) * np.random.default_rng(3).uniform(0.2, 5, len(B))
-    state = State.of(weighted(L[:60], z[:60], variance[:60], S))
+    rows, square = scalar_check.regressors(B.T), H**2 + scalar_check.noise_mean(c_E, S)
+    L, z = rows[:9].T, np.sum(B**2, axis=1) - square
+    variance = scalar_check.noise_variance(rows, H**2, c_E, S) * np.random.default_rng(3).uniform(0.2, 5, len(B))
+    state = State.of(centred(rows[:, :60], square[:60], variance[:60], S))
     for row in range(60, len(B)):
         state, _ = advance(state, L[row], z[row], variance[row])
-    batch = State.of(weighted(L, z, variance, S))
+    batch = State.of(centred(rows, square, variance, S))
     np.testing.assert_allclose(state.c_E, batch.c_E, rtol=1e-9, atol=1e-9 * np.abs(batch.c_E).max())
     largest = np.abs(batch.covariance).max()
     np.testing.assert_allclose(state.covariance, batch.covariance, rtol=1e-9, atol=1e-9 * largest)
@@ -39,13 +39,13 @@ def test_terms_of_one_reading_are_those_of_the_batch_formulas():
     c_E = scalar_check.to_c_E(lab.BIAS / 4e4, lab.D)
     at = terms(c_E, B[0], H[0], S, 2e-4)
     square, gradient = scalar_check.bias_square(c_E)
-    L = scalar_check.regressor(B[:1])[0]
-    z = scalar_check.observation(L[None], H[:1])[0]
+    rows = scalar_check.regressors(B[:1].T)
+    L, z = rows[:9, 0], B[0] @ B[0] - H[0] ** 2
     assert at.innovation == pytest.approx(z - L @ c_E + square - scalar_check.noise_mean(c_E, S), abs=1e-14)
-    assert at.variance == pytest.approx(scalar_check.noise_variance(L[None], H[:1], c_E, S, 2e-4)[0], rel=1e-5)
+    assert at.variance == pytest.approx(scalar_check.noise_variance(rows, H[:1] ** 2, c_E, S, 2e-4)[0], rel=1e-5)
     np.testing.assert_allclose(slope(at), L - gradient, atol=1e-15)
     np.testing.assert_allclose(at.regressor, L, atol=1e-15)
-    one = moments(L[None], H[:1], c_E, S, 2e-4)
+    one = moments(rows, H[:1] ** 2, c_E, S, 2e-4)
     expected = (one.noise_gradient - one.noise_information @ c_E) * one.variance
     np.testing.assert_allclose(shared_gradient(at), expected, atol=1e-18)
 

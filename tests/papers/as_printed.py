@@ -36,8 +36,8 @@ def run(
 ) -> tuple[Array, Array]:
     """Final state and covariance after all readings (n, 3) and magnitudes (n,) [mG], Σ = sigma² I."""
     x, P = start(carried=carried)
-    L = scalar_check.regressor(reading)
-    z = scalar_check.observation(L, magnitude)
+    L = scalar_check.regressors(reading.T)[:9].T
+    z = np.sum(reading**2, axis=1) - magnitude**2
     mean = 3 * sigma**2 if carried else 0.0
     for row, seen in zip(L, z - mean, strict=True):
         predicted, cross, variance = (by_sigma_points if unscented else by_slope)(x, P, row)

@@ -41,7 +41,7 @@ def test_errors_are_as_large_as_their_uncertainties_over_thirty_seeds(sensor):
 def test_the_simulated_sensor_has_the_printed_parameters():
     T, offset = springmann.sensor_matrix(SENSORS[0])
     K = np.linalg.inv(symmetric_root(T))
-    axes = foster_elkaim.parameters(Estimate(K @ offset, K - np.eye(3), np.eye(9)))
+    axes = foster_elkaim.parameters(Estimate(K @ offset, K - np.eye(3), lambda: np.eye(9)))
     np.testing.assert_allclose(
         springmann.in_paper_units(axes)[[0, 1, 2, 6, 7, 8]], np.array(SENSORS[0].printed)[[0, 1, 2, 6, 7, 8]]
     )
