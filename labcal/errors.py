@@ -31,7 +31,10 @@ class InstrumentError(RuntimeError):
 
 
 class LimitError(InstrumentError):
-    """A set-point beyond a limit was refused; nothing was sent. The message carries both numbers."""
+    """A set-point beyond a limit was refused; nothing was sent. The message carries both numbers.
+
+    No instrument failed: what was asked for is wrong (exit 2).
+    """
 
 
 class LimitNotMet(Exception):

@@ -11,7 +11,7 @@ from typing import Any, cast
 import typer
 from typer.core import TyperGroup
 
-from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
+from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
 
@@ -66,10 +66,10 @@ def _run(arguments: list[str]) -> int:
         return _say("stopped", STOPPED)
     except LimitNotMet as error:
         return _say(str(error), NEGATIVE)
+    except (InputError, LimitError) as error:
+        return _say(str(error), WRONG_INPUT)
     except InstrumentError as error:
         return _say(str(error), INSTRUMENT_FAILED)
-    except InputError as error:
-        return _say(str(error), WRONG_INPUT)
     except UnicodeError as error:
         return _say(f"a text here is no UTF-8 ({error.reason if hasattr(error, 'reason') else error})", WRONG_INPUT)
     except OSError as error:

@@ -206,12 +206,15 @@ def test_a_late_reply_over_modbus_tcp_is_known_by_its_number() -> None:
 
 
 @pytest.mark.parametrize(("options", "waited_s"), [("", 0.6), ("?timeout_ms=50", 0.05)])
-def test_how_long_a_modbus_reply_is_waited_for_is_the_links(options: str, waited_s: float) -> None:
+def test_how_long_a_modbus_reply_is_waited_for_is_the_links(
+    options: str, waited_s: float, caplog: pytest.LogCaptureFixture
+) -> None:
     clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
     link = modbus_link(EmulatedLink(f"emulated://nobody{options}", Nobody(), clock), clock)
     with pytest.raises(InstrumentError):
         link.read_holding(1, 0, 1)
     assert clock.now() == pytest.approx(waited_s + 0.5, abs=0.01)  # and half a second of quiet
+    assert not caplog.records  # pymodbus would say it on stderr once more
     with pytest.raises(InputError, match="timeout_ms=soon"):
         modbus_link(EmulatedLink("emulated://nobody?timeout_ms=soon", Nobody(), clock), clock)
 

@@ -19,7 +19,7 @@ def commands_registered(capsys):
     [
         (InputError("is no bundle", file="run.zip", line=3, column="dut_x"), 2, "run.zip, line 3, column dut_x: is no"),
         (InstrumentError("supply x is silent.", remedy="Check its plug."), 3, "supply x is silent. Check its plug."),
-        (LimitError("3 A is beyond 2 A"), 3, "3 A is beyond 2 A"),
+        (LimitError("3 A is beyond 2 A"), 2, "3 A is beyond 2 A"),
         (Stopped("by the operator"), 130, "stopped"),
         (KeyboardInterrupt(), 130, "stopped"),
         (FileNotFoundError(2, "No such file or directory", "nowhere.csv"), 2, "nowhere.csv: No such file"),

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from short_preflight import SHORT
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
@@ -22,15 +23,6 @@ from labcal.runner.drive import Drive
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
-SHORT = {
-    "axes": "z",
-    "modes": "nominal",
-    "magnitudes_nT": "20000",
-    "reverse": "no",
-    "rate_deg_per_s": "20",
-    "zero_s": "3",
-    "dwell_s": "1",
-}
 STEPS = ("zero", "axes-check", "sync-check", "mount-z", "z+20uT-nominal", "closure-z", "closing")
 
 
@@ -45,7 +37,7 @@ class Lab:
             outcome = run_procedure(
                 self.bench,
                 find("preflight"),
-                SHORT,
+                SHORT | {"zero_s": "3"},
                 store=store,
                 answer=yes_to_all(True),
                 control=self.control,

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from short_preflight import SHORT
 
 from labcal import session
 from labcal.home import home
@@ -17,15 +18,7 @@ from labcal.record.stream import Item, Prompt, Step
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
-SHORT = {
-    "axes": "z",
-    "modes": "nominal",
-    "magnitudes_nT": "20000",
-    "reverse": "no",
-    "rate_deg_per_s": "20",
-    "zero_s": "2",
-    "dwell_s": "0.5",
-}
+BRIEF = SHORT | {"dwell_s": "0.5"}
 CHILDREN = multiprocessing.get_context("forkserver")
 CHILDREN.set_forkserver_preload(["labcal.session", "procedures.preflight", "labcal.twin"])
 
@@ -46,7 +39,7 @@ def killed_after(bench: Path, seconds: float) -> int:
     """Start a preflight, kill it so long after its first committed row; returns the rows seen just before."""
     store = home() / "store.sqlite"
     child = CHILDREN.Process(
-        target=session.run, args=("preflight", bench, SHORT), kwargs={"run_id": "R", "seed": 2, "store": store}
+        target=session.run, args=("preflight", bench, BRIEF), kwargs={"run_id": "R", "seed": 2, "store": store}
     )
     child.start()
     while not (seen := committed()) and child.is_alive():

@@ -10,6 +10,7 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
+from short_preflight import SHORT
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
@@ -20,15 +21,6 @@ from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
 from labcal.store import Store, database, writer
 
 BenchFile = Callable[..., Path]
-SHORT = {
-    "axes": "z",
-    "modes": "nominal",
-    "magnitudes_nT": "20000",
-    "reverse": "no",
-    "rate_deg_per_s": "20",
-    "zero_s": "3",
-    "dwell_s": "1",
-}
 
 
 class JumpingClock(VirtualClock):
@@ -53,7 +45,14 @@ def opened(bench_file: BenchFile, clock: VirtualClock | None = None) -> Iterator
 def preflight(bench: Bench, tell: Callable[[Item], None] = lambda item: None, **more: Control) -> Outcome:
     with Store.open() as store:
         return run_procedure(
-            bench, find("preflight"), SHORT, store=store, answer=yes_to_all(True), tell=tell, run_id="R", **more
+            bench,
+            find("preflight"),
+            SHORT | {"zero_s": "3"},
+            store=store,
+            answer=yes_to_all(True),
+            tell=tell,
+            run_id="R",
+            **more,
         )
 
 

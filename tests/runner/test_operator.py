@@ -14,6 +14,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
+from short_preflight import SHORT
 
 from labcal import session
 from labcal.bench import open_bench
@@ -24,15 +25,7 @@ from labcal.runner import Control, Outcome, find, run_procedure
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
-SHORT = {
-    "axes": "z",
-    "modes": "nominal",
-    "magnitudes_nT": "20000,30000",
-    "reverse": "no",
-    "rate_deg_per_s": "20",
-    "zero_s": "2",
-    "dwell_s": "1",
-}
+TWO_FIELDS = SHORT | {"magnitudes_nT": "20000,30000"}
 
 
 def with_a_stuck_stage(bench: Path, said: dict[str, str]) -> tuple[Outcome, list[Item]]:
@@ -58,7 +51,7 @@ def with_a_stuck_stage(bench: Path, said: dict[str, str]) -> tuple[Outcome, list
             return said.get(prompt.key, prompt.choices[0] if prompt.choices else "")
 
         lab.platform.move_to = sticking
-        outcome = run_procedure(lab, find("preflight"), SHORT, store=store, answer=answer, tell=tell, run_id="R")
+        outcome = run_procedure(lab, find("preflight"), TWO_FIELDS, store=store, answer=answer, tell=tell, run_id="R")
         return outcome, list(store.items("R"))
 
 
@@ -112,7 +105,7 @@ def perhaps(prompt: Prompt) -> str:
 
 
 def test_only_the_same_run_is_resumed(bench_file: BenchFile) -> None:
-    begun = session.run("preflight", bench_file(), SHORT, answer=perhaps, seed=2)
+    begun = session.run("preflight", bench_file(), TWO_FIELDS, answer=perhaps, seed=2)
     with Store.open() as store:
         for run_id, changed in {"R": {}, "other-text": {"source_sha256": "00"}}.items():
             store.begin(replace(store.header(begun.run_id), run_id=run_id, **changed)).finish("interrupted")
@@ -172,7 +165,7 @@ def break_off(bench: Path, at: str) -> float:
         if isinstance(item, Step) and item.name == at:
             control.stop()
 
-    outcome = session.run("preflight", bench, SHORT, seed=2, control=control, tell=tell)
+    outcome = session.run("preflight", bench, TWO_FIELDS, seed=2, control=control, tell=tell)
     last = next(i for i in seen if isinstance(i, Step) and i.name == at)
     with Store.open() as store:
         writer = store.begin(replace(store.header(outcome.run_id), run_id="R"))

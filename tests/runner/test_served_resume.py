@@ -13,12 +13,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from short_preflight import SHORT
 
 from labcal.record.stream import Step
 from labcal.store import Store
 
 LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
-SHORT = ("axes=z", "modes=nominal", "magnitudes_nT=20000", "reverse=no", "rate_deg_per_s=20", "zero_s=2", "dwell_s=1")
 STEPS = ("zero", "axes-check", "sync-check", "mount-z", "z+20uT-nominal", "closure-z", "closing")
 
 
@@ -83,7 +83,8 @@ def test_a_run_on_real_lines_that_was_killed_is_resumed_to_its_end(bench_file: C
 
     with served(bench_file()) as bench:
         where = ["--bench", str(bench)]
-        code, _, told = Technician(kill).run("preflight", *where, *(w for s in SHORT for w in ("--set", s)))
+        chosen = [word for key, value in SHORT.items() for word in ("--set", f"{key}={value}")]
+        code, _, told = Technician(kill).run("preflight", *where, *chosen)
         assert code == -9, told
         with Store.open() as store:
             (run,) = store.runs()
