@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 
 DUT = ("dut_x", "dut_y", "dut_z")
 REACH = 2.0  # periods of a stream that a neighbour may be away from the row (contract: run bundle)
+SHORTEST_S = 1e-6  # between two samples
 
 
 def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
@@ -38,7 +39,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
     """
     items = list(items)
     stretches = _stretches(items)
-    t, readings = _samples(_blocks(items, "dut"), DUT)
+    t, readings = _readings(_blocks(items, "dut"), DUT)
     place = _place(stretches, t)
     t, readings, place = t[place >= 0], readings[place >= 0], place[place >= 0]
     references, kind = _blocks(items, "reference"), header.reference.kind
@@ -54,8 +55,8 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         t_s=t,
         segment_index=place,
         reading=readings,
-        reference_vector=_at(t, *_samples(references, ("ref_x", "ref_y", "ref_z"))) if kind == "vector" else None,
-        reference_magnitude=_at(t, *_samples(references, ("ref_f",)))[:, 0] if kind == "scalar" else None,
+        reference_vector=_at(t, *_readings(references, ("ref_x", "ref_y", "ref_z"))) if kind == "vector" else None,
+        reference_magnitude=_at(t, *_readings(references, ("ref_f",)))[:, 0] if kind == "scalar" else None,
         angle_deg=_angle(t, angles) if angles else None,
         row_mode=_modes(t, items),
         channels=_channels(header, t, items),
@@ -118,15 +119,42 @@ def _blocks(items: Iterable[Item], stream: Stream) -> list[Block]:
 
 def _samples(blocks: Sequence[Block], columns: Sequence[str]) -> tuple[Array, Array]:
     """Stamps (n,), growing, and values (n, k) of the blocks that have `columns`; of equal stamps the first counts."""
+    t, values, _ = _stacked(blocks, columns)
+    if np.all(np.diff(t) > 0):
+        return t, values
+    t, first = np.unique(t, return_index=True)
+    return t, values[first]
+
+
+def _readings(blocks: Sequence[Block], columns: Sequence[str]) -> tuple[Array, Array]:
+    """As `_samples`, but all of a block: those that came in one piece have one stamp, and are put apart."""
+    t, values, block = _stacked(blocks, columns)
+    if np.all(np.diff(t) > 0):
+        return t, values
+    order = np.argsort(t, kind="stable")
+    t, values, block = t[order], values[order], block[order]
+    _, first, which = np.unique(t, return_index=True, return_inverse=True)
+    ours = block == block[first[which]]
+    return _apart(t[ours]), values[ours]
+
+
+def _stacked(blocks: Sequence[Block], columns: Sequence[str]) -> tuple[Array, Array, NDArray[np.intp]]:
+    """Stamps (n,) and values (n, k) as they were recorded, and the number of the block of each."""
     useful = [block for block in blocks if set(columns) <= set(block.columns)]
     if not useful:
-        return np.empty(0), np.empty((0, len(columns)))
-    t = np.concatenate([block.t_s for block in useful])
+        return np.empty(0), np.empty((0, len(columns))), np.empty(0, dtype=np.intp)
     picked = [block.values[:, [block.columns.index(c) for c in columns]] for block in useful]
-    if np.all(np.diff(t) > 0):
-        return t, np.concatenate(picked)
-    t, first = np.unique(t, return_index=True)
-    return t, np.concatenate(picked)[first]
+    number = np.repeat(np.arange(len(useful)), [len(block) for block in useful])
+    return np.concatenate([block.t_s for block in useful]), np.concatenate(picked), number
+
+
+def _apart(t: Array) -> Array:
+    """Sorted stamps (n,) made to grow: equal ones lie the mean period apart, or closer where the next stamp is near."""
+    distinct, first, count = np.unique(t, return_index=True, return_counts=True)
+    period = max(float(t[-1] - t[0]) / (len(t) - 1), SHORTEST_S)
+    step = np.minimum(np.append(np.diff(distinct), np.inf) / count, period)
+    place = np.arange(len(t)) - np.repeat(first, count)
+    return np.asarray(t + place * np.repeat(step, count))
 
 
 def _at(when: Array, t: Array, values: Array) -> Array:

@@ -48,6 +48,16 @@ def test_a_row_is_a_sample_of_the_dut_and_the_reference_is_between_its_neighbour
     np.testing.assert_allclose(run.reference_vector, np.outer(t, [1, 2, 3]), rtol=1e-12)
 
 
+def test_samples_that_came_in_one_piece_are_all_kept_and_put_apart_in_their_order() -> None:
+    sent = np.arange(1.0, 9.0, 0.001)  # a thousand a second, taken in every 5 ms
+    came = np.floor(sent * 200 + 1e-9) / 200
+    values = np.outer(np.arange(len(sent)), [1.0, 2.0, 3.0])
+    run = in_one_segment(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), came, values), reference(came))
+    np.testing.assert_array_equal(run.reading, values)
+    assert (np.diff(run.t_s) > 0).all()
+    np.testing.assert_allclose(run.t_s, sent, atol=1e-5)  # a hundredth of their period
+
+
 def test_beyond_two_periods_and_beyond_the_ends_nothing_is_held() -> None:
     stamps = np.array([0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 13, 21, 22, 23], dtype=float)  # period 1, gaps of 4 and 8
     when = np.array([-0.5, 0.0, 0.5, 5.0, 6.5, 7.0, 7.5, 9.0, 13.0, 14.9, 17.0, 21.0, 23.0, 23.1]) + 1.0
