@@ -119,7 +119,7 @@ class PromptCard(Card):
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
         self._call = QTimer(self, interval=CALLS_EVERY_MS)
-        self._call.timeout.connect(QApplication.beep)
+        self._call.timeout.connect(lambda: QApplication.beep())
 
     def show_prompt(self, prompt: Prompt | None) -> None:
         """Ask `prompt`; the same one again changes nothing."""

@@ -67,3 +67,27 @@ def texts(widget):
     from PySide6.QtWidgets import QLabel
 
     return [child.text() for child in widget.findChildren(QLabel)]
+
+
+def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_path, deaf, kept_windows, monkeypatch):
+    from PySide6.QtCore import QSettings
+
+    from labcal.gui import desk as rooms
+    from labcal.gui.theme import LIGHT
+    from labcal.gui.window import Window
+
+    monkeypatch.setattr(rooms, "Client", lambda parent: deaf())
+    stood = []
+    for _ in range(2):
+        settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
+        window = Window(rooms.Desk(settings), LIGHT)
+        kept_windows.append(window)
+        window.show()
+        stood.append((window.isMaximized(), window.wall, window.top.operator.text()))
+        window.showMaximized()
+        window.desk.who(operator="J. Doe")
+        if not window.wall:
+            window.toggle_wall()
+        window.close()
+        settings.sync()
+    assert stood == [(False, False, ""), (True, True, "J. Doe")]

@@ -6,6 +6,7 @@ from dataclasses import asdict
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 from labcal.gui.run_vm import Order
 from labcal.gui.wire import Fault, item_to_json
@@ -100,6 +101,20 @@ def test_coils_off_without_a_run_asks_for_them_at_once(qtbot, still):
     assert still.desk.switch.asked[-1][0] == "off"
     still.desk.switch.answer("off", [{"axis": a, "current_A": 0.0, "words": "at zero", "ok": True} for a in "xyz"])
     assert still.desk.lab.state.coils_at_zero is True
+
+
+def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, monkeypatch):
+    card = still.page("Run").live.prompt
+    heard = []
+    monkeypatch.setattr(QApplication, "beep", lambda: heard.append("beep"))
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    send(still, *INTO["asking"])
+    assert heard == ["beep"]
+    assert (card._call.isActive(), card._call.interval()) == (True, 20_000)
+    card._call.timeout.emit()  # twenty seconds later
+    assert heard == ["beep", "beep"]
+    qtbot.mouseClick(card.choices["done"], Qt.MouseButton.LeftButton)
+    assert not card._call.isActive()
 
 
 def test_pause_and_go_on(qtbot, still):
