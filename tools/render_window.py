@@ -92,6 +92,7 @@ class Studio:
             self.window.resize(*size)
             self.window.set_theme(theme)
             self.window.open_page(page)
+            self.window.dressing.finish()
             self.window.rail.setFocus()
             self.live(0.5)
             self.wait(lambda: not self.desk.clerk.busy)

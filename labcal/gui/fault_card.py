@@ -41,7 +41,8 @@ class FaultCard(Card):
         )
         save.clicked.connect(lambda: self.report_asked.emit(self.fault))
         close = button(self.tr("Close"), self.tr("Put this card away"))
-        close.setVisible(closable)
+        if not closable:  # shown while it has no place yet, it would be a window of its own
+            close.hide()
         close.clicked.connect(self._close)
         row = QHBoxLayout()
         for widget in (self.fold, save):

@@ -13,7 +13,7 @@ from labcal.gui.theme import Theme
 from labcal.gui.words import say
 
 ROOM_ABOVE = 1.1  # bars: for the words of the line
-BAR_LINES, AXIS_LINES = 1.7, 3.2  # lines of text that a bar and the axis below are high
+BAR_PX, AXIS_PX = 26, 52  # how high a bar and the axis below are
 Array = NDArray[np.float64]
 
 
@@ -116,4 +116,4 @@ class Bars(QWidget):
         self.plot.getAxis("left").setTicks([[(float(at), row[0]) for at, row in zip(y, rows, strict=True)]])
         top = max([noise_nT, *widths, *(i[1] for _, _, i, _ in rows if i is not None)], default=1.0)
         self.plot.setRange(xRange=(0, 1.05 * top), yRange=(-len(rows) + 0.4, ROOM_ABOVE), padding=0)
-        self.setFixedHeight(round(self.fontMetrics().height() * (BAR_LINES * (len(rows) + ROOM_ABOVE) + AXIS_LINES)))
+        self.setFixedHeight(round(BAR_PX * (len(rows) + ROOM_ABOVE) + AXIS_PX))

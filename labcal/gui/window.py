@@ -125,7 +125,9 @@ class Window(Frame):
         self.theme = theme or system_theme()
         self.later = {name: Later(partial(build_page, name, desk, lambda: self.theme), self.sheet) for name in PAGES}
         super().__init__(desk.lab, dict(self.later))
-        self._turns, self._ahead = Turns(self), Turns(self)
+        self.dressing = Turns(self)
+        self._ahead = QTimer(self, singleShot=True)
+        self._ahead.timeout.connect(self.build_ahead)
         self._imports = Thread(target=import_pages, daemon=True, name="imports")
         self.wall = str(desk.settings.value("wall", "no")) == "yes"
         self.fault = named(FaultCard(), "topfault")
@@ -135,7 +137,7 @@ class Window(Frame):
         self.hearers += [hold.hear, self.scanner.hear]
         self._connect(desk)
         self._look()
-        self._turns.finish()
+        self.dressing.finish()
         if theme is None:
             QGuiApplication.styleHints().colorSchemeChanged.connect(lambda _: self.set_theme(system_theme()))
         if (geometry := desk.settings.value("geometry")) is not None:
@@ -155,7 +157,7 @@ class Window(Frame):
         desk.run.changed.connect(self._lock)
         QShortcut(QKeySequence("F11"), self, self.toggle_wall)
         for later in self.later.values():
-            later.wanted.connect(partial(self._ahead.add, self.build_ahead))
+            later.wanted.connect(partial(self._ahead.start, 0))
 
     def build_ahead(self) -> None:
         """Build a piece of a page that is not there yet, what is in sight first; go on until all are there.
@@ -172,10 +174,10 @@ class Window(Frame):
         elif self._imports.ident is None:
             self._imports.start()
         elif self._imports.is_alive():
-            return QTimer.singleShot(LOOK_MS, self, self.build_ahead)
+            return self._ahead.start(LOOK_MS)
         elif first.page is not None or stock_one():
             first.build()
-        return self._ahead.add(self.build_ahead)
+        return self._ahead.start(0)
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
@@ -204,10 +206,10 @@ class Window(Frame):
         sheet = self.sheet()
         self.set_scale(WALL_SCALE if self.wall else 1.0)
         for part in (self.top, self.side, self.rail, self.bottom, self.fault):
-            self._turns.add(partial(part.setStyleSheet, sheet))
+            self.dressing.add(partial(part.setStyleSheet, sheet))
         for later in sorted(self.later.values(), key=lambda one: not one.isVisible()):
-            self._turns.add(*(partial(part.setStyleSheet, sheet) for part in later.pieces()))
-            self._turns.add(*(later.inked(self.theme) if inked else ()))
+            self.dressing.add(*(partial(part.setStyleSheet, sheet) for part in later.pieces()))
+            self.dressing.add(*(later.inked(self.theme) if inked else ()))
 
     def _lock(self) -> None:
         """Who and what stand fixed while a run goes on."""

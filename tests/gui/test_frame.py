@@ -1,5 +1,5 @@
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, QSettings, Qt
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from labcal.gui.frame import Frame
@@ -70,8 +70,6 @@ def texts(widget):
 
 
 def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_path, deaf, kept_windows, monkeypatch):
-    from PySide6.QtCore import QSettings
-
     from labcal.gui import desk as rooms
     from labcal.gui.theme import LIGHT
     from labcal.gui.window import Window
@@ -91,3 +89,33 @@ def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_pa
         window.close()
         settings.sync()
     assert stood == [(False, False, ""), (True, True, "J. Doe")]
+
+
+class Shown(QObject):
+    """Keeps whatever was shown as a window."""
+
+    def __init__(self):
+        super().__init__()
+        self.seen = []
+
+    def eventFilter(self, watched, event):
+        if event.type() == QEvent.Type.Show and isinstance(watched, QWidget) and watched.isWindow():
+            self.seen.append(watched)
+        return False
+
+
+def test_pages_that_are_built_ahead_come_up_in_no_window_of_their_own(tmp_path, deaf, kept_windows, monkeypatch, qapp):
+    from labcal.gui import desk as rooms
+    from labcal.gui.theme import LIGHT
+    from labcal.gui.window import Window
+
+    monkeypatch.setattr(rooms, "Client", lambda parent: deaf())
+    watching = Shown()
+    qapp.installEventFilter(watching)
+    window = Window(rooms.Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    kept_windows.append(window)
+    for later in window.later.values():
+        later.made()
+    qapp.removeEventFilter(watching)
+    assert watching.seen == []
+    window.close()

@@ -110,7 +110,7 @@ class LoopPage(QWidget):
         halves = QHBoxLayout()
         halves.setSpacing(2 * GRID)
         for cards in (((self._left_card(), 1), (self._change_card(), 1)),
-                      ((self._who_card(), 3), (self._unknown_card(), 2))):  # fmt: skip
+                      ((self._who_card(), 3), (self._unknown_card(), 1))):  # fmt: skip
             half = QVBoxLayout()
             half.setSpacing(2 * GRID)
             for card, share in cards:
@@ -122,7 +122,7 @@ class LoopPage(QWidget):
     def _verdict_card(self) -> Card:
         card = Card()
         self.verdict, self.summary = label("", "ask"), shrinking(label("", wrap=True))
-        self.before_after, self.noise = label("", "large"), label("", "caption")
+        self.before_after, self.noise = label("", "large"), label("", "caption", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
         words.addWidget(self.summary)
@@ -143,7 +143,7 @@ class LoopPage(QWidget):
         return card
 
     def _who_card(self) -> Card:
-        card = Card(self.tr("2  Who could have done it"), self.tr("choose one"))
+        card = Card(self.tr("2  Who could have done it"))
         self.bars = Bars(self._theme)
         self.others = QListWidget()
         self.others.setWordWrap(True)
@@ -161,7 +161,7 @@ class LoopPage(QWidget):
     def _change_card(self) -> Card:
         card = Card(self.tr("3  What changes if it is added"), "")
         self.change_heading, self.change_words = card.heading, card.unit
-        self.against = chooser(self.tr("What the residual is drawn against; the named cause first"))
+        self.against = chooser(self.tr("What the residual is drawn against; the named cause first"), letters=5)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
         self.change_why = label("", "caption", wrap=True)
@@ -307,10 +307,13 @@ class LoopPage(QWidget):
         proposed = loop["next_experiment"]
         if proposed:
             lines += [proposed["why"], proposed["do"]]
+        if (proposed or {}).get("procedure"):
+            lines.append(self.tr("Measured by the procedure {0}.").format(proposed["procedure"]))
         self.unknown.setPlainText("\n\n".join(lines) or self.tr("Nothing that this run could show."))
         procedure = (proposed or {}).get("procedure")
         self.next.setVisible(bool(procedure))
-        self.next.setText(self.tr("Measure what would tell them apart: {0}").format(procedure))
+        self.next.setText(self.tr("Measure what would tell them apart"))
+        self.next.setAccessibleDescription(procedure or "")
 
     def _fill_against(self, loop: dict[str, Any]) -> None:
         against = self._study.loop["against"] if self._study.loop else {}

@@ -874,7 +874,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>choose one</source>
+        <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -954,11 +954,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing that this run could show.</source>
+        <source>Measured by the procedure {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measure what would tell them apart: {0}</source>
+        <source>Nothing that this run could show.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
