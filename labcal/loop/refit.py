@@ -85,7 +85,7 @@ def refit(problem: Problem, forms: Sequence[Form], rows: NDArray[np.bool_] | Non
     beta = tuple(np.zeros(len(form.parameters)) for form in forms)
     for _ in range(STEPS):
         A = np.concatenate([here.T, *(-here.columns(form) for form in forms)], axis=2)[used]
-        step = -minimise(A, here.y[used], here.T.shape[2])
+        step = -minimise(A, here.y[used], here.T.shape[2], _seen(here, forms, beta, used))
         there = _downhill(here, forms, beta, step, used)
         if there is None:
             break
@@ -111,6 +111,16 @@ def _downhill(
             return there, settled, moved
         step = step / 2
     return None
+
+
+def _seen(here: Problem, forms: Sequence[Form], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
+    """The part of a column's square that has to be new to the base.
+
+    The map is driven by readings, the rig's effects by the reference: a turn common to all mountings, which no run
+    shows, seems to differ from a turn of the map by twice the angle between the two (two standard deviations).
+    """
+    apart = here.residual_nT + total(forms, beta, here.scene)
+    return max(SEEN, float(4 * np.sum(apart[used] ** 2) / np.sum(here.scene.field_nT[used] ** 2)))
 
 
 def _negligible(A: Array, step: Array) -> bool:
@@ -181,11 +191,11 @@ def _covariance(here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...],
     moved = transformed(parts)
     bands, spectrum = spectrum_of(moved, here.y[used])
     A = weighted_gram(moved, bands, np.ones_like(spectrum))
-    inverse = _inverse(A, here.T.shape[2])
+    inverse = _inverse(A, here.T.shape[2], _seen(here, forms, beta, used))
     return np.asarray(inverse @ weighted_gram(moved, bands, spectrum) @ inverse)
 
 
-def _inverse(A: Array, base: int) -> Array:
+def _inverse(A: Array, base: int, seen: float) -> Array:
     """Of a Gram matrix, zero in the directions of the effects that the base nearly contains."""
     scale = np.sqrt(np.diag(A))
     scale = np.where(scale > 0, scale, 1.0)
@@ -193,7 +203,7 @@ def _inverse(A: Array, base: int) -> Array:
     first = np.linalg.pinv(A[:base, :base], rcond=NOTHING, hermitian=True)
     carried = first @ A[:base, base:]
     values, vectors = np.linalg.eigh(A[base:, base:] - A[base:, :base] @ carried)
-    second = (vectors * np.where(values > SEEN, 1 / np.maximum(values, 1e-300), 0.0)) @ vectors.T
+    second = (vectors * np.where(values > seen, 1 / np.maximum(values, 1e-300), 0.0)) @ vectors.T
     cross = -carried @ second
     whole = np.block([[first + carried @ second @ carried.T, cross], [cross.T, second]])
     return np.asarray(whole / np.outer(scale, scale))

@@ -368,10 +368,10 @@ def new_to(columns: Array, part: Array) -> Array:
     return np.asarray((own @ vectors[:, values > SEEN]).reshape(*part.shape[:2], -1))
 
 
-def minimise(A: Array, y: Array, base: int) -> Array:
+def minimise(A: Array, y: Array, base: int, seen: float = SEEN) -> Array:
     """The x of least |A x − y|² for A (n, q, p), of which the first `base` columns are the base model's.
 
-    Directions of the others that the base nearly contains (to SEEN of their square) stay at zero: a large effect that
+    Directions of the others that the base nearly contains (to `seen` of their square) stay at zero: a large effect that
     the base undoes is no finding, and nothing that the data support.
     """
     n, q, p = A.shape
@@ -383,6 +383,6 @@ def minimise(A: Array, y: Array, base: int) -> Array:
     inverse = np.linalg.pinv(gram[:base, :base], rcond=NOTHING, hermitian=True)
     carried = inverse @ gram[:base, base:]
     values, vectors = np.linalg.eigh(gram[base:, base:] - gram[base:, :base] @ carried)
-    kept = np.where(values > SEEN, 1 / np.maximum(values, 1e-300), 0.0)
+    kept = np.where(values > seen, 1 / np.maximum(values, 1e-300), 0.0)
     x = vectors @ (kept * (vectors.T @ (pull[base:] - carried.T @ pull[:base])))
     return np.asarray(np.concatenate([inverse @ (pull[:base] - gram[:base, base:] @ x), x]) / scale)

@@ -30,7 +30,7 @@ from labcal.loop.search import Candidate, Search, Weighed
 from labcal.loop.spectrum import Likelihood
 from labcal.loop.steps import drops, steps
 from labcal.loop.surrogates import p_value
-from labcal.model.effects import nonlinearity
+from labcal.model.effects import family, nonlinearity
 from labcal.model.effects.regressors import low_passed
 
 Started = Callable[..., Problem]
@@ -323,3 +323,19 @@ def test_a_slow_wave_is_a_drift_and_no_smooth_channels(searching: Callable[..., 
     panel = np.clip(np.sin(1.1 * turn + 1), 0, None)
     search = searching({"i": panel}, {"i": "current"}, np.outer(np.sin(0.9 * turn + 0.4), [250.0, -120.0, 60.0]))
     assert [c.cause for c in forward(search)[0]] == [("offset-drift", ())]
+
+
+def test_a_turn_common_to_all_mountings_is_fixed_at_zero(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded(seconds=60.0)
+    for segment in segments:
+        del segment["body_from_cage"]
+    tilted = np.char.startswith(rows["segment"].astype(str), "x")
+    turned = Rotation.from_euler("y", 1.5, degrees=True).as_matrix()
+    rows["dut"][tilted] = (rows["dut"][tilted] - 800) @ turned.T + 800
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    form = next(f for f in family("axis-tilt").candidates(run) if f.parameters[0][0].startswith("body_"))
+    (found,) = refit(prepared(run)[0], [form]).parameters()
+    about_y = [p for p in found if p.name.endswith("y")]
+    assert np.ptp([p.value for p in about_y]) == pytest.approx(1.5, abs=0.02)
+    assert max(p.value for p in about_y) == pytest.approx(0.75, abs=0.1)  # half, but for the lengths of the columns
+    assert max(p.u for p in found) < 0.02
