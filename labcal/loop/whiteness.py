@@ -17,6 +17,7 @@ from labcal.loop import tails
 from labcal.loop.gaps import bridged
 from labcal.loop.problem import Problem
 from labcal.loop.result import ResidualTest
+from labcal.loop.spectrum import fast_from
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
@@ -130,17 +131,10 @@ class _Series:
 
     @classmethod
     def of(cls, x: Array) -> _Series:
-        n, padded = len(x), _padded(len(x))
+        n, padded = len(x), fast_from(2 * len(x))
         fourier = np.fft.rfft(x - x.mean(), padded)
         rho = np.fft.irfft(np.abs(fourier) ** 2, padded)[:n]
         return cls(n, fourier, rho / max(rho[0], 1e-300), float(np.sqrt(max(rho[0], 0.0))))
-
-
-def _padded(n: int) -> int:
-    """A length that holds all lags of n rows and is fast to transform."""
-    from scipy.fft import next_fast_len
-
-    return int(next_fast_len(2 * n, real=True))
 
 
 def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
@@ -152,7 +146,7 @@ def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
     taper = 1 - np.arange(cut) / cut
     both = y.rho[:cut] * x.rho[:cut] * taper
     variance = max(1 + 2 * float(np.sum(both[1:])), 1.0) / y.n
-    cross = np.fft.irfft(y.fourier * np.conj(x.fourier), _padded(y.n)) / max(y.size * x.size, 1e-300)
+    cross = np.fft.irfft(y.fourier * np.conj(x.fourier), fast_from(2 * y.n)) / max(y.size * x.size, 1e-300)
     near = np.concatenate([cross[: LATE + 1], cross[-LATE:]])
     place = int(np.argmax(np.abs(near)))
     return float(abs(near[place]) / np.sqrt(variance)), float(near[place])
