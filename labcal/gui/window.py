@@ -73,8 +73,8 @@ class Later(QWidget):
         return pieces(self.page) if self.page is not None and self.ready else []
 
     def inked(self, theme: Theme) -> Iterator[Callable[[], object]]:
-        """What puts each part that draws for itself into the colours of `theme`; the page comes last, and redraws."""
-        parts = [] if self.page is None else [*self.page.findChildren(QWidget), self.page]
+        """What puts each part that draws for itself into the colours of `theme`; holders come after what they hold."""
+        parts = [] if self.page is None else [*reversed(self.page.findChildren(QWidget)), self.page]
         return (partial(part.set_theme, theme) for part in parts if hasattr(part, "set_theme"))
 
     def showEvent(self, event: object) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from labcal.gui.run_vm import Order
+from labcal.gui.theme import DARK, LIGHT
 from labcal.gui.wire import Fault, item_to_json
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
@@ -156,6 +157,11 @@ def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_i
     looks = re.sub("<[^>]*>|&nbsp;", " ", lights.looks["x"].text()).split()
     assert looks == ["✓", "coverage", "✓", "noise", "✓", "sign", "✕", "delay", "○", "closure"]
     assert lights.isVisible()
+    still.set_theme(DARK)
+    still.dressing.finish()
+    assert DARK.good in lights.looks["x"].text()
+    still.set_theme(LIGHT)
+    still.dressing.finish()
     send(still, Event(23.0, "not-used", "lift moved", {"segments": [name], "reason": "lift moved"}))
     assert lights.worst["x"].text() == "X  ○"
     assert name not in still.desk.run.locus
