@@ -1,9 +1,4 @@
-"""Channels with gaps, by what they are: a switched load keeps its level, what moves smoothly is bridged.
-
-A gap is sure where its rows can be told: of a switched channel where the level is the same on both sides and the gap is
-no longer than a level usually lasts, of any other where the gap is shorter than the channel's own memory. Rows that
-cannot be told are left out, for every rival alike, once a cause that rests on them has weight.
-"""
+"""Rows in gaps that nothing tells are left out, for every rival alike, once a cause that rests on them has weight."""
 
 from __future__ import annotations
 
@@ -12,30 +7,10 @@ from collections.abc import Collection
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.gaps import bridged
 from labcal.record import Run
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-JUMP = 0.2  # of the span: a larger move between two rows is a switch
-WITHIN = 0.1  # of the variance, at most, lies between the switches of a switched channel
-
-
-def bridged(t_s: Array, values: Array) -> tuple[Array, Mask]:
-    """`values` (n,) with its gaps filled, and the rows that are known or sure."""
-    known = np.isfinite(values)
-    if known.all():
-        return values, known
-    t, x = t_s[known], values[known]
-    before = np.cumsum(known) - 1
-    after = np.minimum(before + np.where(known, 0, 1), len(x) - 1)
-    inside = (before >= 0) & (t[after] >= t_s)
-    before = np.maximum(before, 0)
-    length = t[after] - t[before]
-    lasting = _lasting_s(t, x)
-    if lasting is not None:
-        same = np.abs(x[after] - x[before]) <= JUMP * np.ptp(x)
-        return np.where(known, values, x[before]), known | (inside & same & (length <= lasting))
-    return np.interp(t_s, t, x), known | (inside & (length <= _memory_s(t, x)))
 
 
 def untold(run: Run, channels: Collection[str]) -> Mask:
@@ -45,24 +20,3 @@ def untold(run: Run, channels: Collection[str]) -> Mask:
         if channel.name in channels:
             sure &= bridged(run.t_s, channel.values)[1]
     return ~sure
-
-
-def _lasting_s(t: Array, x: Array) -> float | None:
-    """How long a level of a switched channel usually lasts; None where it moves between its switches too."""
-    switches = np.flatnonzero(np.abs(np.diff(x)) > JUMP * np.ptp(x)) + 1
-    if not len(switches):
-        return None
-    level = np.searchsorted(switches, np.arange(len(x)), side="right")
-    count = np.bincount(level)
-    means = np.bincount(level, x) / count
-    if np.mean((x - means[level]) ** 2) > WITHIN * np.var(x):
-        return None
-    return float(np.median(np.diff(t[np.concatenate([[0], switches, [len(t) - 1]])])))
-
-
-def _memory_s(t: Array, x: Array) -> float:
-    """The time over which a channel moves by its own spread: its correlation has fallen to a half."""
-    rows = np.unique(np.geomspace(1, max(len(x) // 2, 1), 30).astype(int))
-    moved = np.array([np.mean((x[m:] - x[:-m]) ** 2) if m < len(x) else 0.0 for m in rows])
-    far = rows[moved > np.var(x)]
-    return float(np.median(np.diff(t))) * float(far[0] if len(far) else len(x))

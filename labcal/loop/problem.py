@@ -20,10 +20,10 @@ from labcal.fit.solve import LEAST_SQUARES, FormName, Solution, solve
 from labcal.fit.solve import Form as MapForm
 from labcal.fit.system import Noise, evaluate, map_of
 from labcal.geometry import rotation, shortest_rotation
-from labcal.loop.gaps import bridged
 from labcal.model import AffineMap
 from labcal.model.effects import Form, Scene
 from labcal.model.effects.protocol import Rig
+from labcal.model.gaps import bridged
 from labcal.record import Run
 
 Array = NDArray[np.float64]

@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop import tails
-from labcal.loop.gaps import bridged
 from labcal.loop.problem import Problem
 from labcal.loop.result import ResidualTest
 from labcal.loop.spectrum import fast_from
 from labcal.model.effects.regressors import stretches
+from labcal.model.gaps import bridged
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

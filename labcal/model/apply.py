@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +14,7 @@ from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped
 from labcal.model.effects.following import behind
+from labcal.model.gaps import bridged
 from labcal.model.wary import outliers, saturated
 
 Array = NDArray[np.float64]
@@ -21,6 +22,7 @@ Mask = NDArray[np.bool_]
 FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time")
 TEMPERATURE = frozenset({"offset-temperature", "gain-temperature"})
 MATERIAL = 1.15  # held-out residuals beyond this many times the noise are more than noise
+FEW = 8  # rows of a channel: fewer do not tell what it does in a gap
 REMEMBERING = frozenset({"lag", "hysteresis"})  # and whatever has a time constant
 
 
@@ -69,19 +71,22 @@ def apply(calibration: Calibration, readings: Readings) -> Applied:
     """B = K m − k − Σ e_i of the sensor's effects, for every row (contract: calibration, `apply`).
 
     u_nT is the root mean square over the components of: covariance of K and k, noise of the reading through K, each
-    effect's parameters, and what is left out. Raises InputError where a needed column is missing, or an effect of
-    the file is not whole.
+    effect's parameters, and what is left out. A channel's gaps are bridged where they can be told. Raises InputError
+    where a needed column is missing, or an effect of the file is not whole.
     """
     have = {*readings.channels, *(n for n in ("t_s", "segment", "mode") if getattr(readings, n) is not None)}
     for name in needed_columns(calibration):
         if name not in have:
             raise InputError("the calibration's effects need this column; it is missing", column=name)
+    readings, filled = _filled(readings)
     field_nT = calibration.affine.apply(readings.reading)
     variance = _base_variance(calibration, readings.reading)
     flags = {word: np.zeros(len(readings), dtype=bool) for word in FLAGS}
     corrected = field_nT.copy()
     for record in calibration.effects:
         value, uncertain = _effect(calibration, record, readings, field_nT, flags)
+        for name in record.channels:
+            uncertain[filled[name]] += _restless(value)
         corrected -= value
         variance += uncertain
     _beyond_validity(calibration, readings, corrected, flags)
@@ -122,6 +127,26 @@ def _base_variance(calibration: Calibration, reading: Array) -> Array:
         J = jacobian(reading)
         variance += np.einsum("nap,pq,naq->na", J, calibration.covariance, J, optimize=True)
     return np.asarray(variance)
+
+
+def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
+    """The recording with those gaps of its channels filled that can be told, as a fit fills them; and where."""
+    t, channels, filled = readings.t_s, dict(readings.channels), dict[str, Mask]()
+    if t is None or not (np.diff(t) > 0).all():
+        t = np.arange(len(readings), dtype=float)
+    for name, values in readings.channels.items():
+        missing = ~np.isfinite(values)
+        filled[name] = missing & False
+        if missing.any() and (~missing).sum() >= FEW:
+            told, sure = bridged(t, values)
+            filled[name] = missing & sure
+            channels[name] = np.where(filled[name], told, values)
+    return replace(readings, channels=channels), filled
+
+
+def _restless(value: Array) -> Array:
+    """Mean square (3,) of the change of an effect (n, 3) from row to row: what a row between two others may miss."""
+    return np.asarray(np.mean(np.diff(value, axis=0) ** 2, axis=0)) if len(value) > 1 else np.zeros(3)
 
 
 def _effect(

@@ -7,7 +7,7 @@ import pytest
 
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
-from labcal.model.apply import Readings, apply, needed_columns
+from labcal.model.apply import Applied, Readings, apply, needed_columns
 from labcal.model.wary import rails
 from labcal.record import Dut
 
@@ -73,13 +73,25 @@ def test_a_positive_offset_parameter_is_taken_off_and_counts_from_its_reference(
     assert found.u_nT[0] ** 2 - at_reference.u_nT[0] ** 2 == pytest.approx(2.0**2)
 
 
-def test_a_row_without_its_channel_keeps_its_place_with_a_larger_uncertainty() -> None:
+def _loaded(amps: np.ndarray) -> Applied:
     cal = calibration(effect("offset-current", ("i_eps",), {"i_eps": 0.0}, c_x=(500, 0), c_y=(0, 0), c_z=(0, 0)))
-    amps = np.ones(len(FIELD))
+    return apply(cal, readings(channels={"i_eps": amps}))
+
+
+def test_a_row_whose_channel_nothing_tells_keeps_its_place_with_a_larger_uncertainty() -> None:
+    amps = np.where(np.arange(len(FIELD)) < 7, 0.0, 1.0)
     amps[7] = np.nan
-    found = apply(cal, readings(channels={"i_eps": amps}))
+    found = _loaded(amps)
     assert np.allclose(found.field_nT[7], FIELD[7], atol=1e-8)
     assert found.u_nT[7] > 200 > found.u_nT[8]
+
+
+def test_a_gap_that_can_be_told_is_bridged_and_a_little_less_certain() -> None:
+    amps = np.where(np.arange(len(FIELD)) < 7, 0.0, 1.0)
+    amps[12] = np.nan
+    found = _loaded(amps)
+    assert np.allclose(found.field_nT[12], FIELD[12] - [500.0, 0, 0], atol=1e-8)
+    assert 200 > found.u_nT[12] > found.u_nT[13]
 
 
 def test_effects_of_the_run_hold_inside_its_span_only() -> None:
