@@ -47,6 +47,7 @@ app = typer.Typer(
 
 def main() -> None:
     """Run the command line; every fault ends in one sentence and its exit code (contract: commands)."""
+    sys.stdout, sys.stderr = sys.stdout or open(os.devnull, "w"), sys.stderr or open(os.devnull, "w")  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):  # whatever the system's own encoding: JSON is UTF-8
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")

@@ -1,4 +1,5 @@
 import runpy
+import subprocess
 import sys
 
 import pytest
@@ -82,3 +83,8 @@ def test_the_module_is_the_same_command_line(monkeypatch, capsys):
         runpy.run_module("labcal", run_name="__main__")
     assert end.value.code == 0
     assert "labcal" in capsys.readouterr().out
+
+
+def test_without_a_standard_output_it_ends_without_a_fault():
+    closed = "import sys; sys.stdout = None; sys.argv = ['labcal', '--version']; from labcal.cli import main; main()"
+    assert subprocess.run([sys.executable, "-c", closed], check=False).returncode == 0
