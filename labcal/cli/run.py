@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import signal
 import sys
 from collections.abc import Iterator, Sequence
@@ -69,7 +70,9 @@ def run(
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, **options)
         else:
             return _list()
-    print(f"{outcome.status}; {outcome.at_rest}", file=sys.stderr)
+    said = f"{outcome.status}; {outcome.at_rest}"
+    as_json = progress is ProgressChoice.json
+    print(json.dumps({"item": "end", "text": said}) if as_json else said, file=sys.stderr)
     print(outcome.run_id)
     return outcome.raise_fault()
 

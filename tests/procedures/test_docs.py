@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 import sys
@@ -30,6 +31,7 @@ def test_ones_own_procedure_in_twenty_lines_runs_and_its_last_line_is_the_run_id
     assert done.returncode == 0, done.stderr
     assert re.fullmatch(r"\d{8}T\d{6}-[0-9a-f]{4}\n", done.stdout)
     assert '"name": "z at step 3"' in done.stderr
+    assert json.loads(done.stderr.splitlines()[-1]) == {"item": "end", "text": "finished; coils at zero"}
     shown = labcal("show", done.stdout.strip())
     assert "my-test" in shown.stdout
     path.write_text(OWN.replace("top_nT * step", "top_nT * stp"), encoding="utf-8")
