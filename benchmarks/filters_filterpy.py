@@ -1,8 +1,8 @@
 """The live estimators against filterpy's: time of one `update`, alternating in one process.
 
 `centered-sequential` has no counterpart there and stands beside the extended filter. Both see the same readings and
-start from the same state; filterpy is given the measurement model in numpy, its derivative, and the identity for its
-prediction, as its documentation shows.
+start from the same state; filterpy is given the measurement model in plain numpy, as the paper writes it, its
+derivative, and the identity for its prediction, as its documentation shows.
 
     python -m venv /tmp/filterpy && /tmp/filterpy/bin/pip install numpy scipy filterpy
     OPENBLAS_NUM_THREADS=1 PYTHONPATH=. /tmp/filterpy/bin/python benchmarks/filters_filterpy.py
@@ -36,21 +36,36 @@ def readings() -> tuple[np.ndarray, np.ndarray]:
     )
 
 
+def regressors(B: np.ndarray) -> np.ndarray:
+    """L (9,), (2c) and (4a), as it stands in the paper."""
+    x, y, z = B
+    return np.concatenate([2 * B, -np.array([x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z])])
+
+
+def matrix(six: np.ndarray) -> np.ndarray:
+    """The symmetric matrix (3, 3) of 11 22 33 12 13 23, (2d)."""
+    return np.array([[six[0], six[3], six[4]], [six[3], six[1], six[5]], [six[4], six[5], six[2]]])
+
+
 def predicted(x: np.ndarray, B: np.ndarray) -> np.ndarray:
-    """h(x), (24)."""
-    return np.array([scalar_check.regressors(B[None].T)[:9, 0] @ x - scalar_check.bias_square(x)[0]])
+    """h(x), (24) with (27a)."""
+    return np.array([regressors(B) @ x - x[:3] @ np.linalg.solve(np.eye(3) + matrix(x[3:]), x[:3])])
 
 
 def slope(x: np.ndarray, B: np.ndarray) -> np.ndarray:
-    """H(x), (26)."""
-    return scalar_check.regressors(B[None].T)[:9].T - scalar_check.bias_square(x)[1]
+    """H(x) (1, 9), (26) with (27b)."""
+    inner = np.linalg.solve(np.eye(3) + matrix(x[3:]), x[:3])
+    pairs = -np.outer(inner, inner)
+    of_E = [pairs[0, 0], pairs[1, 1], pairs[2, 2], 2 * pairs[0, 1], 2 * pairs[0, 2], 2 * pairs[1, 2]]
+    return (regressors(B) - np.concatenate([2 * inner, of_E]))[None]
 
 
 def variance(x: np.ndarray, B: np.ndarray, H: float) -> float:
-    """σ²(x), (5b)."""
-    return float(
-        scalar_check.noise_variance(scalar_check.regressors(B[None].T), np.array([H * H]), x, SIGMA**2 * np.eye(3))[0]
-    )
+    """σ²(x), (5b): 4 hᵀΣh + 2 Tr Σ², with Σ = s² M and h along M B − c, of length |H|."""
+    M = np.eye(3) + matrix(x[3:])
+    h = M @ B - x[:3]
+    length = h @ np.linalg.solve(M, h)
+    return float(4 * SIGMA**2 * H * H * (h @ h) / length + 2 * SIGMA**4 * np.trace(M @ M))
 
 
 def theirs_extended(x: np.ndarray, P: np.ndarray) -> Callable[[np.ndarray, float], None]:
