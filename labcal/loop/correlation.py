@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from labcal.loop import tails
 from labcal.loop.search import Candidate, Search
 
 LAGS = 10
@@ -26,6 +25,8 @@ def correlation_s(search: Search, accepted: Sequence[Candidate]) -> float:
 
 def follows_itself(search: Search, accepted: Sequence[Candidate]) -> bool:
     """Whether the residual correlates with its past rows in a segment (Ljung & Box, Biometrika 65, 1978)."""
+    from scipy.special import chdtrc
+
     left = search.everywhere(accepted)[0] * search.good[:, None]
     segment, size = search.whole.scene.segment, left.size
     total, statistic = float(np.sum(left**2)), 0.0
@@ -33,4 +34,4 @@ def follows_itself(search: Search, accepted: Sequence[Candidate]) -> bool:
         within = segment[lag:] == segment[:-lag]
         correlation = float(np.sum(left[lag:][within] * left[:-lag][within])) / total
         statistic += size * (size + 2) * correlation**2 / (size - lag)
-    return tails.of_chi2(LAGS, statistic) < CHANCE
+    return bool(chdtrc(LAGS, statistic) < CHANCE)

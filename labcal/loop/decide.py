@@ -13,7 +13,6 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop import minimum
 from labcal.loop.delays import delays
 from labcal.loop.pairs import pairs
 from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
@@ -194,6 +193,8 @@ def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidat
 
 
 def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[Candidate]) -> Candidate:
+    from scipy.optimize import minimize_scalar
+
     low, high = _bracket(search, candidate, name)
     stage = search.stage(accepted)
 
@@ -202,9 +203,11 @@ def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[C
         return -stage.beside(transformed(columns))[0].log
 
     start = candidate.form.at(name)
-    found, value = minimum.least(badness, low, high, within=1e-3 * (high - low), most=18)
-    if value < badness(start):
-        return Candidate(candidate.family, candidate.form.reshaped(**{name: found}), candidate.looks)
+    found = minimize_scalar(
+        badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": 1e-3 * (high - low)}
+    )
+    if found.fun < badness(start):
+        return Candidate(candidate.family, candidate.form.reshaped(**{name: float(found.x)}), candidate.looks)
     return candidate
 
 

@@ -12,11 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import chdtrc, fdtrc, ndtr
 
-from labcal.loop import tails
 from labcal.loop.problem import Problem
 from labcal.loop.result import ResidualTest
-from labcal.loop.spectrum import fast_from
 from labcal.model.effects.regressors import stretches
 from labcal.model.gaps import bridged
 
@@ -58,7 +57,7 @@ def white(problem: Problem, y: Array) -> ResidualTest:
             continue
         looks += 1
         q = ljung_box(part)
-        p = tails.of_chi2(LAGS * part.shape[1], q)
+        p = float(chdtrc(LAGS * part.shape[1], q))
         name = problem.run.segments[int(problem.scene.segment[rows][0])].id
         worst = min(worst, (p, q, name, memory(part)))
     p, q, name = min(1.0, looks * worst[0]), worst[1], worst[2]
@@ -91,7 +90,7 @@ def independent(problem: Problem, y: Array) -> Iterator[ResidualTest]:
         other = _Series.of(drive)
         z, r = max(_crossed(part, other) for part in own)
         looks = y.shape[1] * (2 * LATE + 1)
-        p = min(1.0, looks * 2 * tails.of_normal(z))
+        p = min(1.0, looks * 2 * float(ndtr(-z)))
         share = r**2 / y.shape[1]
         passes = p >= CHANCE or r**2 < MATERIAL
         says = f"independent of {name}" if passes else f"goes with {name} (correlation {r:+.2f})"
@@ -131,10 +130,17 @@ class _Series:
 
     @classmethod
     def of(cls, x: Array) -> _Series:
-        n, padded = len(x), fast_from(2 * len(x))
+        n, padded = len(x), _padded(len(x))
         fourier = np.fft.rfft(x - x.mean(), padded)
         rho = np.fft.irfft(np.abs(fourier) ** 2, padded)[:n]
         return cls(n, fourier, rho / max(rho[0], 1e-300), float(np.sqrt(max(rho[0], 0.0))))
+
+
+def _padded(n: int) -> int:
+    """A length that holds all lags of n rows and is fast to transform."""
+    from scipy.fft import next_fast_len
+
+    return int(next_fast_len(2 * n, real=True))
 
 
 def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
@@ -146,7 +152,7 @@ def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
     taper = 1 - np.arange(cut) / cut
     both = y.rho[:cut] * x.rho[:cut] * taper
     variance = max(1 + 2 * float(np.sum(both[1:])), 1.0) / y.n
-    cross = np.fft.irfft(y.fourier * np.conj(x.fourier), fast_from(2 * y.n)) / max(y.size * x.size, 1e-300)
+    cross = np.fft.irfft(y.fourier * np.conj(x.fourier), _padded(y.n)) / max(y.size * x.size, 1e-300)
     near = np.concatenate([cross[: LATE + 1], cross[-LATE:]])
     place = int(np.argmax(np.abs(near)))
     return float(abs(near[place]) / np.sqrt(variance)), float(near[place])
@@ -163,7 +169,7 @@ def replicates(problem: Problem, good: Mask) -> Iterator[ResidualTest]:
     q = repeated[0].shape[1]
     free = q * sum(len(v) - 1 for v in repeated), q * len(repeated)
     ratio = (between / free[1]) / max(within / free[0], 1e-300)
-    p = tails.of_f(free[1], free[0], ratio)
+    p = float(fdtrc(free[1], free[0], ratio))
     share = max(between - free[1], 0.0) / float(np.sum(problem.y[good] ** 2))
     passes = p >= CHANCE or share < MATERIAL
     says = (
