@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from labcal.gui.pages.run import RunPage
 
 AHEAD_MS = 400
-LOOK_MS = 20  # between two looks whether the imports are done
+LOOK_MS = 20  # between two looks whether the imports or a run are done
 PLOTS = 4  # of a page, at most, when it is built
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
@@ -162,7 +162,7 @@ class Window(Frame):
     def build_ahead(self) -> None:
         """Build a piece of a page that is not there yet, what is in sight first; go on until all are there.
 
-        Then have the worker of fits ready.
+        While a run goes on only what is in sight. In the end, have the worker of fits ready.
         """
         waiting = [later for later in self.later.values() if not later.ready]
         if not waiting:
@@ -173,7 +173,7 @@ class Window(Frame):
             first.build()
         elif self._imports.ident is None:
             self._imports.start()
-        elif self._imports.is_alive():
+        elif self._imports.is_alive() or (self.desk.run.alive and not first.isVisible()):
             return self._ahead.start(LOOK_MS)
         elif first.page is not None or stock_one():
             first.build()

@@ -1,3 +1,6 @@
+from threading import Thread
+from types import SimpleNamespace
+
 import pytest
 from PySide6.QtCore import QEvent, QObject, QSettings, Qt
 from PySide6.QtWidgets import QLineEdit, QWidget
@@ -119,3 +122,19 @@ def test_pages_that_are_built_ahead_come_up_in_no_window_of_their_own(tmp_path, 
     qapp.removeEventFilter(watching)
     assert watching.seen == []
     window.close()
+
+
+def test_pages_out_of_sight_are_not_built_while_a_run_goes_on(still, monkeypatch):
+    built = []
+    there = SimpleNamespace(ready=True)
+    missing = SimpleNamespace(ready=False, isVisible=lambda: False, page=object(), build=lambda: built.append("Fit"))
+    read = Thread(target=built.clear)
+    read.start()
+    read.join()
+    monkeypatch.setattr(still, "later", {"Start": there, "Fit": missing})
+    monkeypatch.setattr(still, "_imports", read)
+    for state, expected in (("running", []), ("idle", ["Fit"])):
+        monkeypatch.setattr(still.desk.run, "state", state)
+        still.build_ahead()
+        still._ahead.stop()
+        assert built == expected
