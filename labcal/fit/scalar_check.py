@@ -65,16 +65,6 @@ class Estimate:
 
         return Estimate(self.bias * unit, self.D, spread)
 
-    def moved(self, by: Array) -> Estimate:
-        """The same where all readings are larger by `by` (3,)."""
-
-        def spread() -> Array:
-            slope = np.eye(9)
-            slope[:3, 3:] = (SYMMETRIC @ by).T
-            return np.asarray(slope @ self.covariance @ slope.T)
-
-        return Estimate(self.bias + by + self.D.dot(by), self.D, spread)
-
     def wider(self, factor: float) -> Estimate:
         """The same with all of its covariance times `factor`."""
         return Estimate(self.bias, self.D, lambda: self.covariance * factor)
@@ -138,6 +128,20 @@ def to_b_D(c_E: Array) -> tuple[Array, Array]:
         raise ArithmeticError(f"I + E is not positive definite, so no real scale factors belong to it: {MISSING}")
     root = np.sqrt(values)
     return vectors.dot(c_E[:3].dot(vectors) / root), (vectors * (root - 1)).dot(vectors.T)
+
+
+def moved(c_E: Array, by: Array) -> Array:
+    """θ' where all readings are larger by `by` (3,): b grows by (I + D) `by`, so c by (I + E) `by`."""
+    out = c_E.copy()
+    out[:3] += (c_E + PERFECT).take(OF_M).dot(by)
+    return out
+
+
+def moving(by: Array) -> Array:
+    """∂(b, D) after the move `by` (3,) over that before it, (9, 9); for θ' it is the same matrix."""
+    slope = np.eye(9)
+    slope[:3, 3:] = (SYMMETRIC @ by).T
+    return slope
 
 
 def jacobian(bias: Array, D: Array) -> Array:

@@ -8,7 +8,7 @@ however long the run is.
 
 from __future__ import annotations
 
-from math import sqrt
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,10 +22,10 @@ from labcal.fit.scalar_run import fit_scalar
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-STEPS, ROUGH, SETTLED = 50, 1e-2, 1e-5  # steps; their size at the end, in standard uncertainties
-ROUNDING = 1e-10  # of a step, where the field's magnitude is one
+STEPS, SETTLED = 50, 1e-5  # steps; their size at the end, in standard uncertainties
+ROUNDING = 1e-10  # of a step, relative to the answer
 RIDGE = 10.0  # of the start, in units of what the noise alone seems to tell
-EYE, NINE_OF_TEN = np.eye(3), np.eye(10, 9)
+NINE_OF_TEN = np.eye(10, 9)
 
 
 def twostep(run: Run) -> Fit:
@@ -46,27 +46,27 @@ def estimate(
 
     Raises ArithmeticError where the iteration finds no minimum.
     """
-    unit = sqrt(magnitude.dot(magnitude) / len(magnitude))
-    B, square = np.ascontiguousarray(reading.T) / unit, (magnitude / unit) ** 2
-    noise, reference_noise = noise / unit**2, reference_noise / unit
+    B, square = np.array(reading.T, order="C"), magnitude * magnitude
     centre = np.add.reduce(B, axis=1) / len(square)
     B -= centre[:, None]  # products of readings far from nought would lose digits
     rows, covariance = scalar_check.regressors(B), row_covariance(noise)
-    c_E = rough(rows, square, covariance, noise, -centre) if near is None else near.in_unit(1 / unit).moved(-centre).c_E
-    of_row = rows / scalar_check.noise_variance(rows, square, c_E, noise, reference_noise)  # (5b), by the parameters
+    c_E = rough(rows, square, covariance, noise, -centre) if near is None else scalar_check.moved(near.c_E, -centre)
+    of_row = rows * (1 / scalar_check.noise_variance(rows, square, c_E, noise, reference_noise))  # (5b)
     found = weighted(of_row, rows, square + scalar_check.noise_mean(c_E, noise), covariance)
     share = found.noise if unbiased else np.zeros((10, 10))
     c_E, signal = descend(found, c_E, share)
     if unbiased:
         determined(signal, share[:9, :9])
-    return scalar_check.lazily(c_E, lambda: sandwich(signal, share[:9, :9])).moved(centre).in_unit(unit)
+    return scalar_check.lazily(
+        scalar_check.moved(c_E, centre), lambda: sandwich(signal, share[:9, :9], scalar_check.moving(centre))
+    )
 
 
 def rough(rows: Array, square: Array, covariance: Array, noise: Array, bias: Array) -> Array:
-    """(c, E) (9,) near enough to weigh the rows by: the estimate with all weights alike, from about `bias` (3,)."""
-    mean = float(np.vdot(noise, EYE))
-    alike = weighted(rows, rows, square + mean, covariance)
-    return descend(alike, start(alike, bias), alike.noise, settled=ROUGH * sqrt(4 * mean / 3))[0]
+    """(c, E) (9,) near enough to weigh the rows by: a step from about `bias` (3,), with all weights alike."""
+    alike = weighted(rows, rows, square + noise.trace(), covariance)
+    c_M, *_ = step(alike.products - alike.noise, alike.pull, slopes(start(alike, bias)))
+    return np.asarray(c_M - PERFECT)
 
 
 def start(found: Sums, bias: Array) -> Array:
@@ -82,27 +82,39 @@ def start(found: Sums, bias: Array) -> Array:
     return np.asarray(free[:9] - PERFECT)
 
 
-def descend(found: Sums, c_E: Array, share: Array, *, settled: float = SETTLED) -> tuple[Array, Array]:
+def descend(found: Sums, c_E: Array, share: Array) -> tuple[Array, Array]:
     """(c, E) (9,) at the minimum of the full loss and its curvature (9, 9), the noise's `share` (10, 10) taken off.
 
-    `settled` is the size of the last step in uncertainties. Raises ArithmeticError where the iteration does not settle.
+    Raises ArithmeticError where the iteration does not settle.
     """
-    signal, slopes = found.products - share, NINE_OF_TEN.copy()
-    slopes[9] = -scalar_check.bias_square(c_E)[1]
+    signal, pull, along = found.products - share, found.pull, slopes(c_E)
     for _ in range(STEPS):
-        curvature = slopes.T.dot(signal).dot(slopes)
-        factors, pivots, c_M, singular = dgesv(curvature, slopes.T.dot(found.pull))
-        if singular:
-            break
-        slopes[9] = -scalar_check.bias_square(c_M - PERFECT)[1]
-        gradient = slopes.T.dot(found.pull - signal.dot(slopes.dot(c_M)))
-        step, _ = dgetrs(factors, pivots, gradient)
-        if abs(gradient.dot(step)) < settled**2 or np.abs(step).max() < ROUNDING:
-            return c_M + step - PERFECT, curvature
+        c_M, curvature, solve = step(signal, pull, along)
+        along = slopes(c_M - PERFECT)
+        gradient = along.T.dot(pull - signal.dot(along.dot(c_M)))
+        last = solve(gradient)
+        if abs(gradient.dot(last)) < max(SETTLED**2, ROUNDING**2 * c_M.dot(curvature).dot(c_M)):
+            return c_M + last - PERFECT, curvature
     raise ArithmeticError(f"Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {MISSING}")
 
 
-def sandwich(signal: Array, share: Array) -> Array:
-    """The covariance (9, 9) of (c, E) at the minimum, from the `signal`'s information and the noise's share of it."""
-    back = np.linalg.inv(signal)
+def slopes(c_E: Array) -> Array:
+    """The slopes (10, 9) of (c, M, −|b|²), by which the sums' rows (L, 1) become the regressors of a step."""
+    out = NINE_OF_TEN.copy()
+    out[9] = -scalar_check.bias_square(c_E)[1]
+    return out
+
+
+def step(signal: Array, pull: Array, along: Array) -> tuple[Array, Array, Callable[[Array], Array]]:
+    """(c, M) (9,) after a step with the `along` (10, 9) of `slopes`, the curvature (9, 9) and what solves it again."""
+    curvature = along.T.dot(signal).dot(along)
+    factors, pivots, c_M, singular = dgesv(curvature, along.T.dot(pull))
+    if singular:
+        raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")
+    return c_M, curvature, lambda right: dgetrs(factors, pivots, right)[0]
+
+
+def sandwich(signal: Array, share: Array, slope: Array) -> Array:
+    """Covariance (9, 9) of `slope` (9, 9) times the (c, E) at the minimum: the noise's `share` between the signal's."""
+    back = slope @ np.linalg.inv(signal)
     return np.asarray(back @ (signal + share) @ back.T)

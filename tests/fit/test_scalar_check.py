@@ -148,11 +148,14 @@ def test_the_answer_moves_with_the_readings_however_far(times):
         25.0**2 * np.eye(3),
         times * np.array([3e4, -2e4, 1e4]),
     )
-    plain = twostep.estimate(run.reading, run.reference_magnitude, S).moved(by)
+    plain = twostep.estimate(run.reading, run.reference_magnitude, S)
     found = twostep.estimate(run.reading + by, run.reference_magnitude, S)
-    u = np.sqrt(np.diag(plain.covariance))
-    np.testing.assert_allclose((found.theta - plain.theta) / u, 0, atol=1e-6)
-    np.testing.assert_allclose((found.covariance - plain.covariance) / np.outer(u, u), 0, atol=1e-6)
+    moved = np.concatenate([plain.bias + by + plain.D @ by, scalar_check.stacked(plain.D)])
+    slope = numerical(lambda x: np.concatenate([x[:3] + scalar_check.unstacked(x[3:]) @ by, x[3:]]), plain.theta)
+    covariance = slope @ plain.covariance @ slope.T
+    u = np.sqrt(np.diag(covariance))
+    np.testing.assert_allclose((found.theta - moved) / u, 0, atol=1e-6)
+    np.testing.assert_allclose((found.covariance - covariance) / np.outer(u, u), 0, atol=1e-6)
 
 
 def test_counts_give_the_map_in_nanotesla_per_count():
