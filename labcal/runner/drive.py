@@ -76,7 +76,9 @@ class Drive:
             self._check()
             reply, self._reply = self._reply, None
             try:
-                item = procedure.send(reply)
+                item: object = procedure.send(reply)
+                while not isinstance(item, Item):  # told at the line that yields it
+                    item = procedure.throw(TypeError(f"a procedure yields items of a run, and {item!r} is none"))
             except StopIteration:
                 return
             yield item

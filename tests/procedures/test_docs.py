@@ -60,6 +60,7 @@ def test_every_installed_procedure_is_in_the_table() -> None:
         ("def my_test(bench:\n", "line 1: is not Python"),
         ("1 / 0\n", "cannot be loaded: ZeroDivisionError"),
         ("x = 1\n", "holds no procedures"),
+        ("def my_test(bench):\n    yield 42\n", "line 2: TypeError: a procedure yields items of a run, and 42 is none"),
         (None, "there is no such file"),
     ],
 )
