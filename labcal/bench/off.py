@@ -74,6 +74,10 @@ def _with_own_hands(loader: Loader) -> list[AtZero]:
         supplies, unreachable = _reachable(loader, afterwards)
         rates = {axis: min(limits[axis], supply.ramp_A_per_s) for axis, supply in supplies.items()}
         ended = {**unreachable, **to_zero(supplies, rates, loader.clock)}
+        for axis, supply in supplies.items():
+            if ended[axis].fault is None:
+                with suppress(InstrumentError):  # it is at zero; this gives it back to its panel
+                    supply.make_safe()
     return [ended[axis] for axis in AXES]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from collections.abc import Iterator
 from datetime import UTC, datetime
@@ -123,3 +124,17 @@ def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair)
     assert ended["y"].fault is not None
     assert ended["y"].fault.fault == "another instrument"
     assert all(frame[0] != 2 or frame[1] == 3 for frame in pair.sent)
+
+
+def test_at_its_end_the_supplies_are_given_back_to_their_panels(pair: Pair) -> None:
+    text = pair.file.read_text(encoding="utf-8").replace("riden-rd60xx", "ea-9000").replace("//pair", "//")
+    pair.file.write_text(re.sub(r"address = \d", "address = 0", text), encoding="utf-8")
+    guardian = pair.guardian()
+    guardian.zero("a session begins", by_session=True)
+    guardian.output("x", True)
+    guardian.set_current("x", 0.05)
+    panels = [link._emulator for link in pair.links.values()]
+    assert [emulator._bits[402] for emulator in panels] == [True] * 3
+    assert not any(end.fault for end in guardian.zero("the session ends", by_session=True))
+    guardian.close()
+    assert [emulator._bits[402] for emulator in panels] == [False] * 3

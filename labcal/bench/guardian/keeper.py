@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -196,7 +197,11 @@ class Guardian:
         return Handover(self._exchanges_s, coils)
 
     def close(self) -> None:
-        """Let go of every line."""
+        """Give every supply that is at zero back to its panel, and let go of every line."""
+        for coil in self.coils.values():
+            if coil.unresolved is None and not coil.energised:
+                with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is told to nobody
+                    coil.bare.make_safe()
         for line in self._lines.values():
             line.close()
 
