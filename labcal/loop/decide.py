@@ -144,7 +144,7 @@ def spanning(columns: Array, least: float = 1e-4) -> Array:
     n, q, p = columns.shape
     flat = columns.reshape(n * q, p)
     gram = flat.T @ flat
-    size = np.maximum(np.sqrt(np.diag(gram)), 1e-300)
+    size = np.maximum(np.sqrt(np.diag(gram)), 1e-150)
     values, vectors = np.linalg.eigh(gram / np.outer(size, size))
     kept = values > least**2 * values[-1]
     few = flat @ (vectors[:, kept] / size[:, None] / np.sqrt(values[kept]))
@@ -175,9 +175,9 @@ def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate])
 def _refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     if any(shape.name == "secant_s" for shape in candidate.form.shape):
         return _on_secant(search, candidate, accepted)
-    for shape in candidate.form.shape:
-        if shape.grid:
-            candidate = _along(search, candidate, shape.name, accepted)
+    searched = [shape.name for shape in candidate.form.shape if shape.grid]
+    for name in searched * (2 if len(searched) > 1 else 1):
+        candidate = _along(search, candidate, name, accepted)
     return candidate
 
 
@@ -212,7 +212,10 @@ def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[C
 
 
 def _bracket(search: Search, candidate: Candidate, name: str) -> tuple[float, float]:
-    """Between the neighbours on the grid; for a frequency half the resolution, for a delay a step of it either way."""
+    """Between the neighbours on the grid; for a frequency half the resolution, for a delay a step of it either way.
+
+    A loop or a bend narrower than any on the grid is not looked for: it would be driven by ripple and noise.
+    """
     shape = next(s for s in candidate.form.shape if s.name == name)
     if name == "f_Hz":
         width = 0.6 / float(np.ptp(search.problem.scene.t_s))
@@ -220,6 +223,10 @@ def _bracket(search: Search, candidate: Candidate, name: str) -> tuple[float, fl
     if name == "delay_s":
         width = min(abs(g) for g in shape.grid)
         return shape.value - width, shape.value + width
+    if name.endswith("_deg"):
+        width = float(np.min(np.diff(shape.grid)))
+        return shape.value - width, shape.value + width
     below = [g for g in shape.grid if g < shape.value]
     above = [g for g in shape.grid if g > shape.value]
-    return (max(below) if below else shape.value / 3), (min(above) if above else shape.value * 3)
+    lower, upper = (3, 1 / 3) if shape.value < 0 else (1 if name.endswith("_nT") else 1 / 3, 3)
+    return (max(below) if below else shape.value * lower), (min(above) if above else shape.value * upper)

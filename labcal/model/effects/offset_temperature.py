@@ -1,4 +1,7 @@
-"""Sensor offset that follows temperature, straight or curved, at once or behind it by thermal time constants."""
+"""Sensor offset that follows temperature, straight or curved: at once, behind it by thermal time constants, or ahead.
+
+It is ahead (a negative time constant) where the thermometer is the slower of the two.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
 
+LEADS_S = (-100.0, -30.0, -10.0, -3.0)  # of a thermometer that is slower than the sensor
 TAU_S = (10.0, 30.0, 100.0, 300.0)
 SEVERAL_S = (0, 60, 300)  # a housing and what is inside it
 
@@ -25,11 +29,11 @@ def kernel(form: Form, scene: Scene) -> Array:
 
 def candidates(run: Run) -> list[Form]:
     """Each temperature that moves: prompt, behind, with several time constants, curved, and delayed."""
-    tau = Shape("tau_s", 100.0, "s", TAU_S)
+    tau, either = Shape("tau_s", 100.0, "s", TAU_S), Shape("tau_s", 100.0, "s", (*LEADS_S, *TAU_S))
     found = []
     for c in moving(run, ("temperature",)):
         straight = (prompt(c, kernel), late(c, kernel, tau))
-        found += [*straight, several(c, kernel, SEVERAL_S), *map(_curved, straight)]
+        found += [straight[0], late(c, kernel, either), several(c, kernel, SEVERAL_S), *map(_curved, straight)]
         found += shifted(c, kernel, run)
     return found
 

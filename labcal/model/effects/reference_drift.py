@@ -8,6 +8,8 @@ from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import AXES
 from labcal.record import Run, offers
 
+DEGREES = (1, 2, 5)
+
 
 def kernel(form: Form, scene: Scene) -> Array:
     """E = R Σ c_k (t − t_ref)^k, fixed in the cage and seen from the body."""
@@ -18,14 +20,14 @@ def kernel(form: Form, scene: Scene) -> Array:
 
 
 def candidates(run: Run) -> list[Form]:
-    """A line and a parabola in time."""
+    """A line, a parabola, and a polynomial that follows a slow wave once through the run."""
     if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
         return []
     middle = (Shape("t_ref_s", float(run.t_s[0] + run.t_s[-1]) / 2, "s"),)
-    units = ("nT", "nT/s", "nT/s^2")
+    units = ("nT", "nT/s", *(f"nT/s^{k}" for k in range(2, max(DEGREES) + 1)))
     return [
         Form(kernel, tuple((f"c{k}_{a}", units[k]) for k in range(degree + 1) for a in AXES), shape=middle)
-        for degree in (1, 2)
+        for degree in DEGREES
     ]
 
 

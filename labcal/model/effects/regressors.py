@@ -63,12 +63,16 @@ def stretches(segment: NDArray[np.intp]) -> list[slice]:
 def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float) -> Array:
     """First-order response (n,) to `drive` with time constant `tau_s`, exact for a drive that is linear between rows.
 
+    A negative one undoes a response: the drive was seen through a slow thermometer.
+
     What follows slowly does not start anew where a segment does: over a gap of up to CARRIED time constants the state
     is carried, the drive bridged linearly. After a longer one, and before the first row, the drive is taken to have
     moved as it does over the next tau_s where that is a line, and to have stood where it is not.
     """
-    if tau_s <= 0 or len(t_s) == 0:
+    if tau_s == 0 or len(t_s) == 0:
         return drive
+    if tau_s < 0:
+        return inverted(t_s, segment, drive, -tau_s)
     steps = np.diff(t_s, prepend=t_s[0]) / tau_s
     anew = (np.diff(segment, prepend=segment[0]) != 0) & ((steps <= 0) | (steps > CARRIED))
     anew[0] = True
@@ -81,6 +85,27 @@ def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float
         add[start] = drive[start] - tau_s * _slope(t_s[start:stop], drive[start:stop], tau_s)
     keep[anew] = 0.0
     return affine(keep, add, 0.0)
+
+
+def inverted(t_s: Array, segment: NDArray[np.intp], seen: Array, tau_s: float) -> Array:
+    """What a thermometer of time constant `tau_s` was in (n,), from what it showed: T + tau dT/dt.
+
+    The slope is a line's through the rows of the segment within tau_s / 8 either way: so the noise of a reading counts
+    14 times over the root of their number, and what changes within the window is smoothed.
+    """
+    return np.concatenate([seen[p] + tau_s * _slopes(t_s[p], seen[p], tau_s / 8) for p in stretches(segment)])
+
+
+def _slopes(t: Array, x: Array, reach_s: float) -> Array:
+    """The slope (n,) of a line through the rows within `reach_s` of each, its neighbours at least."""
+    t, x, rows = t - t.mean(), x - x.mean(), np.arange(len(t))
+    first = np.maximum(np.minimum(np.searchsorted(t, t - reach_s), rows - 1), 0)
+    last = np.minimum(np.maximum(np.searchsorted(t, t + reach_s, side="right"), rows + 2), len(t))
+    powers = np.stack([np.ones_like(t), t, x, t * x, t * t], axis=1)
+    sums = np.concatenate([np.zeros((1, 5)), np.cumsum(powers, axis=0)])
+    n, s_t, s_x, s_tx, s_tt = (sums[last] - sums[first]).T
+    spread = n * s_tt - s_t**2
+    return np.asarray((n * s_tx - s_t * s_x) / np.where(spread > 0, spread, np.inf))
 
 
 def _slope(t: Array, x: Array, tau_s: float) -> float:
