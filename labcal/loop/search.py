@@ -19,6 +19,7 @@ from labcal.loop.periods import periodogram, usual
 from labcal.loop.problem import Problem
 from labcal.loop.spectrum import Bands, Grams, Likelihood, Stage, bands_of, fast, transformed
 from labcal.model.effects import Family, Form, families
+from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 Kept = TypeVar("Kept")
@@ -29,7 +30,8 @@ NAMED = 12.0  # nats of weight below which nothing is named: odds of 1.6e5 to on
 PEAKS = 3  # frequencies that a periodic effect is tried at
 SEEN = 1e-4  # of a column's square must be new to the base
 NOTHING = 1e-10  # of the largest eigenvalue: directions below carry no information
-CYCLES = 3.0  # a period must fit this often into a median segment: what a turn forth and back repeats, fits twice
+CYCLES = 3.0  # a period must fit this often into the run, and into a median segment where it keeps step with them:
+IN_STEP = 0.7  # of one, the resultant of its phases at their starts: what a turn forth and back repeats, fits twice
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -108,10 +110,7 @@ def periodic(problem: Problem, residual: Array) -> list[Candidate]:
         return []
     offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
     frequency, power = periodogram(problem.scene.t_s, offsets)
-    t, segment = problem.scene.t_s, problem.scene.segment
-    lengths = [float(np.ptp(t[segment == s])) for s in np.unique(segment)]
-    low = CYCLES / max(float(np.median(lengths)), 1e-9)
-    contrast = np.where((frequency > low) & (frequency < 0.98 * frequency[-1]), power / usual(power), 0.0)
+    contrast = np.where(_own(problem, frequency), power / usual(power), 0.0)
     found: list[Candidate] = []
     for _ in range(PEAKS):
         peak = int(np.argmax(contrast))
@@ -122,6 +121,16 @@ def periodic(problem: Problem, residual: Array) -> list[Candidate]:
             found.append(Candidate(family, replace(form, shape=(at,)), len(frequency)))
         contrast[max(peak - 8, 0) : peak + 9] = 0.0
     return found
+
+
+def _own(problem: Problem, frequency: Array) -> NDArray[np.bool_]:
+    """Which frequencies [Hz] up from nought are neither a drift's, nor a motion's that comes again in each segment."""
+    times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
+    few = frequency < CYCLES / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
+    in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > IN_STEP
+    own = (frequency > CYCLES / max(times[-1][-1] - times[0][0], 1e-9)) & (frequency < 0.98 * frequency[-1])
+    own[few] &= ~in_step
+    return np.asarray(own)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
