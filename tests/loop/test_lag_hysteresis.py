@@ -1,11 +1,13 @@
 """The kernels that remember, against what they must do by definition."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from labcal.model.effects import Form, Scene
 from labcal.model.effects.hysteresis import dahl, kernel, stop
 from labcal.model.effects.protocol import Shape
-from labcal.model.effects.regressors import low_passed, shifted
+from labcal.model.effects.regressors import low_passed, per_axis, shifted
 
 
 def test_a_stop_follows_until_its_threshold_and_back() -> None:
@@ -48,6 +50,33 @@ def test_a_first_order_response_to_a_step_reaches_63_per_cent_after_tau() -> Non
     t = np.arange(0, 60, 0.01)
     out = low_passed(t, np.zeros(len(t), dtype=np.intp), (t >= 20).astype(float), 8.0)
     assert abs(out[np.searchsorted(t, 28.0)] - (1 - np.exp(-1))) < 2e-3
+
+
+def test_a_slow_thermometer_is_undone_by_the_negative_time_constant() -> None:
+    t = np.concatenate([np.arange(0, 100, 0.1), np.arange(400, 500, 0.1)])
+    segment = np.repeat([0, 1], 1000)
+    warm = 20 + np.sin(t / 15.0)
+    shown = low_passed(t, segment, warm, 6.0) + np.random.default_rng(3).normal(0, 0.01, len(t))
+    assert np.std(shown - warm) > 0.2
+    assert np.std(low_passed(t, segment, shown, -6.0) - warm) < 0.05
+
+
+def test_a_demagnetised_sensor_has_followed_the_field_from_nought_and_remembers_other_segments_where_it_is_kept():
+    field = np.array([20.0, 15.0, -5.0, -5.0])[:, None] * np.eye(3)[0]
+    scene = Scene(np.arange(4.0), np.array([0, 0, 0, 1]), field)
+    kept = (Shape("r_nT", 10.0, "nT"), Shape("kept", 0.0, "1"))
+    each, first = (Form(kernel, (("c_x", "1"),), shape=(kept[0], replace(kept[1], value=v))) for v in (0.0, 1.0))
+    assert kernel(each, scene)[:, 0, 0].tolist() == [10.0, 5.0, -10.0, -5.0]
+    assert kernel(first, scene)[:, 0, 0].tolist() == [10.0, 5.0, -10.0, -10.0]
+
+
+def test_a_soft_bar_follows_the_field_along_itself_and_its_own_field_points_anywhere() -> None:
+    along = np.array([0.0, 4000.0, 9000.0, 3000.0])
+    bar = np.array([np.cos(np.radians(30)), 0.0, np.sin(np.radians(30))])
+    scene = Scene(np.arange(4.0), np.zeros(4, dtype=np.intp), along[:, None] * bar + [0.0, 7e3, 0.0])
+    turned = (Shape("lon_deg", 0.0, "deg"), Shape("lat_deg", 30.0, "deg"), Shape("kept", 0.0, "1"))
+    columns = kernel(Form(kernel, per_axis("body_c6000", "1"), shape=turned), scene)
+    assert np.allclose(columns, np.array([0.0, 4000.0, 6000.0, 0.0])[:, None, None] * np.eye(3))
 
 
 def test_a_shift_is_exact_for_a_parabola_and_stops_at_a_segment() -> None:

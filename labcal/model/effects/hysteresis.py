@@ -5,8 +5,11 @@ A stop of threshold r follows the field until it is r away from where it turned,
 1976) approaches its branch exponentially over a field w. A magnetic part near saturation is a bounded function of the
 play, the field less the stop: Preisach's relays of one width (Visintin, ch. IV), about a curve of its own: the relays'
 saturation, and powers for what is uneven in it.
-Each segment starts at rest. The loop follows the field along the sensor's own axes, or along those of the body
-(`body_…`: a part beside the sensor, which knows nothing of the sensor's misalignment).
+Each segment starts at rest in the field it is in; with `kept`, demagnetised before the field came on: each segment
+(0), or the first alone, its memory kept from one to the next (1). The loop follows the field along the sensor's own
+axes, or along those of the body (`body_…`: a part beside the sensor, which knows nothing of the sensor's misalignment).
+A soft bar follows the field along one direction of the body, `lon_deg` from x to y and `lat_deg` towards z, and its own
+field points anywhere.
 """
 
 from __future__ import annotations
@@ -20,19 +23,22 @@ import numpy as np
 from labcal.model.effects.nonlinearity import SATURATION_nT, bend
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.recursion import affine, clipped
-from labcal.model.effects.regressors import BODY, driving, per_axis, powered, stretches
+from labcal.model.effects.regressors import BODY, driving, on_each_axis, per_axis, powered, stretches
 from labcal.record import Run, offers
 
 THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
 SEVERAL_nT = (500.0, 1500.0, 4000.0, 12000.0)
 WIDTHS_nT = (1000.0, 4000.0)
 OWN_NOISE = 90.0  # deviations of a reading: a narrower loop, driven by the readings, would take off their noise
+BAR_nT = (2000.0, 6000.0, 18000.0)
+LON_deg = (30.0, 90.0, 150.0, 210.0, 270.0, 330.0)
+LAT_deg = (20.0, 65.0)  # of half the sphere: nothing is farther than 35 degrees from one of these or its opposite
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
 
 
-def stop(drive: Array, threshold: float) -> Array:
-    """The stop operator along rows of drive (n, k) [nT]: within ± threshold, starting at rest."""
-    return clipped(np.diff(drive, axis=0, prepend=drive[:1]), threshold)
+def stop(drive: Array, threshold: float, *, at_rest: bool = True) -> Array:
+    """The stop operator along rows of drive (n, k) [nT]: within ± threshold, at rest in the first row or at drive 0."""
+    return clipped(np.diff(drive, axis=0, prepend=drive[:1] * at_rest), threshold)
 
 
 def dahl(drive: Array, width: float) -> Array:
@@ -56,9 +62,25 @@ def kernel(form: Form, scene: Scene) -> Array:
         play = s - _by_segment(scene, s, partial(stop, threshold=form.at("r_nT")))
         level = form.at("s_nT")
         loops = [np.tanh(play / level) - np.tanh(s / level), bend(s / level), *(s**k for k in BENDS)]
+    elif "lon_deg" in names:
+        along = s @ _direction(form.at("lon_deg"), form.at("lat_deg"))
+        loops = [_stopped(form, scene, along[:, None], r) for r in _thresholds(form)]
+        return np.concatenate([on_each_axis(loop[:, 0]) for loop in loops], axis=2)
     else:
-        loops = [_by_segment(scene, s, partial(stop, threshold=r)) for r in _thresholds(form)]
+        loops = [_stopped(form, scene, s, r) for r in _thresholds(form)]
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
+
+
+def _direction(lon_deg: float, lat_deg: float) -> Array:
+    lon, lat = np.radians([lon_deg, lat_deg])
+    return np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
+
+
+def _stopped(form: Form, scene: Scene, s: Array, threshold: float) -> Array:
+    kept = next((shape.value for shape in form.shape if shape.name == "kept"), None)
+    if kept == 1:
+        return stop(s, threshold, at_rest=False)
+    return _by_segment(scene, s, partial(stop, threshold=threshold, at_rest=kept is None))
 
 
 def _by_segment(scene: Scene, s: Array, loop: Callable[[Array], Array]) -> Array:
@@ -66,13 +88,16 @@ def _by_segment(scene: Scene, s: Array, loop: Callable[[Array], Array]) -> Array
 
 
 def _thresholds(form: Form) -> list[float]:
-    if form.shape:
+    if any(shape.name == "r_nT" for shape in form.shape):
         return [form.at("r_nT")]
     return [float(name.removeprefix(BODY)[1:].split("_")[0]) for name, _ in form.parameters[::3]]
 
 
 def candidates(run: Run) -> list[Form]:
-    """Dahl's loop, one stop, several, and a saturating loop about a curve; each along either axes."""
+    """Dahl's loop, one stop, several, and a saturating loop about a curve, along either axes; and a bar.
+
+    Stops are tried from rest, and demagnetised before the first segment or before each.
+    """
     least = _narrowest(run)
     thresholds, several, widths = (
         tuple(r for r in grid if r >= least) for grid in (THRESHOLDS_nT, SEVERAL_nT, WIDTHS_nT)
@@ -87,6 +112,15 @@ def candidates(run: Run) -> list[Form]:
             shapes = (Shape("r_nT", 0.0, "nT", widths), Shape("s_nT", 0.0, "nT", SATURATION_nT))
             curve = (*per_axis(f"{drive}t1", "nT"), *(p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k))))
             found.append(Form(kernel, (*per_axis(f"{drive}c", "nT"), *curve), shape=shapes))
+    bar = tuple(p for r in BAR_nT if r >= least for p in per_axis(f"{BODY}c{r:.0f}", "1"))
+    turned = (Shape("lon_deg", 0.0, "deg", LON_deg), Shape("lat_deg", 0.0, "deg", LAT_deg))
+    for kept in (Shape("kept", 0.0, "1"), Shape("kept", 1.0, "1")):
+        if thresholds:
+            found.append(Form(kernel, per_axis("c", "1"), shape=(Shape("r_nT", 0.0, "nT", thresholds), kept)))
+        if several:
+            found.append(Form(kernel, tuple(p for r in several for p in per_axis(f"c{r:.0f}", "1")), shape=(kept,)))
+        if bar:
+            found.append(Form(kernel, bar, shape=(*turned, kept)))
     return found
 
 
@@ -103,7 +137,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("r_nT", "w_nT", "s_nT"),
+    shapes=("r_nT", "w_nT", "s_nT", "lon_deg", "lat_deg", "kept"),
     experiment="step the field up and down through the same values, or turn backwards",
     of_field=True,
     extends=("nonlinearity",),
