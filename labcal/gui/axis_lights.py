@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout
 
 from labcal.gui.run_vm import RunViewModel
 from labcal.gui.theme import GRID, STATES, Theme
-from labcal.gui.widgets import label, named, set_state
+from labcal.gui.widgets import Ground, label, set_state
 from labcal.gui.words import say
 
 NOT_YET = ("○", "")
 
 
-class AxisLights(QFrame):
+class AxisLights(Ground):
     """In sight also while a question is open: what is red here is redone before the DUT is dismounted."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
-        named(self, "card")
         self._theme = theme
         row = QHBoxLayout(self)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit
 
-from labcal.gui.widgets import Card, button, label, named, set_state
+from labcal.gui.widgets import Card, button, label, set_state
 from labcal.gui.wire import Fault
 from labcal.gui.words import say
 
@@ -23,10 +24,10 @@ class FaultCard(Card):
 
     report_asked = Signal(object)  # Fault
     closed = Signal()
+    edge, width_px = QPalette.ColorRole.BrightText, 2
 
     def __init__(self, closable: bool = True) -> None:
         super().__init__(" ")
-        named(self, "fault")
         self.fault: Fault | None = None
         self.text, self.remedy = label("", wrap=True), label("", wrap=True)
         self.details = QPlainTextEdit()

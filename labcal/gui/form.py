@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEd
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
 from labcal.gui.theme import GRID
-from labcal.gui.widgets import label, set_state
+from labcal.gui.widgets import named, set_state
 from labcal.gui.words import say
 
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
@@ -54,6 +54,7 @@ class Form(QWidget):
     """Entries for `specs`; `given()` says only what differs from the defaults."""
 
     changed = Signal()
+    dressed_whole = True  # many small parts, made anew for each procedure
 
     def __init__(self, specs: list[ParameterSpec]) -> None:
         super().__init__()
@@ -68,20 +69,22 @@ class Form(QWidget):
             self._add(grid, row, spec)
         grid.setColumnStretch(3, 1)
         grid.setRowStretch(len(specs), 1)
+        self._check()
 
     def _add(self, grid: QGridLayout, row: int, spec: ParameterSpec) -> None:
-        name = label(title_of(spec))
+        name = QLabel(title_of(spec))
         name.setToolTip(f"--set {spec.name}=…: {spec.expected}")
         field = self._field(spec)
         field.setToolTip(f"{spec.help or spec.name}: {spec.expected}")
         field.setAccessibleName(spec.help or spec.name)
         field.setFixedWidth(24 * GRID)
         name.setBuddy(field)
-        complaint = label("", "caption", wrap=True)
+        complaint = named(QLabel(), "caption")
+        complaint.setWordWrap(True)
         self._fields[spec.name], self._complaints[spec.name] = field, complaint
         grid.addWidget(name, row, 0)
         grid.addWidget(field, row, 1)
-        grid.addWidget(label(spec.unit), row, 2)
+        grid.addWidget(QLabel(spec.unit), row, 2)
         grid.addWidget(complaint, row, 3)
 
     def _field(self, spec: ParameterSpec) -> QLineEdit | QComboBox | QCheckBox:
@@ -103,10 +106,6 @@ class Form(QWidget):
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
         line.textChanged.connect(self._check)
         return line
-
-    def showEvent(self, event: object) -> None:
-        """Say the ranges."""
-        self._check()
 
     def text(self, name: str) -> str:
         """What stands in the field `name`, as text."""

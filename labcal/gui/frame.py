@@ -10,7 +10,6 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QApplication,
     QButtonGroup,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -24,19 +23,18 @@ from PySide6.QtWidgets import (
 from labcal.gui.lab_vm import LabState, LabViewModel
 from labcal.gui.numbers import field, number
 from labcal.gui.theme import GRID
-from labcal.gui.widgets import Numbers, label, named, set_state, shrinking
+from labcal.gui.widgets import Ground, Numbers, label, named, set_state, shrinking
 from labcal.gui.words import say
 
 LIGHT_SHAPES = {"ok": ("✓", "good"), "waiting": ("…", ""), "fault": ("✕", "bad"), "absent": ("○", "")}
 UNITS = ("nT", "µT", "mG")
 
 
-class TopBar(QFrame):
+class TopBar(Ground):
     """DUT, operator, bench, SIMULATED where it is, and Coils off: in sight on every page."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("topbar")
+        super().__init__(Qt.Edge.BottomEdge)
         row = QHBoxLayout(self)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         row.setSpacing(GRID)
@@ -70,14 +68,13 @@ class TopBar(QFrame):
         self.simulated.setVisible(state.simulated)
 
 
-class SidePanel(QFrame):
+class SidePanel(Ground):
     """The field now, the coil currents and the instruments."""
 
     unit_asked = Signal(str)
 
     def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("panel")
+        super().__init__(Qt.Edge.LeftEdge)
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         self._column.setSpacing(GRID)
@@ -186,8 +183,8 @@ class Frame(QMainWindow):
         if application is not None:
             application.installEventFilter(self)
 
-    def _rail(self, pages: dict[str, QWidget]) -> QFrame:
-        self.rail = rail = named(QFrame(), "rail")
+    def _rail(self, pages: dict[str, QWidget]) -> QWidget:
+        self.rail = rail = Ground(Qt.Edge.RightEdge)
         column = QVBoxLayout(rail)
         column.setContentsMargins(0, 2 * GRID, 0, 2 * GRID)
         column.setSpacing(0)
@@ -203,8 +200,8 @@ class Frame(QMainWindow):
         self._rail_buttons.idClicked.connect(self.stack.setCurrentIndex)
         return rail
 
-    def _status_line(self) -> QFrame:
-        self.bottom = line = named(QFrame(), "statusline")
+    def _status_line(self) -> QWidget:
+        self.bottom = line = Ground(Qt.Edge.TopEdge)
         row = QHBoxLayout(line)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         row.addWidget(self.message, 1)

@@ -9,7 +9,7 @@ import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
 from labcal.gui.theme import Theme
 from labcal.gui.words import say
@@ -27,7 +27,7 @@ def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
     """An empty plot with named axes (units in the name) in the theme's colours, without pyqtgraph's own menus."""
     widget = _stock.pop() if _stock else _blank()
     for side, text in (("bottom", bottom), ("left", left)):
-        widget.getPlotItem().getAxis(side).setLabel(say(text))
+        widget.getPlotItem().getAxis(side).labelText = say(text)
     ink(widget, theme)
     return widget
 
@@ -39,6 +39,7 @@ def _blank() -> pg.PlotWidget:
     item.hideButtons()
     for side in ("bottom", "left"):
         item.getAxis(side).enableAutoSIPrefix(False)
+        item.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is dear to draw
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return widget
 

@@ -2,30 +2,24 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
-
-from PySide6.QtCore import QRect, Qt, QTimer, Signal
-from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QApplication,
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
-    QSizePolicy,
     QVBoxLayout,
 )
 
 from labcal.gui.drawing import Mounting
 from labcal.gui.hold import KEYS, HoldButton
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, named
+from labcal.gui.widgets import Card, Words, button, label, named
 from labcal.gui.words import say
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
-LARGEST_PT, SMALLEST_PT = 54, 13  # the words are as large as their place allows, to be read from the cage
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 WORDS = {
     "done": "Done",
@@ -41,44 +35,6 @@ WORDS = {
 def acting(prompt: Prompt, choice: str) -> bool:
     """Whether this answer mounts, energises, moves or switches something."""
     return choice != "no" and (prompt.acts or choice == "retry")
-
-
-class Words(QLabel):
-    """A text as large as its place allows, which has nothing to say about how large that is."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        named(self, "ask")
-        self.setWordWrap(True)
-        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        self._pt = 0
-
-    def say(self, text: str) -> None:
-        """Write `text`."""
-        self.setText(text)
-        self._enlarge()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """The place is another."""
-        super().resizeEvent(event)
-        self._enlarge()
-
-    def _enlarge(self) -> None:
-        sizes = range(SMALLEST_PT + 1, LARGEST_PT + 1)
-        fitting = SMALLEST_PT + bisect_left(sizes, True, key=lambda pt: not self._fits(pt))
-        if fitting != self._pt:
-            self._pt = fitting
-            self.setStyleSheet(f"font-size: {fitting}pt")
-
-    def _fits(self, pt: int) -> bool:
-        font, place = QFont(self.font()), self.contentsRect()
-        font.setPointSize(pt)
-        font.setWeight(QFont.Weight.DemiBold)
-        room = QRect(0, 0, place.width(), 10_000)
-        needed = QFontMetrics(font).boundingRect(room, int(Qt.TextFlag.TextWordWrap), self.text())
-        return needed.height() <= place.height() and needed.width() <= place.width()
 
 
 class PromptCard(Card):

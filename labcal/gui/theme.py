@@ -80,12 +80,6 @@ STATES = {"PASS": ("✓", "good"), "MARGINAL": ("▲", "warning"), "FAIL": ("✕
 _SHEET = Template(
     """
 * { font-size: ${text_pt}pt; color: $text; }
-QMainWindow, QWidget#page { background: $page; }
-QFrame#card, QFrame#panel, QFrame#topbar { background: $surface; border: 1px solid $line; border-radius: 6px; }
-QFrame#topbar { border-radius: 0; border-width: 0 0 1px 0; }
-QFrame#panel { border-radius: 0; border-width: 0 0 0 1px; }
-QFrame#rail { background: $surface; border: 0; border-right: 1px solid $line; }
-QFrame#statusline { background: $surface; border: 0; border-top: 1px solid $line; }
 QLabel { background: transparent; }
 QLabel#title { font-size: ${title_pt}pt; font-weight: 600; }
 QLabel#caption { font-size: ${small_pt}pt; color: $muted; }
@@ -114,7 +108,6 @@ QHeaderView::section { background: $page; color: $muted; border: 0; border-botto
 QProgressBar { background: $sunken; border: 1px solid $line; border-radius: 4px; height: 14px; text-align: center; }
 QProgressBar::chunk { background: $accent; border-radius: 3px; }
 QToolTip { background: $surface; color: $text; border: 1px solid $line; padding: 4px; }
-QScrollArea, QScrollArea > QWidget > QWidget { border: 0; background: transparent; }
 QSplitter::handle { background: transparent; }
 QListWidget { outline: 0; padding: 4px; } QListWidget::item { padding: 4px 6px; border-radius: 4px; }
 QListWidget::item:selected { background: $accent; color: $on_accent; }
@@ -129,9 +122,6 @@ QComboBox::down-arrow { image: none; width: 0; height: 0;
     border-left: 5px solid $sunken; border-right: 5px solid $sunken; border-top: 6px solid $muted; }
 QCheckBox::indicator { width: 16px; height: 16px; border: 1px solid $muted; border-radius: 3px; background: $sunken; }
 QCheckBox::indicator:checked { background: $accent; border: 1px solid $accent; }
-QFrame#fault { background: $surface; border: 2px solid $bad; border-radius: 6px; }
-QFrame#topfault { background: $surface; border: 2px solid $bad; border-radius: 6px; margin-top: 16px; }
-QFrame#good { background: $surface; border: 2px solid $good; border-radius: 6px; }
 QLabel#ask { font-size: ${ask_pt}pt; font-weight: 600; }
 QLabel#huge { font-size: ${huge_pt}pt; font-weight: 600; }
 QPlainTextEdit#story { background: transparent; border: 0; padding: 0; }

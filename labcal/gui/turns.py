@@ -16,13 +16,19 @@ class Turns(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._waiting: dict[Job, None] = {}
+        self._waiting: dict[object, Job] = {}
         self._next = QTimer(self, interval=0, singleShot=True)
         self._next.timeout.connect(self._do)
 
     def add(self, *jobs: Job) -> None:
         """Do these when it is their turn."""
-        self._waiting.update(dict.fromkeys(jobs))
+        for job in jobs:
+            self.put(job, job)
+
+    def put(self, name: object, job: Job) -> None:
+        """Do this when it is its turn, and not what waits under the same name."""
+        self._waiting.pop(name, None)
+        self._waiting[name] = job
         self._next.start()
 
     def finish(self) -> None:
@@ -39,6 +45,4 @@ class Turns(QObject):
                 return
 
     def _one(self) -> None:
-        job = next(iter(self._waiting))
-        del self._waiting[job]
-        job()
+        self._waiting.pop(next(iter(self._waiting)))()

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from typing import TypeVar
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont
+from PySide6.QtCore import QRect, QRectF, Qt
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
-    QFrame,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -22,6 +22,8 @@ from labcal.gui.theme import GRID
 from labcal.gui.words import say
 
 W = TypeVar("W", bound=QWidget)
+ROUND_PX = 6
+LARGEST_PT, SMALLEST_PT = 54, 13  # words that are as large as their place allows, to be read from the cage
 
 
 def named(widget: W, name: str) -> W:
@@ -76,7 +78,7 @@ def set_primary(widget: QPushButton, primary: bool) -> None:
 
 def set_state(widget: QWidget, state: str) -> None:
     """Colour a label by state: good, warning, bad or ""."""
-    if widget.property("state") != state:
+    if (widget.property("state") or "") != state:
         widget.setProperty("state", state)
         widget.style().unpolish(widget)
         widget.style().polish(widget)
@@ -88,12 +90,51 @@ def flat(widget: W) -> W:
     return widget
 
 
-class Card(QFrame):
+class Ground(QWidget):
+    """What cards and bars stand on: the palette's base, with an edge all around, or at `side` alone.
+
+    It is painted, not styled: whatever wears a style sheet is gone through by Qt with all that stands on it.
+    """
+
+    edge, width_px = QPalette.ColorRole.Mid, 1
+
+    def __init__(self, side: Qt.Edge | None = None) -> None:
+        super().__init__()
+        self._side = side
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint."""
+        area, palette, inset = QRectF(self.contentsRect()), self.palette(), self.width_px / 2
+        with QPainter(self) as painter:
+            if self._side is not None:
+                painter.fillRect(area, palette.base())
+                painter.fillRect(_strip(area, self._side), palette.color(self.edge))
+                return
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setBrush(palette.base())
+            painter.setPen(QPen(palette.color(self.edge), self.width_px))
+            painter.drawRoundedRect(area.adjusted(inset, inset, -inset, -inset), ROUND_PX, ROUND_PX)
+
+
+def _strip(area: QRectF, side: Qt.Edge) -> QRectF:
+    """The last pixels of `area` at one side."""
+    strip = QRectF(area)
+    if side in (Qt.Edge.LeftEdge, Qt.Edge.RightEdge):
+        strip.setWidth(1)
+    else:
+        strip.setHeight(1)
+    if side == Qt.Edge.RightEdge:
+        strip.moveRight(area.right())
+    if side == Qt.Edge.BottomEdge:
+        strip.moveBottom(area.bottom())
+    return strip
+
+
+class Card(Ground):
     """A titled surface; add to `body`."""
 
     def __init__(self, title: str = "", unit: str = "") -> None:
         super().__init__()
-        self.setObjectName("card")
         outer = QVBoxLayout(self)
         outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         outer.setSpacing(GRID)
@@ -140,3 +181,44 @@ class Numbers(QWidget):
         self._values[row].setText(value)
         self._words[row].setText(word)
         set_state(self._words[row], state)
+
+
+class Words(QLabel):
+    """A text as large as its place allows, which has nothing to say about how large that is."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWordWrap(True)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._pt = 0
+
+    def say(self, text: str) -> None:
+        """Write `text`."""
+        self.setText(text)
+        self._enlarge()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The place is another."""
+        super().resizeEvent(event)
+        self._enlarge()
+
+    def _enlarge(self) -> None:
+        sizes = range(SMALLEST_PT + 1, LARGEST_PT + 1)
+        fitting = SMALLEST_PT + bisect_left(sizes, True, key=lambda pt: not self._fits(pt))
+        if fitting != self._pt:
+            self._pt = fitting
+            self.setFont(self._font(fitting))
+
+    def _font(self, pt: int) -> QFont:
+        font = QFont(self.font())
+        font.setPointSize(pt)
+        font.setWeight(QFont.Weight.DemiBold)
+        return font
+
+    def _fits(self, pt: int) -> bool:
+        place = self.contentsRect()
+        room = QRect(0, 0, place.width(), 10_000)
+        needed = QFontMetrics(self._font(pt)).boundingRect(room, int(Qt.TextFlag.TextWordWrap), self.text())
+        return needed.height() <= place.height() and needed.width() <= place.width()

@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from importlib import import_module
 from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
-from PySide6.QtWidgets import QApplication, QFileDialog, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
 
 from labcal.gui import hold
 from labcal.gui.desk import Desk
+from labcal.gui.dress import comes_up_bare, dress, wearers
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.frame import Frame
 from labcal.gui.problem import save_problem
 from labcal.gui.scanner import Scanner
-from labcal.gui.theme import DARK, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.turns import Turns
-from labcal.gui.widgets import named
 from labcal.gui.wire import Fault
 
 if TYPE_CHECKING:
@@ -58,19 +58,21 @@ class Later(QWidget):
         return self.page
 
     def build(self) -> None:
-        """Build the page; when asked again, put it into its place."""
+        """Build the page; when asked again, what it still lacks, and at last put it into its place."""
         if self.page is None:
             self.page = self._build()
             return
+        if getattr(self.page, "build_more", bool)():
+            return
         self._column.addWidget(self.page)
-        for piece in self.pieces():
-            piece.setStyleSheet(self._sheet())
+        for one in self.wearers():
+            dress(one, self._sheet())
         for part in self.page.findChildren(QWidget):
             part.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
 
-    def pieces(self) -> list[QWidget]:
-        """What is dressed at a time: the cards, and what stands between them."""
-        return pieces(self.page) if self.page is not None and self.ready else []
+    def wearers(self) -> list[QWidget]:
+        """What is dressed, one by one."""
+        return wearers(self.page) if self.page is not None and self.ready else []
 
     def inked(self, theme: Theme) -> Iterator[Callable[[], object]]:
         """What puts each part that draws for itself into the colours of `theme`; holders come after what they hold."""
@@ -94,14 +96,6 @@ def stock_one() -> bool:
     from labcal.gui.plots import stock_up
 
     return stock_up(PLOTS)
-
-
-def pieces(widget: QWidget) -> list[QWidget]:
-    """Cards, tables, buttons: what is not only there to hold others."""
-    ours = type(widget).__module__.startswith("labcal.") and type(widget).__base__ is QWidget
-    if not ours and type(widget) not in (QWidget, QStackedWidget, QSplitter):
-        return [widget]
-    return [piece for one in widget.children() if isinstance(one, QWidget) for piece in pieces(one)]
 
 
 def build_page(name: str, desk: Desk, theme: Callable[[], Theme]) -> QWidget:
@@ -130,7 +124,8 @@ class Window(Frame):
         self._ahead.timeout.connect(self.build_ahead)
         self._imports = Thread(target=import_pages, daemon=True, name="imports")
         self.wall = str(desk.settings.value("wall", "no")) == "yes"
-        self.fault = named(FaultCard(), "topfault")
+        self.fault = FaultCard()
+        self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
         self.above.addWidget(self.fault)
         self.fault.report_asked.connect(desk.report_asked)
         self.scanner = Scanner(self)
@@ -165,8 +160,8 @@ class Window(Frame):
         While a run goes on only what is in sight. In the end, have the worker of fits ready.
         """
         waiting = [later for later in self.later.values() if not later.ready]
+        gc.freeze()  # what is built stays: the collector need not go through it again
         if not waiting:
-            gc.freeze()  # what is built stays: the collector need not go through it again
             return self.desk.study_vm.prepare()
         first = min(waiting, key=lambda later: not later.isVisible())
         if first is self.later["Start"]:
@@ -201,15 +196,25 @@ class Window(Frame):
         return style_sheet(self.theme, WALL_SCALE if self.wall else 1.0)
 
     def _look(self, *, inked: bool = False) -> None:
-        """Each part is dressed in an event of its own, what is in sight first: none of them takes long."""
+        """Everything is dressed bit by bit, what is in sight first: no event takes long."""
         QApplication.setPalette(_palette(self.theme))
         sheet = self.sheet()
         self.set_scale(WALL_SCALE if self.wall else 1.0)
         for part in (self.top, self.side, self.rail, self.bottom, self.fault):
-            self.dressing.add(partial(part.setStyleSheet, sheet))
+            self._dress(wearers(part), sheet)
         for later in sorted(self.later.values(), key=lambda one: not one.isVisible()):
-            self.dressing.add(*(partial(part.setStyleSheet, sheet) for part in later.pieces()))
+            self._dress(later.wearers(), sheet)
             self.dressing.add(*(later.inked(self.theme) if inked else ()))
+
+    def _dress(self, wanted: Iterable[QWidget], sheet: str) -> None:
+        for one in wanted:
+            self.dressing.put(one, partial(dress, one, sheet))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Dress what comes up new; then hear the keys."""
+        if comes_up_bare(watched, event) and isinstance(watched, QWidget) and watched.window() is self:
+            dress(watched, self.sheet())
+        return super().eventFilter(watched, event)
 
     def _lock(self) -> None:
         """Who and what stand fixed while a run goes on."""
@@ -247,13 +252,14 @@ class Window(Frame):
 
 
 def _palette(theme: Theme) -> QPalette:
-    """For what no style sheet reaches: placeholders, links, dialogs."""
+    """For what wears no style sheet: cards, placeholders, links, dialogs."""
     palette = QPalette()
     role = QPalette.ColorRole
     for which, colour in ((role.Window, theme.page), (role.Base, theme.surface), (role.Text, theme.text),
                           (role.WindowText, theme.text), (role.Button, theme.surface), (role.ButtonText, theme.text),
                           (role.AlternateBase, theme.sunken), (role.Highlight, theme.accent),
-                          (role.HighlightedText, theme.on_accent), (role.PlaceholderText, theme.muted)):  # fmt: skip
+                          (role.HighlightedText, theme.on_accent), (role.PlaceholderText, theme.muted),
+                          (role.Mid, theme.line), (role.BrightText, theme.bad)):  # fmt: skip
         palette.setColor(which, QColor(colour))
     return palette
 

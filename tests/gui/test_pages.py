@@ -342,7 +342,7 @@ def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
     lab.set_theme(DARK)
     views = lab.page("Fit").views
     qtbot.waitUntil(lambda: views.loci._plots[0].backgroundBrush().color().name() == DARK.surface, timeout=LONG_MS)
-    qtbot.waitUntil(lambda: DARK.surface in lab.page("History").table.parent().styleSheet(), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: DARK.surface in lab.page("History").table.styleSheet(), timeout=LONG_MS)
     assert pages == {name: lab.page(name) for name in lab.later}  # in place: what is chosen stays chosen
     assert lab.page("Fit").table.horizontalHeaderItem(1).text() == "ml"
     before, words = lab.rail.width(), lab.top.off.fontMetrics().height()

@@ -8,28 +8,27 @@ from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Table
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, named, set_state
+from labcal.gui.widgets import Card, Ground, button, label, set_state
 from labcal.gui.wire import Fault
 from labcal.gui.words import say
 
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 
 
-class Drop(QFrame):
+class Drop(Ground):
     """Where a calibration file is dropped, or chosen with Enter, to be verified."""
 
     dropped = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
-        named(self, "card")
         self.setAcceptDrops(True)
         row = QHBoxLayout(self)
         row.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)

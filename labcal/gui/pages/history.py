@@ -15,6 +15,7 @@ from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Table
 from labcal.gui.plots import ink, name_above, plot
 from labcal.gui.theme import GRID, Theme
+from labcal.gui.turns import Turns
 from labcal.gui.widgets import Card, button, label
 from labcal.gui.words import say
 
@@ -40,6 +41,7 @@ class HistoryPage(QWidget):
         self._desk, self._theme = desk, theme
         self._runs: list[dict[str, Any]] = []
         self._calibrations: list[dict[str, Any]] = []
+        self._turns = Turns(self)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -58,7 +60,7 @@ class HistoryPage(QWidget):
         """The trend in the theme's colours."""
         self._theme = theme
         ink(self.plot, theme)
-        self._draw()
+        self._turns.add(self._draw)
 
     def refresh(self) -> None:
         """Ask for runs and calibrations again."""
@@ -131,7 +133,7 @@ class HistoryPage(QWidget):
 
     def _calibrations_known(self, files: list[dict[str, Any]]) -> None:
         self._calibrations = files
-        self._draw()
+        self._turns.add(self._draw)
 
     def _show(self) -> None:
         found = [one for one in self._runs if matches(one, self.search.text())]
@@ -157,7 +159,7 @@ class HistoryPage(QWidget):
         for widget in (self.open, self.export):
             widget.setEnabled(one is not None and one["status"] not in ("running", "interrupted"))
         self.correct.setEnabled(one is not None and one["status"] not in ("running", "imported"))
-        self._draw()
+        self._turns.add(self._draw)
 
     def _correct(self) -> None:
         if (one := self.chosen()) is not None:

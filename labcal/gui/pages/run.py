@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.desk import Desk
 from labcal.gui.pages.run_choose import Choose
 from labcal.gui.pages.run_live import Live
+from labcal.gui.plots import Loci, Traces
 from labcal.gui.theme import GRID, Theme
 
 
@@ -16,16 +19,31 @@ class RunPage(QWidget):
     def __init__(self, desk: Desk, theme: Theme) -> None:
         super().__init__()
         self._desk = desk
-        self.choose, self.live = Choose(desk), Live(desk, theme)
+        self.choose = Choose(desk)
         self.faces = QStackedWidget()
         self.faces.addWidget(self.choose)
-        self.faces.addWidget(self.live)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.addWidget(self.faces)
+        self._more = self._build(theme)
+
+    def build_more(self) -> bool:
+        """Build what is still missing, a part at a time; says whether anything was."""
+        return next(self._more, False)
+
+    def _build(self, theme: Theme) -> Iterator[bool]:
+        loci = Loci(theme)
+        loci.setParent(self)  # a theme that comes before it has its place is its own as well
+        yield True
+        traces = Traces(theme, "DUT  nT")
+        traces.setParent(self)
+        yield True
+        self.live = Live(self._desk, theme, loci, traces)
+        self.faces.addWidget(self.live)
         self.live.put_away.connect(lambda: self.faces.setCurrentWidget(self.choose))
-        desk.run.changed.connect(self._show)
+        self._desk.run.changed.connect(self._show)
         self._show()
+        yield True
 
     def open_procedure(self, names: str) -> None:
         """Show the form of a procedure, unless a run goes on."""

@@ -11,7 +11,7 @@ from labcal.gui.desk import Desk
 from labcal.gui.form import Form, spec_of
 from labcal.gui.pace import PACES
 from labcal.gui.theme import GRID
-from labcal.gui.widgets import Card, button, label, named
+from labcal.gui.widgets import Card, button, label
 from labcal.gui.words import say
 
 
@@ -48,6 +48,8 @@ class Choose(QWidget):
         self._heading, self.title = card.heading, label("", wrap=True)
         self._area = QScrollArea()
         self._area.setWidgetResizable(True)
+        self._area.setFrameShape(QScrollArea.Shape.NoFrame)
+        self._area.viewport().setAutoFillBackground(False)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.needs = label("", "caption", wrap=True)
         card.body.addWidget(self.title)
@@ -148,7 +150,8 @@ class Choose(QWidget):
         self.needs.setText(needs_words(one))
         self.form = Form([spec_of(p) for p in one["parameters"]])
         self.form.changed.connect(self._other_settings)
-        self._area.setWidget(named(self.form, "form"))
+        self._area.setWidget(self.form)
+        self.form.setAutoFillBackground(False)
         self._other_settings()
 
     def _check(self) -> None:

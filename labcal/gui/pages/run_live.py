@@ -42,9 +42,10 @@ class Live(QWidget):
 
     put_away = Signal()
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, desk: Desk, theme: Theme, loci: Loci, traces: Traces) -> None:
         super().__init__()
         self._desk, self._run, self._theme = desk, desk.run, theme
+        self.loci, self.traces = loci, traces
         self._asked: object = None
         self._drawn, self._ticks = -1, 0
         row = QHBoxLayout(self)
@@ -135,7 +136,6 @@ class Live(QWidget):
         card = Card()
         self.headline = shrinking(label("", "large"))
         self.headline.setAccessibleName(self.tr("What happens now"))
-        self.loci, self.traces = Loci(self._theme), Traces(self._theme, "DUT  nT")
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
         self.covered = label("", "caption")
