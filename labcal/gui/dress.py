@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
     QComboBox,
@@ -17,7 +16,6 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QScrollBar,
     QSplitter,
-    QSplitterHandle,
     QWidget,
 )
 from shiboken6 import isValid
@@ -28,7 +26,6 @@ ALWAYS = ("*", "QToolTip")
 WITHIN = {  # whose rules are for what stands within a widget of this kind
     QAbstractScrollArea: ("QScrollBar", "QHeaderView"),
     QComboBox: ("QAbstractItemView", "QScrollBar", "QLineEdit"),
-    QSplitterHandle: ("QSplitter",),
 }
 
 
@@ -42,12 +39,12 @@ def wearers(widget: QWidget) -> list[QWidget]:
     return [] if isinstance(widget, (QGraphicsView, Words)) else [widget]  # these know fonts and colours themselves
 
 
-def comes_up_bare(watched: QObject, event: QEvent) -> bool:
-    """Whether this is the moment before a wearer is first seen, and nobody has dressed it."""
-    if event.type() != QEvent.Type.Polish or not isinstance(watched, QWidget) or watched.styleSheet():
+def bare(widget: QWidget, window: QWidget) -> bool:
+    """Whether this is a wearer in `window` that nobody has dressed yet."""
+    holder = widget.parentWidget()
+    if holder is None or widget.window() is not window or widget.styleSheet() or isinstance(widget, QScrollBar):
         return False
-    holder = watched.parentWidget()
-    return holder is not None and _holds(holder) and not isinstance(watched, QScrollBar) and watched in wearers(watched)
+    return _whole(widget) or (_holds(holder) and widget in wearers(widget))
 
 
 def dress(widget: QWidget, sheet: str) -> None:

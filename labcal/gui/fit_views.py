@@ -50,7 +50,13 @@ class FitViews(Card):
         self.view.addItems(self._titles())
         self.view.activated.connect(self._chosen)
         self.against.activated.connect(self._draw)
-        self._chosen()
+
+    def begin(self) -> bool:
+        """Build the first picture; says whether it was still to be built."""
+        missing = self.faces.count() == 0
+        if missing:
+            self._chosen()
+        return missing
 
     @cached_property
     def loci(self) -> Loci:

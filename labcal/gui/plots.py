@@ -39,6 +39,7 @@ def _blank() -> pg.PlotWidget:
     item.hideButtons()
     for side in ("bottom", "left"):
         item.getAxis(side).enableAutoSIPrefix(False)
+        item.getAxis(side).setStyle(maxTickLevel=1)
         item.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is dear to draw
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return widget
@@ -49,9 +50,10 @@ def stock_up(number: int) -> bool:
 
     A plot takes 20 ms to make, and a page has up to four.
     """
-    if len(_stock) < number:
-        _stock.append(_blank())
-    return len(_stock) >= number
+    if len(_stock) >= number:
+        return True
+    _stock.append(_blank())
+    return False
 
 
 def ink(widget: pg.PlotWidget, theme: Theme) -> None:

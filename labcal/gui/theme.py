@@ -108,7 +108,6 @@ QHeaderView::section { background: $page; color: $muted; border: 0; border-botto
 QProgressBar { background: $sunken; border: 1px solid $line; border-radius: 4px; height: 14px; text-align: center; }
 QProgressBar::chunk { background: $accent; border-radius: 3px; }
 QToolTip { background: $surface; color: $text; border: 1px solid $line; padding: 4px; }
-QSplitter::handle { background: transparent; }
 QListWidget { outline: 0; padding: 4px; } QListWidget::item { padding: 4px 6px; border-radius: 4px; }
 QListWidget::item:selected { background: $accent; color: $on_accent; }
 QTableView { outline: 0; } QTableView::item { padding: 0 8px; }

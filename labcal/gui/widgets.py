@@ -23,6 +23,7 @@ from labcal.gui.words import say
 
 W = TypeVar("W", bound=QWidget)
 ROUND_PX = 6
+SIDES = (Qt.Edge.LeftEdge, Qt.Edge.TopEdge, Qt.Edge.RightEdge, Qt.Edge.BottomEdge)
 LARGEST_PT, SMALLEST_PT = 54, 13  # words that are as large as their place allows, to be read from the cage
 
 
@@ -101,33 +102,21 @@ class Ground(QWidget):
     def __init__(self, side: Qt.Edge | None = None) -> None:
         super().__init__()
         self._side = side
+        if side is not None:
+            self.setContentsMargins(*(int(side == one) for one in SIDES))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint."""
-        area, palette, inset = QRectF(self.contentsRect()), self.palette(), self.width_px / 2
+        within, palette, inset = QRectF(self.contentsRect()), self.palette(), self.width_px / 2
         with QPainter(self) as painter:
             if self._side is not None:
-                painter.fillRect(area, palette.base())
-                painter.fillRect(_strip(area, self._side), palette.color(self.edge))
+                painter.fillRect(self.rect(), palette.color(self.edge))
+                painter.fillRect(within, palette.base())
                 return
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setBrush(palette.base())
             painter.setPen(QPen(palette.color(self.edge), self.width_px))
-            painter.drawRoundedRect(area.adjusted(inset, inset, -inset, -inset), ROUND_PX, ROUND_PX)
-
-
-def _strip(area: QRectF, side: Qt.Edge) -> QRectF:
-    """The last pixels of `area` at one side."""
-    strip = QRectF(area)
-    if side in (Qt.Edge.LeftEdge, Qt.Edge.RightEdge):
-        strip.setWidth(1)
-    else:
-        strip.setHeight(1)
-    if side == Qt.Edge.RightEdge:
-        strip.moveRight(area.right())
-    if side == Qt.Edge.BottomEdge:
-        strip.moveBottom(area.bottom())
-    return strip
+            painter.drawRoundedRect(within.adjusted(inset, inset, -inset, -inset), ROUND_PX, ROUND_PX)
 
 
 class Card(Ground):

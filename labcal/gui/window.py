@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
 
 from labcal.gui import hold
 from labcal.gui.desk import Desk
-from labcal.gui.dress import comes_up_bare, dress, wearers
+from labcal.gui.dress import bare, dress, wearers
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.frame import Frame
 from labcal.gui.problem import save_problem
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 AHEAD_MS = 400
 LOOK_MS = 20  # between two looks whether the imports or a run are done
+AT_ONCE = 16  # labels, buttons and so on that are dressed in one event of a page's building
 PLOTS = 4  # of a page, at most, when it is built
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
@@ -41,7 +42,7 @@ class Later(QWidget):
 
     def __init__(self, build: Callable[[], QWidget], sheet: Callable[[], str]) -> None:
         super().__init__()
-        self._build, self._sheet = build, sheet
+        self._build, self._sheet, self._parts = build, sheet, self._in_parts()
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self.page: QWidget | None = None
@@ -58,17 +59,22 @@ class Later(QWidget):
         return self.page
 
     def build(self) -> None:
-        """Build the page; when asked again, what it still lacks, and at last put it into its place."""
-        if self.page is None:
-            self.page = self._build()
-            return
-        if getattr(self.page, "build_more", bool)():
-            return
-        self._column.addWidget(self.page)
-        for one in self.wearers():
-            dress(one, self._sheet())
-        for part in self.page.findChildren(QWidget):
-            part.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
+        """Build the page, a part at a time; at last put it into its place."""
+        next(self._parts, None)
+
+    def _in_parts(self) -> Iterator[None]:
+        self.page = page = self._build()
+        yield
+        while getattr(page, "build_more", bool)():
+            yield
+        worn = ""
+        while worn != (worn := self._sheet()):  # again, where another theme has come meanwhile
+            for number, one in enumerate(wearers(page), start=1):
+                dress(one, worn)
+                one.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
+                if number % AT_ONCE == 0:
+                    yield
+        self._column.addWidget(page)
 
     def wearers(self) -> list[QWidget]:
         """What is dressed, one by one."""
@@ -92,7 +98,7 @@ def import_pages() -> None:
 
 
 def stock_one() -> bool:
-    """Make one more plot for the next page; says whether there are enough."""
+    """Make one more plot for the next page, unless there are enough; says whether there are."""
     from labcal.gui.plots import stock_up
 
     return stock_up(PLOTS)
@@ -162,7 +168,7 @@ class Window(Frame):
         waiting = [later for later in self.later.values() if not later.ready]
         gc.freeze()  # what is built stays: the collector need not go through it again
         if not waiting:
-            return self.desk.study_vm.prepare()
+            return self.desk.study_vm.prepare() if stock_one() else self._ahead.start(0)
         first = min(waiting, key=lambda later: not later.isVisible())
         if first is self.later["Start"]:
             first.build()
@@ -212,7 +218,7 @@ class Window(Frame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Dress what comes up new; then hear the keys."""
-        if comes_up_bare(watched, event) and isinstance(watched, QWidget) and watched.window() is self:
+        if event.type() == QEvent.Type.Polish and isinstance(watched, QWidget) and bare(watched, self):
             dress(watched, self.sheet())
         return super().eventFilter(watched, event)
 

@@ -178,3 +178,29 @@ def test_a_note_and_a_photograph_go_into_the_record_at_any_moment(qtbot, brought
         ("note", {"text": "lift moved", "data": {}}),
         ("note", {"text": "how it stands", "data": {"photo": "ab.jpg", "sha256": "ab"}}),
     ]
+
+
+def test_a_form_that_comes_up_new_is_in_the_theme_and_so_after_another_theme(still):
+    choose = still.page("Run").choose
+    choose.choose("axes-check")
+    choose.choose("preflight")
+    assert LIGHT.sunken in choose.form.styleSheet()
+    still.set_theme(DARK)
+    choose.choose("axes-check")  # the old form is gone before it is its turn
+    still.dressing.finish()
+    assert DARK.sunken in choose.form.styleSheet()
+    still.set_theme(LIGHT)
+    still.dressing.finish()
+
+
+def test_a_page_is_built_in_several_events_and_then_put_into_its_place(qapp, still):
+    from labcal.gui.pages.run import RunPage
+    from labcal.gui.window import Later
+
+    later, turns = Later(lambda: RunPage(still.desk, LIGHT), still.sheet), 0
+    while not later.ready:
+        later.build()
+        turns += 1
+    assert turns > 4  # the page, loci, traces, the live face, and what it wears
+    assert later.page.live.note.styleSheet()
+    later.build()  # there is nothing more to do

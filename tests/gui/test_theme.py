@@ -1,7 +1,10 @@
 import pytest
+from PySide6.QtWidgets import QLabel, QTableWidget
 
+from labcal.gui.dress import dress, wearers
 from labcal.gui.numbers import duration, field, number
-from labcal.gui.theme import DARK, LIGHT, contrast
+from labcal.gui.theme import DARK, LIGHT, contrast, style_sheet
+from labcal.gui.widgets import Card, label
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda t: t.name)
@@ -28,3 +31,20 @@ def test_numbers_have_one_format():
     assert field(-19998.7, "µT") == "\u221219.9987"
     assert field(100.0, "mG") == "+1.000"
     assert (duration(400), duration(4000)) == ("06:40", "1:06:40")
+
+
+def test_a_label_wears_what_is_said_of_labels_and_a_table_what_is_said_of_its_parts(qapp):
+    sheet, words, table = style_sheet(DARK), QLabel(), QTableWidget()
+    for one in (words, table):
+        dress(one, sheet)
+    assert DARK.muted in words.styleSheet()
+    assert "QTableView" not in words.styleSheet()
+    assert all(part in table.styleSheet() for part in ("QTableView", "QHeaderView", "QScrollBar", "QToolTip"))
+    assert "QPushButton" not in table.styleSheet()
+
+
+def test_what_only_holds_others_wears_nothing(qapp):
+    card, words = Card("A title"), label("words")
+    card.body.addWidget(words)
+    assert words in wearers(card)
+    assert card not in wearers(card)

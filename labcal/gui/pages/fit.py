@@ -51,6 +51,10 @@ class FitPage(QWidget):
         self._study.changed.connect(self._show)
         self._show()
 
+    def build_more(self) -> bool:
+        """Build the first picture; says whether it was still to be built."""
+        return self.views.begin()
+
     def set_theme(self, theme: Theme) -> None:
         """Names of axes and pictures in the theme's colours."""
         self._theme = theme
