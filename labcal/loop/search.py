@@ -368,13 +368,12 @@ class Search:
 
 def new_to(columns: Array, part: Array) -> Array:
     """Combinations of `part` (n, q, p) of which more than SEEN of the square is new to `columns` (n, q, b)."""
-    X, own = (
-        a.reshape(-1, a.shape[2]) / np.maximum(np.sqrt(np.sum(a**2, axis=(0, 1))), 1e-300) for a in (columns, part)
-    )
+    n, q, _ = part.shape
+    X, own = (a.reshape(n * q, -1) / np.maximum(np.sqrt(np.sum(a**2, axis=(0, 1))), 1e-300) for a in (columns, part))
     cross = X.T @ own
     left = own.T @ own - cross.T @ np.linalg.pinv(X.T @ X, rcond=NOTHING, hermitian=True) @ cross
     values, vectors = np.linalg.eigh(left)
-    return np.asarray((own @ vectors[:, values > SEEN]).reshape(*part.shape[:2], -1))
+    return np.asarray((own @ vectors[:, values > SEEN]).reshape(n, q, -1))
 
 
 def minimise(A: Array, y: Array, base: int, seen: float = SEEN) -> Array:

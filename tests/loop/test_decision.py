@@ -26,7 +26,7 @@ from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, held_out, plan
 from labcal.loop.problem import Problem
 from labcal.loop.refit import refit
-from labcal.loop.search import Candidate, Search, Weighed
+from labcal.loop.search import Candidate, Search, Weighed, new_to
 from labcal.loop.spectrum import Likelihood
 from labcal.loop.steps import drops, steps
 from labcal.loop.surrogates import p_value
@@ -250,6 +250,12 @@ def test_a_field_that_stands_is_no_drift_though_a_drift_contains_it(started: Sta
     weighed_alone = {w.candidate.family.id: w for w in search.rank(search.candidates)}
     assert earned(search, (), weighed_alone["reference-drift"]) is (drifts > 0)
     assert [c.family.id for c in forward(search, most=1)[0]] == [name]
+
+
+def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> None:
+    nought = decide.spanning(np.zeros((5, 3, 4)))
+    assert nought.shape == (5, 3, 0)
+    assert new_to(np.ones((5, 3, 1)), nought).shape == (5, 3, 0)
 
 
 def test_a_random_walk_is_given_no_name(started: Started) -> None:

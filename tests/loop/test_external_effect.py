@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from labcal import session
+from labcal.errors import InputError
 from labcal.model.effects import families
 
 PERIOD_S = 37.0  # of the pump
@@ -65,6 +66,13 @@ def pump_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[
 def _put(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
+
+
+def test_a_copy_that_is_not_installed_says_so_and_names_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("labcal.model.effects.registry.entry_points", lambda group: ())
+    families.cache_clear()
+    with pytest.raises(InputError, match="no effect is installed"):
+        families()
 
 
 def test_without_the_effect_the_run_is_unexplained(tmp_path: Path) -> None:

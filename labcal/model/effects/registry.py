@@ -19,13 +19,15 @@ OF_AN_AXIS = re.compile(r"_([xyz])(?: |\Z)")
 
 @cache
 def families() -> tuple[Family, ...]:
-    """Every family, in the order of its name. Raises InputError where an entry point is not a `Family`."""
+    """Every family by name. Raises InputError where there is none, or an entry point is not a `Family`."""
     found = []
     for point in sorted(entry_points(group="labcal.effects"), key=lambda p: p.name):
         loaded = point.load()
         if not isinstance(loaded, Family) or loaded.id != point.name:
             raise InputError(f"entry point {point.name!r} of labcal.effects ({point.value}) is not a Family of that id")
         found.append(loaded)
+    if not found:
+        raise InputError("no effect is installed, so nothing can be traced: labcal runs from an installed package")
     return tuple(found)
 
 
