@@ -345,3 +345,14 @@ def test_a_turn_common_to_all_mountings_is_fixed_at_zero(making: ModuleType, tmp
     assert np.ptp([p.value for p in about_y]) == pytest.approx(1.5, abs=0.02)
     assert max(p.value for p in about_y) == pytest.approx(0.75, abs=0.1)  # half, but for the lengths of the columns
     assert max(p.u for p in found) < 0.02
+
+
+def test_at_rest_no_loop_is_looked_for(making: ModuleType, tmp_path: Path) -> None:
+    """It would be driven by the reference's own noise, and take that off the residual."""
+    rows, segments = making.recorded(seconds=10.0)
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    still = np.stack([run.reading[run.rows(k)[0]] for k in run.segment_index])
+    draw = np.random.default_rng(4).normal(0, 20, still.shape)
+    at_rest = family("hysteresis").candidates(replace(run, reading=still + draw))
+    assert {shape.name for form in at_rest for shape in form.shape} <= {"r_nT", "kept", "lon_deg", "lat_deg"}
+    assert len(at_rest) < len(family("hysteresis").candidates(run))

@@ -33,6 +33,7 @@ OWN_NOISE = 90.0  # deviations of a reading: a narrower loop, driven by the read
 BAR_nT = (2000.0, 6000.0, 18000.0)
 LON_deg = (30.0, 90.0, 150.0, 210.0, 270.0, 330.0)
 LAT_deg = (20.0, 65.0)  # of half the sphere: nothing is farther than 35 degrees from one of these or its opposite
+TO_AND_FRO = 2.0**1.5  # standard deviations that a sine is wide
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
 
 
@@ -96,16 +97,18 @@ def _thresholds(form: Form) -> list[float]:
 def candidates(run: Run) -> list[Form]:
     """Dahl's loop, one stop, several, and a saturating loop about a curve, along either axes; and a bar.
 
-    Stops are tried from rest, and demagnetised before the first segment or before each.
+    Stops are tried from rest, and demagnetised before the first segment or before each. From rest no loop is seen that
+    is wider than the field goes to and fro within a segment: it would take off the reference's own noise.
     """
-    least = _narrowest(run)
+    least, travel = _narrowest(run), _travel(run)
     thresholds, several, widths = (
         tuple(r for r in grid if r >= least) for grid in (THRESHOLDS_nT, SEVERAL_nT, WIDTHS_nT)
     )
     found = []
-    for drive in ("", BODY):
-        units = [("nT", Shape("w_nT", 0.0, "nT", thresholds)), ("1", Shape("r_nT", 0.0, "nT", thresholds))]
-        found += [Form(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if thresholds]
+    for drive in ("", BODY) if travel > THRESHOLDS_nT[0] else ():
+        seen = tuple(r for r in thresholds if r <= travel)
+        units = [("nT", Shape("w_nT", 0.0, "nT", seen)), ("1", Shape("r_nT", 0.0, "nT", seen))]
+        found += [Form(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if seen]
         if several:
             found.append(Form(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
         if widths:
@@ -122,6 +125,14 @@ def candidates(run: Run) -> list[Form]:
         if bar:
             found.append(Form(kernel, bar, shape=(*turned, kept)))
     return found
+
+
+def _travel(run: Run) -> float:
+    """How far [nT] the readings go to and fro within a segment, at most."""
+    parts = (run.reading[run.rows(k)] for k in range(len(run.segments)))
+    known = (part[np.isfinite(part).all(axis=1)] for part in parts)
+    moved = [float(np.std(part, axis=0).max()) for part in known if len(part)]
+    return TO_AND_FRO * max(moved, default=0.0) * run.dut.nominal_nT_per_unit
 
 
 def _narrowest(run: Run) -> float:
