@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,8 @@ from labcal.loop.pairs import pairs
 from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
 from labcal.loop.spectrum import transformed
 from labcal.loop.steps import steps
+from labcal.model.effects import Form
+from labcal.model.effects.following import time_constants
 
 Array = NDArray[np.float64]
 Cause = tuple[str, tuple[str, ...]]
@@ -80,8 +83,9 @@ def _pair(
 
 def _material(search: Search, accepted: Sequence[Candidate], total: float) -> float:
     """The least drop of the mean square that is worth a name beside what is accepted."""
-    rest = (search.stage(accepted, neighbourhood(search, accepted)).null.rss / search.data - 1.0) / search.rows_each
-    return max(MATERIAL * search.lowest**2, min(SHARE * total, SHARE_OF_REST * rest))
+    null = search.stage(accepted, neighbourhood(search, accepted)).null
+    rest = (null.rss / search.data - 1.0) / search.rows_each
+    return max(MATERIAL * null.level**2, min(SHARE * total, SHARE_OF_REST * rest))
 
 
 def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed], total: float) -> Weighed | None:
@@ -126,7 +130,25 @@ def neighbourhood(search: Search, accepted: Sequence[Candidate]) -> list[Array]:
     parts = []
     for chosen in accepted:
         parts += _spanned(search, chosen, (chosen.family.id, *chosen.family.extends, *chosen.family.akin))
+        parts += _starts(search, chosen)
     return parts
+
+
+def _starts(search: Search, chosen: Candidate) -> list[Array]:
+    """What the unknown state that a slow response starts from leaves: it dies out with the response's own tau_s."""
+    settling = next((c.form for c in search.candidates if c.family.bound_to_run and "tau_s" in _names(c.form)), None)
+    if settling is None:
+        return []
+
+    def made(tau_s: float) -> Array:
+        return transformed(search.problem.columns(settling.reshaped(tau_s=tau_s))[search.moving])
+
+    taus = [tau_s for tau_s in time_constants(chosen.form) if tau_s > 0]
+    return [search.once(("starts", tau_s), (settling,), partial(made, tau_s)) for tau_s in taus]
+
+
+def _names(form: Form) -> set[str]:
+    return {shape.name for shape in form.shape}
 
 
 def _spanned(search: Search, chosen: Candidate, ids: Collection[str]) -> list[Array]:
@@ -173,7 +195,7 @@ def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate])
 
 
 def _refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    if any(shape.name == "secant_s" for shape in candidate.form.shape):
+    if "secant_s" in _names(candidate.form):
         return _on_secant(search, candidate, accepted)
     searched = [shape.name for shape in candidate.form.shape if shape.grid]
     for name in searched * (2 if len(searched) > 1 else 1):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.bins import binned
 from labcal.loop.correlation import correlation_s
-from labcal.loop.decide import MOST, Cause, earned, forward, looks, refined
+from labcal.loop.decide import MATERIAL, MOST, Cause, earned, forward, looks, neighbourhood, reexamined, refined
 from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan
 from labcal.loop.problem import Problem
@@ -92,10 +92,10 @@ def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int 
     """Choose effects on the rows of `search`, and refuse again those that do not help on blocks held out of them."""
     refused: set[Cause] = set()
     for _ in range(REFUSALS):
-        accepted, rankings = forward(search, most, refused)
+        accepted, rankings = _chosen(search, most, refused)
         apart = blocks or plan(search.problem, correlation_s(search, accepted))
         accepted = _preferred(search, apart, accepted, refused)
-        accepted = _plainer(search, apart, accepted)
+        accepted = reexamined(search, _plainer(search, apart, accepted))
         steps = [_proof(search, apart, accepted, i) for i in range(len(accepted))]
         idle = _idle(search, accepted, steps, level)
         idle = _in_doubt(search, apart, accepted, steps, level) if idle is None else idle
@@ -104,6 +104,12 @@ def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int 
         refused.add(accepted[idle].cause)
         accepted, steps = accepted[:idle], steps[:idle]
     return Choice(tuple(accepted), tuple(rankings), tuple(steps), apart)
+
+
+def _chosen(
+    search: Search, most: int = MOST, refused: Collection[Cause] = ()
+) -> tuple[list[Candidate], list[list[Weighed]]]:
+    return search.once(("forward", most, frozenset(refused)), (), lambda: forward(search, most, refused))
 
 
 def repeated(level: Floor, blocks: Plan, most: int = MOST) -> Callable[[Search], Sequence[Candidate]]:
@@ -115,15 +121,21 @@ def settled(search: Search) -> Search:
     """The search about the map that goes with the effects it finds, where the problem is not linear in the map.
 
     A magnitude is not: fitted without a strong effect, K and k are so far off that what is left of them looks like an
-    effect of the field.
+    effect of the field. Vectors are, but for the phases and the field that an effect follows.
     """
-    if search.problem.kind == "vector":
-        return search
-    accepted, _ = forward(search)
-    if not accepted:
+    accepted, _ = _chosen(search)
+    if not accepted or (search.problem.kind == "vector" and not _bends(search, accepted)):
         return search
     around = refit(search.whole, [c.form for c in accepted], search.good)
     return without_outliers(search_of(around.uncorrected(), search.lowest))
+
+
+def _bends(search: Search, accepted: Sequence[Candidate]) -> bool:
+    """Whether the effects, turned or grown as the base moves beside them, change by more than is worth a name."""
+    whole, x = search.whole, search.solved(accepted)
+    field = np.einsum("nqj,nj->nq", whole.whiten, whole.scene.field_nT)
+    moved, added = whole.T @ x[: whole.T.shape[2]], search.everywhere(accepted)[1]
+    return bool(np.mean(moved**2) * np.mean(added**2) > MATERIAL * np.mean(field**2))
 
 
 def _proof(search: Search, blocks: Plan, accepted: Sequence[Candidate], place: int) -> HeldOut:
@@ -247,10 +259,17 @@ def _as_good(search: Search, blocks: Plan, accepted: Sequence[Candidate], chosen
     for w in _rivals(search, accepted, chosen)[: CONTENDERS + 1]:
         mine = chosen if w.candidate.cause == chosen.cause else w.candidate
         swapped = [mine if c is chosen else c for c in accepted]
-        after = held_out(search, blocks, _always(swapped)).after
-        if not out or after <= AS_GOOD * out[0].after_nT:
-            out.append(Contender(w, after))
+        if chosen.family.id in mine.family.extends:
+            swapped = [*accepted, mine]
+        either = held_out(search, blocks, _always(swapped), accepted)
+        if not out or _as_well(either):
+            out.append(Contender(w, either.after))
     return out
+
+
+def _as_well(either: HeldOut) -> bool:
+    """Whether what stands after does as well as what stood before, or better on some draws of the blocks."""
+    return either.after <= AS_GOOD * either.before or either.improvement()[1] > 0
 
 
 def _preferred(search: Search, blocks: Plan, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
@@ -265,8 +284,7 @@ def _preferred(search: Search, blocks: Plan, accepted: list[Candidate], refused:
                 break
             others = [c for c in accepted if c is not one]
             swapped = [*accepted[:place], refined(search, other, others), *accepted[place + 1 :]]
-            either = held_out(search, blocks, _always(swapped), accepted)
-            if either.after <= AS_GOOD * either.before:
+            if _as_well(held_out(search, blocks, _always(swapped), accepted)):
                 accepted = swapped
                 break
     return accepted
@@ -313,24 +331,45 @@ def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) ->
 def _as_heavy(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
     others = [c for c in accepted if c is not chosen]
     open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
-    open_to += _first_order(open_to, chosen)
-    near = _near(search.rank([*open_to, chosen], others), chosen)
+    kin = _alike(open_to, chosen)
+    misfit = bool(kin) and float(np.mean(search.residual(accepted)[search.rows] ** 2)) > AT_FLOOR**2
+    always = {c.cause for c in kin if misfit}
+    near = _near(search.rank([*open_to, *kin, chosen], others), chosen, always)
     if search.problem.whole is not None and len(near) > 1:
-        near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen)
-    return [near[0], *(w for w in near[1:] if earned(search, others, w))]
+        near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen, always)
+    earning = [w for w in near[1:] if earned(search, others, w)]
+    return [near[0], *earning, *_larger(search, accepted, chosen)]
 
 
-def _first_order(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
-    """Of a cause of second order, those of first order on its channels at its own refined shape."""
+def _larger(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
+    """Causes that extend `chosen` and whose own part, short of a name, is more likely at work than not."""
+    larger = [c for c in search.candidates if chosen.family.id in c.family.extends]
+    causes = {c.cause for c in accepted}
+    beside = search.rank(larger, accepted, neighbourhood(search, accepted)) if larger else []
+    return [w for w in beside if w.weight > 0 and w.candidate.cause not in causes]
+
+
+def _alike(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """Of a current or its square that acts slowly, the other one at the same refined shape."""
     shape = {s.name: s.value for s in chosen.form.shape}
-    if not (chosen.family.second_order and shape):
-        return []
     kin = [c for c in candidates if c.family.id in chosen.family.akin and c.form.channels == chosen.form.channels]
-    alike = {len(c.form.parameters): c for c in kin if {s.name for s in c.form.shape} == shape.keys()}
+    alike = {len(c.form.parameters): c for c in kin if shape and {s.name for s in c.form.shape} == shape.keys()}
     return [replace(c, form=c.form.reshaped(**shape)) for c in alike.values()]
 
 
-def _near(ranking: Sequence[Weighed], chosen: Candidate) -> list[Weighed]:
-    """`chosen`, and what weighs nearly as much."""
+def _near(ranking: Sequence[Weighed], chosen: Candidate, always: Collection[Cause]) -> list[Weighed]:
+    """`chosen`, what weighs nearly as much, and causes that are near whatever they weigh."""
     own = next(w for w in ranking if w.candidate.cause == chosen.cause)
-    return [own, *(w for w in ranking if w.candidate.cause != chosen.cause and w.weight > own.weight - RIVAL)]
+    others = (w for w in ranking if w.candidate.cause != chosen.cause)
+    return [own, *(w for w in others if _odds(w) > _odds(own) - RIVAL or w.candidate.cause in always)]
+
+
+def _odds(w: Weighed) -> float:
+    """Its gain less the price that parameters of unlike number have beside each other [nats].
+
+    The weight's price, one row's information for each, would give a weak effect to the smaller of two models that do
+    as well. A g-prior at its likeliest g (Liang et al., JASA 103, 410, 2008, section 2.4) asks by the effect's size.
+    """
+    size = w.rank + w.candidate.size - len(w.candidate.form.parameters)
+    each = max(2 * w.gain / max(size, 1), 1.0)
+    return float(w.gain - 0.5 * size * (1 + np.log(each)) - np.log(w.candidate.looks))

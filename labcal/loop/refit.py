@@ -39,8 +39,14 @@ class Refit:
         return total(self.forms, self.beta, scene)
 
     def uncorrected(self) -> Problem:
-        """The problem about the same map and phases with the effects still in its residual."""
+        """The problem about the same map and phases with the effects still in its residual.
+
+        Where vectors show them the base's columns stay clear of them: readings that hold the effects, less a reference
+        that does not, would give an effect of the rig all their shapes.
+        """
         p = self.problem
+        if p.kind == "vector":
+            return linearise(p.run, p.seen, p.noise, p.base, p.allowed, p.theta, p.phase)
         effects = self.effects(p.scene)
         here = linearise(p.run, p.seen, p.noise, p.base, p.allowed, p.theta, p.phase, effects)
         y = sum((here.columns(form) @ b for form, b in zip(self.forms, self.beta, strict=True)), here.y)

@@ -31,6 +31,7 @@ from labcal.loop.spectrum import Likelihood
 from labcal.loop.steps import drops, steps
 from labcal.loop.surrogates import p_value
 from labcal.model.effects import family, nonlinearity
+from labcal.model.effects.hysteresis import dahl
 from labcal.model.effects.regressors import low_passed
 
 Started = Callable[..., Problem]
@@ -258,6 +259,31 @@ def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> No
     assert new_to(np.ones((5, 3, 1)), nought).shape == (5, 3, 0)
 
 
+def test_a_field_that_turns_the_phases_far_leaves_nothing_for_other_names(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded(seconds=30.0)
+    for segment in segments:
+        del segment["body_from_cage"]
+    rows["ref"] = rows["ref"] + np.array([1500.0, -1100.0, 900.0])
+    bare = _search(prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0])
+    search = evidence.settled(bare)
+    left = []
+    for here in (bare, search):
+        standing = next(c for c in here.candidates if c.family.id == "cage-field" and c.size == 3)
+        left.append(float(np.mean(here.residual([standing]) ** 2)))
+    assert left[0] > 1.5
+    assert left[1] < 1.1
+    assert [c.family.id for c in forward(search)[0]] == ["cage-field"]
+
+
+def test_where_an_effect_is_settled_the_base_has_not_its_shape(started: Started) -> None:
+    strong = started(lambda rows: rows["i_load"][:, None] * np.array([1500.0, -900.0, 600.0]))
+    load = next(f for f in family("offset-current").candidates(strong.run) if not f.shape)
+    search = _search(refit(strong, [load]).uncorrected())
+    found = {w.candidate.family.id: w.weight for w in search.rank(search.candidates)}
+    assert found["offset-current"] > 1000
+    assert max(found["field-gradient"], found["axis-tilt"]) < 12.0
+
+
 def test_a_random_walk_is_given_no_name(started: Started) -> None:
     walk = np.random.default_rng(8).normal(0, 25, (540, 3)).cumsum(axis=0)
     search = _search(started(lambda rows: walk))
@@ -356,3 +382,43 @@ def test_at_rest_no_loop_is_looked_for(making: ModuleType, tmp_path: Path) -> No
     at_rest = family("hysteresis").candidates(replace(run, reading=still + draw))
     assert {shape.name for form in at_rest for shape in form.shape} <= {"r_nT", "kept", "lon_deg", "lat_deg"}
     assert len(at_rest) < len(family("hysteresis").candidates(run))
+
+
+def _found(candidate: Candidate, gain: float) -> Weighed:
+    return Weighed(candidate, gain, 0.0, 0.0, len(candidate.form.parameters), Likelihood(0.0, 1.0, 0, 1.0))
+
+
+@pytest.mark.parametrize(("gain", "near"), [(60.0, True), (600.0, False)])
+def test_a_weak_effect_of_few_parameters_has_a_rival_of_more_that_does_as_well(
+    started: Started, gain: float, near: bool
+) -> None:
+    """Of a strong one, twelve parameters that fall into place are no accident."""
+    candidates = _search(started()).candidates
+    warm = next(c for c in candidates if c.family.id == "offset-temperature" and c.size == 3)
+    drift = next(c for c in candidates if c.family.id == "offset-drift" and c.size == 15)
+    found = evidence._near([_found(warm, gain), _found(drift, gain + 12.0)], warm, ())
+    assert (drift in [w.candidate for w in found]) is near
+
+
+def test_a_loop_more_likely_than_not_is_the_rival_of_its_curve(searching: Callable[..., Search]) -> None:
+    rows = searching({}, {}).problem
+    s = rows.scene.rig.prediction_nT / 5e4
+    curved = searching({}, {}, 150.0 * s**3)
+    (curve,) = forward(curved)[0]
+    assert curve.family.id == "nonlinearity"
+    assert evidence._larger(curved, [curve], curve) == []
+    loop = dahl(5e4 * s, 4000.0)
+    looped = searching({}, {}, 150.0 * s**3 + 5.0 * loop)
+    (rival,) = evidence._larger(looped, [curve], curve)
+    assert rival.candidate.family.id == "hysteresis"
+
+
+def test_the_unknown_start_of_a_slow_response_is_no_drift(searching: Callable[..., Search]) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    search = searching({"T": 20 + 6 * np.sin(t / 40.0)}, {"T": "temperature"})
+    slow = next(c for c in search.candidates if c.family.id == "offset-temperature" and c.form.shape)
+    settling = next(c for c in search.candidates if c.family.id == "offset-drift" and len(c.form.shape) == 2)
+    for tau_s, new in ((40.0, 0), (150.0, 3)):
+        warm, dying = (replace(c, form=c.form.reshaped(tau_s=at)) for c, at in ((slow, 40.0), (settling, tau_s)))
+        stage = search.stage([warm], decide._starts(search, warm))
+        assert search.weigh(dying, stage).rank == new

@@ -63,16 +63,18 @@ def responding(form: Form, scene: Scene) -> Array:
         return on_each_axis(delayed(scene.t_s, scene.segment, drive, form.at("delay_s")))
     if names:
         return on_each_axis(low_passed(scene.t_s, scene.segment, drive, form.at("tau_s")))
-    taus = _taus(form)
+    taus = time_constants(form)
     return np.concatenate([on_each_axis(low_passed(scene.t_s, scene.segment, drive, tau)) for tau in taus], axis=2)
 
 
 def behind(form: Form) -> bool:
     """Whether the form looks at other rows."""
-    return any(s.name in ("tau_s", "delay_s") for s in form.shape) or any(tau > 0 for tau in _taus(form))
+    return any(s.name == "delay_s" for s in form.shape) or any(time_constants(form))
 
 
-def _taus(form: Form) -> list[float]:
-    """Of each group of three parameters: 12 for `c12s_x`, 0 for `c_x`."""
+def time_constants(form: Form) -> list[float]:
+    """Of each response to a channel: `tau_s`, or 12 for `c12s_x`; 0 for one that is prompt."""
+    if any(shape.name == "tau_s" for shape in form.shape):
+        return [form.at("tau_s")] if form.channels else []
     found = [re.match(r"c(\d+)s_", name) for name, _ in form.parameters[::3]]
     return [float(match[1]) if match else 0.0 for match in found]
