@@ -118,14 +118,28 @@ def new_key(talk: Talk, name: str, passphrase: str) -> str:
     """Make a key for `name`."""
     from labcal import session
 
+    _may_sign(name)
     session.new_key(name, passphrase)
     return name
 
 
+def _may_sign(name: str) -> None:
+    from labcal.certificate.allowed_signers import check_principal
+    from labcal.errors import InputError
+
+    try:
+        check_principal(name)
+    except ValueError:
+        raise InputError(
+            f"No key can bear the name {name!r}: use letters, digits and . _ @ + - without blanks, as in ada.smith"
+        ) from None
+
+
 def approve(talk: Talk, path: str, name: str) -> dict[str, Any]:
-    """Write the approver into the draft."""
+    """Write the approver into the draft. Raises InputError where no key can bear that name: they could never sign."""
     from labcal import session
 
+    _may_sign(name)
     session.approve(Path(path), name)
     return calibration(talk, path)
 

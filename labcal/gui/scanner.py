@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QWidget
 
 FASTEST_TYPIST_S = 1 / 30  # between two characters
 SHORTEST = 4  # characters of a scan
@@ -41,7 +41,7 @@ class Scanner(QObject):
             return True
         if event.type() != QEvent.Type.KeyPress or not self._counts(event):
             return False
-        if watched is not (QApplication.focusWidget() or watched.window()):
+        if watched is not (QApplication.focusWidget() or watched.window()) or _secret(watched):
             return False
         at_s = event.timestamp() / 1000 or self._now()  # when it was struck, however late a busy window hears of it
         if self._kept and at_s - self._last_s > FASTEST_TYPIST_S:
@@ -76,3 +76,8 @@ class Scanner(QObject):
                 QCoreApplication.sendEvent(widget, event)
         finally:
             self._replaying = False
+
+
+def _secret(watched: QWidget) -> bool:
+    """Whether this is where a passphrase is typed: what a password manager types stays there, unseen."""
+    return isinstance(watched, QLineEdit) and watched.echoMode() != QLineEdit.EchoMode.Normal

@@ -5,6 +5,7 @@ from __future__ import annotations
 from base64 import b64decode, b64encode
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -43,6 +44,10 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
         return Fault("instrument", error.what, error.remedy, details)
     kinds = ((InputError, "input"), (LimitNotMet, "limit"), ((Stopped, KeyboardInterrupt), "stopped"))
     kind = next((name for types, name in kinds if isinstance(error, types)), "crash")
+    if isinstance(error, InputError) and error.file is not None:  # its name; the whole path stands in the details
+        return Fault(
+            kind, str(error).replace(str(error.file), Path(str(error.file)).name, 1), "", details or str(error)
+        )
     return Fault(kind, str(error) or type(error).__name__, "", details)
 
 

@@ -101,7 +101,7 @@ WORDS = (  # of tables, headings and functions: lupdate reads them here
         "Words", "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
     ),
     QT_TRANSLATE_NOOP("Words", "the operator"),
-    QT_TRANSLATE_NOOP("Words", "Approved by {0}. Now sign, each under the own name."),
+    QT_TRANSLATE_NOOP("Words", "Approved by {0}. Now both sign, each under their own name."),
     QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL; {0} has still to sign."),
     QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL: nobody approved it before it was signed."),
     QT_TRANSLATE_NOOP("Words", "Done: hand it out."),

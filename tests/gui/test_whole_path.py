@@ -30,7 +30,8 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
 
     try:
         start = window.page("Start")
-        assert not start.calibrate.isEnabled()
+        assert start.open.isVisible()
+        assert not start.calibrate.isVisible()
         click(start.simulated)
         qtbot.waitUntil(lambda: bool(window.desk.facts), timeout=patience)
         qtbot.keyClicks(window.top.operator, "J", delay=60)
@@ -69,6 +70,6 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
         qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=patience)
         assert "Good to use as PROVISIONAL" in page.next.text()
         page.verify(page.chosen()["path"])
-        qtbot.waitUntil(lambda: page.drop.words.text().startswith("✓"), timeout=patience)
+        qtbot.waitUntil(lambda: page.drop.words.text().startswith("▲"), timeout=patience)
     finally:
         window.close()

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QL
 
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Table
+from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, Ground, button, label, set_state
@@ -245,16 +245,16 @@ class CertificatePage(QWidget):
         K = [v for row in one["K"] for v in row]
         gain = f"nT/{one['dut']['unit']}"
         rows = [
-            (f"k {axis}", value, u[9 + n], "nT", 1)
-            for n, (axis, value) in enumerate(zip("xyz", one["k_nT"], strict=True))
+            (f"k {axis}", value, u[9 + n], "nT") for n, (axis, value) in enumerate(zip("xyz", one["k_nT"], strict=True))
         ]
         names = [f"K {a}{b}" for a in "xyz" for b in "xyz"]
-        rows += [(name, value, s, gain, 6) for name, value, s in zip(names, K, u, strict=False)]
+        rows += [(name, value, s, gain) for name, value, s in zip(names, K, u, strict=False)]
         for effect in (*one["effects"], *one["findings"]):
             name = effect["effect"] + (f" ({', '.join(effect['channels'])})" if effect["channels"] else "")
-            rows += [(f"{name} {p['name']}", p["value"], p["u"], p["unit"], 2) for p in effect["parameters"]]
+            rows += [(f"{name} {p['name']}", p["value"], p["u"], p["unit"]) for p in effect["parameters"]]
         self.table.setRowCount(len(rows))
-        for row, (name, value, s, unit, decimals) in enumerate(rows):
+        for row, (name, value, s, unit) in enumerate(rows):
+            decimals = decimals_for(2 * (s or 0.0), value)
             self.table.set_cell(row, 0, name)
             self.table.set_cell(row, 1, number(value, decimals), right=True)
             self.table.set_cell(row, 2, "–" if s is None else number(2 * s, decimals, signed=False), right=True)
@@ -278,20 +278,37 @@ class CertificatePage(QWidget):
 
     def _approve(self) -> None:
         if (one := self.chosen()) is not None:
-            self._ask("approve", path=one["path"], name=self.approver.currentText().strip())
-            self.approver.setCurrentText("")
+            name = self.approver.currentText().strip()
+            self._ask("approve", self.approver, self._approved, path=one["path"], name=name)
+
+    def _approved(self) -> None:
+        self.approver.setCurrentText("")
+        self.signer.setFocus()
 
     def _sign(self) -> None:
         if (one := self.chosen()) is not None:
-            self._ask("sign", path=one["path"], name=self.signer.currentText(), passphrase=self.passphrase.text())
+            name, passphrase = self.signer.currentText(), self.passphrase.text()
+            self._ask("sign", self.passphrase, self.signer.setFocus, path=one["path"], name=name, passphrase=passphrase)
             self.passphrase.clear()
 
-    def _ask(self, do: str, **what: str) -> None:
+    def _ask(self, do: str, entry: QWidget, then: Callable[[], object], **what: str) -> None:
+        """`entry` is where the person goes on where it is refused."""
+
+        def known(_: object) -> None:
+            then()
+            self.refresh()
+
+        def refused(fault: Fault) -> None:
+            self.fault.show_fault(fault)
+            entry.setFocus()
+
         self.fault.show_fault(None)
-        self._desk.clerk.ask(do, lambda said: self.refresh(), self.fault.show_fault, **what)
+        self._desk.clerk.ask(do, known, refused, **what)
 
     def _new_key(self) -> None:
-        self._ask("new_key", name=self.signer.currentText().strip(), passphrase=self.passphrase.text())
+        name = self.signer.currentText().strip()
+        made = self.tr("{0} has a key now, under this passphrase.").format(name)
+        self._ask("new_key", self.signer, lambda: self.said.setText(made), name=name, passphrase=self.passphrase.text())
 
     def _report(self) -> None:
         one = self.chosen()
@@ -347,7 +364,7 @@ class CertificatePage(QWidget):
         self._desk.clerk.ask("verify", self._verified, self.fault.show_fault, path=path)
 
     def _verified(self, said: dict[str, Any]) -> None:
-        shape = "✓" if said["valid"] else "✕"
+        shape = "✕" if not said["valid"] else "▲" if said["provisional"] else "✓"
         faults = [f"{name}: {objection}" for name, _, objection in said["signatures"] if objection]
         self.drop.words.setText(f"{shape} {Path(said['path']).name}: {' '.join([*said['sentences'], *faults])}")
         set_state(self.drop.words, "bad" if not said["valid"] else "warning" if said["provisional"] else "good")
@@ -363,7 +380,7 @@ def next_step(one: dict[str, Any], operator: str) -> str:
         ).format(one["operator"] or operator or say("the operator"))
     waiting = [name for name in one["approvers"] if name not in one["signers"]]
     if not one["signatures"]:
-        return say("Approved by {0}. Now sign, each under the own name.").format(", ".join(one["approvers"]))
+        return say("Approved by {0}. Now both sign, each under their own name.").format(", ".join(one["approvers"]))
     if waiting:
         return say("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
     if not one["approvers"]:

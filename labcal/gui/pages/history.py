@@ -163,7 +163,7 @@ class HistoryPage(QWidget):
 
     def _correct(self) -> None:
         if (one := self.chosen()) is not None:
-            title, words = self.tr("Correct the serial"), self.tr("Serial of the DUT that this run was made with:")
+            title, words = self.tr("Correct the serial"), self.tr("Serial of the DUT of run {0}:").format(one["run_id"])
             serial, good = QInputDialog.getText(self, title, words, text=one["dut_serial"])
             if good and serial.strip() and serial.strip() != one["dut_serial"]:
                 self.correct_serial(one["run_id"], serial)
