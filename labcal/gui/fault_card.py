@@ -37,7 +37,7 @@ class FaultCard(Card):
         self.fold = button(self.tr("Details"), self.tr("Show what labcal itself says about it"))
         self.fold.setCheckable(True)
         self.fold.toggled.connect(self.details.setVisible)
-        save = button(
+        self.save = save = button(
             self.tr("Save a problem report …"), self.tr("A .zip with the details, settings and versions, no keys")
         )
         save.clicked.connect(lambda: self.report_asked.emit(self.fault))
@@ -63,12 +63,15 @@ class FaultCard(Card):
         if fault is None:
             return self.hide()
         self.heading.setText(say(TITLES[fault.kind]))
-        set_state(self.heading, "" if fault.kind == "stopped" else "bad")
+        stopped = fault.kind == "stopped"  # as it was asked for: nothing is wrong
+        set_state(self.heading, "" if stopped else "bad")
+        self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
+        self.save.setVisible(not stopped)
         self.text.setText(fault.text)
         self.remedy.setText(fault.remedy)
         self.remedy.setVisible(bool(fault.remedy))
         self.details.setPlainText(fault.details)
-        self.fold.setVisible(bool(fault.details))
+        self.fold.setVisible(bool(fault.details) and not stopped)
         self.fold.setChecked(False)
         self.details.hide()
         return self.show()  # whole at once: what is folded widens no window

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QWidget
 
@@ -41,7 +42,8 @@ def range_of(spec: ParameterSpec) -> str:
     """What is allowed, short: "1000 … 100000 nT"."""
     if spec.limits is None:
         return say("several, with commas") if spec.many else ""
-    return f"{spec.limits.lo:g} … {spec.limits.hi:g} {spec.unit}".rstrip()
+    low, high = (np.format_float_positional(limit, trim="-") for limit in (spec.limits.lo, spec.limits.hi))
+    return f"{low} … {high} {spec.unit}".rstrip()
 
 
 def title_of(spec: ParameterSpec) -> str:

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor, QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableWidget, QTableWidgetItem
 
-from labcal.gui.numbers import number
+from labcal.gui.numbers import number, step_words
 from labcal.gui.theme import STATES, Theme
 from labcal.gui.widgets import tabular
 from labcal.gui.words import say
@@ -113,7 +113,7 @@ class Measurements(Table):
 
     def _show(self, row: int, one: Measurement) -> None:
         decimals = decimals_for(2 * one.u, one.value)
-        self.set_cell(row, 0, one.name)
+        self.set_cell(row, 0, step_words(one.name))
         self.set_cell(row, 1, number(one.value, decimals), right=True)
         self.set_cell(row, 2, number(2 * one.u, decimals, signed=False) if one.u > 0 else "–", right=True)
         self.set_cell(row, 3, one.unit)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 FieldUnit = Literal["nT", "µT", "mG"]
 PER_NT: dict[FieldUnit, float] = {"nT": 1.0, "µT": 1e-3, "mG": 1e-2}
 DECIMALS: dict[FieldUnit, int] = {"nT": 1, "µT": 4, "mG": 3}
 FIGURE_SPACE, NARROW_SPACE, MINUS = "\u2007", "\u202f", "\u2212"
+TURN = re.compile(r"\b([xyz])([+-])(\d+(?:\.\d+)?)uT(?:-(\w+))?")
 
 
 def number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
@@ -27,3 +29,8 @@ def duration(seconds: float) -> str:
     whole = max(0, round(seconds))
     hours, minutes, rest = whole // 3600, whole // 60 % 60, whole % 60
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes:02}:{rest:02}"
+
+
+def step_words(name: str) -> str:
+    """A step, a segment or a measurement as a person says it: "x-50uT-full" is "x −50 µT full"."""
+    return TURN.sub(lambda m: f"{m[1]} {m[2].replace('-', MINUS)}{m[3]} µT {m[4] or ''}".rstrip(), name)

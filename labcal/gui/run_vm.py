@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.client import Works
+from labcal.gui.numbers import step_words
 from labcal.gui.ring import Ring
 from labcal.gui.wire import Fault, item_from_json
 from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
@@ -111,7 +112,7 @@ class RunViewModel(QObject):
         if self.prompt is None:
             return
         self._worker.say("answer", key=self.prompt.key, text=text)
-        self.prompt = None
+        self.prompt, self.message = None, self.tr("Hands off: it goes on.")
         self._be("running")
 
     def pause(self) -> None:
@@ -212,7 +213,7 @@ class RunViewModel(QObject):
             case SegmentOpened():
                 self.segment, self.sectors = item.segment.id, set()
                 self.locus[item.segment.id] = Ring(3, LOCUS)
-                self._running(self.tr("{0}: measuring, hands off").format(item.segment.id))
+                self._running(self.tr("{0}: measuring, hands off").format(step_words(item.segment.id)))
             case SegmentClosed():
                 self.segment = None
             case Event():
@@ -234,7 +235,7 @@ class RunViewModel(QObject):
             self._not_used(list(event.data["segments"]))
         elif event.kind in ("set-point", "read-back"):
             self._coils(event)
-        else:
+        elif event.kind != "answer":  # the person knows what they answered; what happens next is said next
             self.message = event.text
 
     def _not_used(self, segments: list[str]) -> None:

@@ -22,11 +22,11 @@ from labcal.gui.axis_lights import AxisLights
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Measurements
-from labcal.gui.numbers import duration
+from labcal.gui.numbers import FIGURE_SPACE, duration, step_words
 from labcal.gui.plots import Loci, Traces
 from labcal.gui.prompt_card import PromptCard
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, shrinking
+from labcal.gui.widgets import Card, button, label, set_primary, shrinking
 from labcal.gui.wire import Fault
 from labcal.gui.words import say
 
@@ -94,6 +94,7 @@ class Live(QWidget):
         notes.addWidget(self.note, 1)
         notes.addWidget(self.photo)
         card.body.addWidget(self.steps, 1)
+        card.body.addStretch()
         card.body.addLayout(notes)
         card.body.addLayout(self._buttons())
         return card
@@ -105,7 +106,7 @@ class Live(QWidget):
             self.tr("Stop"), self.tr("End this run now, in order. The coils go to zero; what was measured is kept.")
         )
         self.stop.clicked.connect(self._run.stop)
-        self.close_run = button(self.tr("Put away"), self.tr("Back to the procedures; the run is in the History"))
+        self.close_run = button(self.tr("Close"), self.tr("Back to the procedures; the run is in the History"))
         self.close_run.clicked.connect(self.put_away)
         self.fit = button(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
         self.fit.clicked.connect(lambda: self._desk.study_asked.emit(self._run.run_id))
@@ -140,12 +141,14 @@ class Live(QWidget):
         self.coverage.setTextVisible(False)
         self.covered = label("", "caption")
         self.coverage.setToolTip(self.tr("How much of the turn this segment has seen, in sectors of 15°"))
-        row = QHBoxLayout()
+        self.turn = QWidget()
+        row = QHBoxLayout(self.turn)
+        row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.covered)
         row.addWidget(self.coverage, 1)
         card.body.addWidget(self.headline)
         card.body.addWidget(self.loci, 3)
-        card.body.addLayout(row)
+        card.body.addWidget(self.turn)
         card.body.addWidget(self.traces, 2)
         return card
 
@@ -185,13 +188,16 @@ class Live(QWidget):
         self.pause.setText(self.tr("Go on") if run.state == "paused" else self.tr("Pause"))
         self.pause.setEnabled(run.state in ("running", "asking", "paused"))
         self.stop.setEnabled(run.alive and run.state != "stopping")
+        turned = bool(run.names or run.locus)  # else there is no turn to show, and nothing to fit
         for widget, shown in (
             (self.pause, not ended),
             (self.stop, not ended),
             (self.close_run, ended),
-            (self.fit, ended),
+            (self.fit, ended and turned),
+            *((widget, turned) for widget in (self.progress, self.steps, self.lights, self.turn, self.loci)),
         ):
             widget.setVisible(shown)
+        set_primary(self.close_run, not turned)
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.note.setEnabled(run.alive)
         self.photo.setEnabled(run.alive)
@@ -210,6 +216,10 @@ class Live(QWidget):
         self.fault.show_fault(fault)
         if fault is None:
             self.fault.hide()
+        elif fault.kind == "stopped":
+            zero = self.tr("All coils are at zero.") if self._run.coils_at_zero else ""
+            kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
+            self.fault.text.setText(f"{zero} {kept}".strip())
 
     def _ask(self) -> None:
         prompt = self._run.prompt
@@ -223,9 +233,9 @@ class Live(QWidget):
         run, steps = self._run, self._run.steps()
         if self.steps.count() != len(steps):
             self.steps.clear()
-            self.steps.addItems([name for name, _ in steps])
+            self.steps.addItems([step_words(name) for name, _ in steps])
         for row, (name, mark) in enumerate(steps):
-            self._show_step(self.steps.item(row), f"{SHAPES[mark]}  {name}", mark)
+            self._show_step(self.steps.item(row), f"{SHAPES[mark]}  {step_words(name)}", mark)
             if mark in ("now", "broken"):
                 self.steps.setCurrentRow(row)
                 self.steps.scrollToItem(self.steps.item(row))
@@ -245,7 +255,9 @@ class Live(QWidget):
         self._show_left()
         self.headline.setText(self._now())
         self.coverage.setValue(round(100 * run.coverage()))
-        self.covered.setText(self.tr("{0:3d} % of the circle").format(round(100 * run.coverage())))
+        self.covered.setText(
+            self.tr("{0} % of the circle").format(f"{round(100 * run.coverage()):3d}".replace(" ", FIGURE_SPACE))
+        )
         rows = run.dut.rows()
         if len(rows) == self._drawn and run.alive and len(rows) < 10_000:
             return
@@ -264,17 +276,17 @@ class Live(QWidget):
         words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
         if run.state in words:
             return words[run.state]
-        doing = self.tr("measuring") if run.segment else run.step.name if run.step else ""
+        doing = step_words(run.segment) if run.segment else step_words(run.step.name) if run.step else ""
         left = run.step_left_s()
-        wait = "" if left is None else f" · {left:.0f} s"
-        return self.tr("Hands off · {0}{1}").format(doing, wait)
+        wait = "" if left is None else f"{left:.0f} s"
+        return " · ".join(part for part in (self.tr("Hands off"), doing, wait) if part)
 
     def _show_left(self) -> None:
         run, left = self._run, self._run.left_s()
         if run.step is None:
             self.left.setText(run.message if run.alive else "")
         elif left is None:
-            self.left.setText(self.tr("{0} · run {1}").format(run.status.partition(":")[0], run.run_id))
+            self.left.setText(say(run.status.partition(":")[0]))
         else:
             self.left.setText(
                 self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, duration(left))
