@@ -78,7 +78,8 @@ class Desk(QObject):
     def who(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
         if dut is not None:
-            self.lab.update(dut_serial=dut.strip())
+            scanned = self.lab.state.message == self._scanned(self.lab.state.dut_serial)
+            self.lab.update(dut_serial=dut.strip(), message="" if scanned else self.lab.state.message)
         if operator is not None:
             self.lab.update(operator=operator.strip())
             self.settings.setValue("operator", operator.strip())
@@ -89,7 +90,10 @@ class Desk(QObject):
             self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
         else:
             self.who(dut=serial)
-            self.lab.update(message=self.tr("Scanned: DUT {0}").format(serial))
+            self.lab.update(message=self._scanned(serial))
+
+    def _scanned(self, serial: str) -> str:
+        return self.tr("Scanned: DUT {0}").format(serial)
 
     def objection(self) -> str:
         """What is missing before a run may start; "" where nothing is."""

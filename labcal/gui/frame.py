@@ -47,6 +47,7 @@ class TopBar(Ground):
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
             row.addSpacing(2 * GRID)
+        self.dut.returnPressed.connect(self.operator.setFocus)
         row.addWidget(label(self.tr("Bench"), "caption"))
         row.addWidget(self.bench)
         row.addStretch()

@@ -134,7 +134,7 @@ class StudyViewModel(QObject):
                 self.fault = fault
                 self.changed.emit()
 
-        self.fault = None
+        self.fault, self.message = None, ""
         self.waiting.append(name)
         self._worker.ask(do, known, failed, **what)
         self.changed.emit()

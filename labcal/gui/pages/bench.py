@@ -92,7 +92,8 @@ class BenchPage(QWidget):
         return card
 
     def _cage_card(self) -> Card:
-        card = Card(self.tr("The cage"), self.tr("all arrows to one scale"))
+        card = Card(self.tr("The cage"), " ")
+        self.when = card.unit
         self.cage, self.cage_words = CageView(self._theme), label("", wrap=True)
         row = QHBoxLayout()
         row.addWidget(self.cage, 3)
@@ -160,7 +161,7 @@ class BenchPage(QWidget):
             self.table.set_cell(row, column, text, tip=f"{text}   ({one['driver']})")
         self.table.set_cell(row, 3, (answered or {}).get("identity") or "–")
         if answered is None:
-            self.table.set_cell(row, 5, self.tr("○ not asked yet"), colour=self._theme.muted)
+            self.table.set_cell(row, 5, self.tr("○ not asked"), colour=self._theme.muted)
         elif fault:
             self.table.set_cell(row, 5, f"✕ {fault['text']} {fault['remedy']}", colour=self._theme.bad)
         else:
@@ -183,6 +184,8 @@ class BenchPage(QWidget):
     def _show_cage(self) -> None:
         """The field's parts as they were last recorded together: currents, and what the reference saw with them."""
         facts, run = self._desk.facts, self._desk.run
+        now, last = self.tr("all arrows to one scale"), self.tr("as recorded last, not now; all arrows to one scale")
+        self.when.setText(now if run.alive or not run.reading else last)
         if not facts:
             return
         applied = last_applied(run.reading.get("cage"), facts["cage"]["matrix"])

@@ -6,7 +6,7 @@ from math import sqrt
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSplitter, QVBoxLayout, QWidget
 
 from labcal.gui.chooser import RunChooser
 from labcal.gui.desk import Desk
@@ -16,7 +16,7 @@ from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label, set_primary, shrinking
+from labcal.gui.widgets import Card, button, label, set_primary
 from labcal.gui.words import say
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
@@ -35,6 +35,8 @@ class FitPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addLayout(self._head())
+        self.waiting = label("", "caption", wrap=True)
+        column.addWidget(self.waiting)
         self.fault = FaultCard()
         self.fault.report_asked.connect(desk.report_asked)
         column.addWidget(self.fault)
@@ -67,25 +69,24 @@ class FitPage(QWidget):
         self.fit.clicked.connect(lambda: self._study.fit("ml"))
         self.all = button(self.tr("All methods"), self.tr("Estimate by every method, to see whether they agree"))
         self.all.clicked.connect(self._study.fit_all)
-        self.cancel = button(self.tr("Give up"), self.tr("End what is being computed"))
+        self.cancel = button(self.tr("Stop computing"), self.tr("End what is being computed; what is done stays"))
         self.cancel.clicked.connect(self._study.cancel)
         self.draft = button(self.tr("Make a draft"), self.tr("Write a draft calibration from the selected method"))
         self.draft.clicked.connect(self._draft)
         self.trace = button(self.tr("Trace the residual"), self.tr("Find what causes what is left over: the Loop page"))
         self.trace.clicked.connect(self._trace)
-        self.waiting = shrinking(label("", "caption"))
         row = QHBoxLayout()
         row.addWidget(self.chooser, 1)
-        row.addWidget(self.waiting)
         for widget in (self.cancel, self.fit, self.all, self.draft, self.trace):
             row.addWidget(widget)
         return row
 
     def _table_card(self) -> Card:
         card = Card(self.tr("Methods side by side"), self.tr("value ± U, k=2; choose a column to see its pictures"))
-        self.empty = label(self.tr("Choose a run above, then Fit."), "ask")
+        self.empty = label(self.tr("Choose a run above, then Fit."), "ask", wrap=True)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.table = Table((self.tr("parameter"),))
+        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
         card.body.addWidget(self.empty, 1)
@@ -121,7 +122,10 @@ class FitPage(QWidget):
         if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         self.waiting.setText(self.tr("computing: {0}").format(", ".join(study.waiting)) if study.busy else "")
+        self.waiting.setVisible(study.busy)
         self.cancel.setVisible(study.busy)
+        for widget in (self.fit, self.all):
+            widget.setVisible(not study.busy)
         self.fit.setEnabled(bool(study.run) and not study.busy and "ml" not in study.fits)
         self.all.setEnabled(bool(study.methods) and not study.busy)
         self.draft.setEnabled(study.best() is not None)

@@ -88,7 +88,7 @@ class LoopPage(QWidget):
             self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
         )
         self.close_loop.clicked.connect(self._study.close_loop)
-        self.cancel = button(self.tr("Give up"), self.tr("End what is being computed"))
+        self.cancel = button(self.tr("Stop computing"), self.tr("End what is being computed; what is done stays"))
         self.cancel.clicked.connect(self._study.cancel)
         self.sign = button(
             self.tr("To the certificate"), self.tr("The draft with the accepted effects: approve and sign it")

@@ -77,19 +77,21 @@ class StartPage(QWidget):
         self.calibrate.clicked.connect(lambda: self._desk.procedure_asked.emit("preflight"))
         self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
         self.simulated.clicked.connect(lambda: self._desk.ask("simulated_bench", self._desk.open_bench))
+        self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
+        self.open.clicked.connect(lambda: self._desk.went.emit("Bench"))
         row = QHBoxLayout()
         words = QVBoxLayout()
         words.addWidget(self.date)
         words.addWidget(self.question)
         row.addLayout(words, 1)
-        for widget in (self.simulated, self.calibrate, self.morning):
+        for widget in (self.simulated, self.open, self.calibrate, self.morning):
             row.addWidget(widget)
         card.body.addLayout(row)
         return card
 
     def _fact_card(self, key: str, title: str) -> Card:
         card = Card(title)
-        word, detail = label("…", "ask"), label("", wrap=True)
+        word, detail = label("…", "ask"), label(self.tr("Looking into the store."), wrap=True)
         self.facts[key] = word, detail
         card.body.addWidget(word)
         card.body.addWidget(detail)
@@ -111,9 +113,12 @@ class StartPage(QWidget):
             objection
             or self.tr("Ready. {0} stands on {1}.").format(self._desk.lab.state.dut_serial, self._desk.facts["name"])
         )
-        self.simulated.setVisible(not self._desk.facts)
+        known = bool(self._desk.facts)
+        for widget in (self.simulated, self.open):
+            widget.setVisible(not known)
         for widget in (self.morning, self.calibrate):
-            widget.setEnabled(bool(self._desk.facts) and not self._desk.run.alive)
+            widget.setVisible(known)
+            widget.setEnabled(not self._desk.run.alive)
 
     def _bench_known(self) -> None:
         self._show_reference((self._desk.facts.get("reference") or {}).get("calibration") or "")
@@ -121,6 +126,8 @@ class StartPage(QWidget):
         self._enable()
 
     def _show_reference(self, said: str) -> None:
+        if not self._desk.facts:
+            return self._say("reference", self.tr("not known"), self.tr("No bench is open."))
         dated = re.search(r"\d{4}-\d{2}-\d{2}", said)
         if dated is None:
             words = self.tr("The bench file states no calibration of the reference with a date.")
@@ -175,8 +182,12 @@ class StartPage(QWidget):
         return self._say("closing", f"{shape} {said['verdict']}", f"{value}\n{run_words(run)}", state)
 
     def _runs_known(self, runs: list[dict[str, Any]]) -> None:
-        lines = [run_words(one) for one in runs[:5]]
-        self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
+        if runs:
+            lines = [run_words(one) for one in runs[:5]]
+            self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
+        else:
+            words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
+            self._say("runs", self.tr("none yet"), words)
         while (old := self.interrupted.body.takeAt(0)) is not None:
             if (widget := old.widget()) is not None:
                 widget.deleteLater()

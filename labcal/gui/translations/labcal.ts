@@ -48,6 +48,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>○ not asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
@@ -68,10 +72,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>○ not asked yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>✓ answers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -85,6 +85,10 @@
     </message>
     <message>
         <source>{0:.1f} s before the newest of all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as recorded last, not now; all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -271,6 +275,10 @@
     </message>
     <message>
         <source>{0} To sign as {1}, type the passphrase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has a key now, under this passphrase.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -476,11 +484,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give up</source>
+        <source>Stop computing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>End what is being computed</source>
+        <source>End what is being computed; what is done stays</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -700,7 +708,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Serial of the DUT that this run was made with:</source>
+        <source>Serial of the DUT of run {0}:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -763,11 +771,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put away</source>
+        <source>All coils are at zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hands off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -799,10 +823,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0:3d} % of the circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Starting</source>
         <translation type="unfinished"></translation>
     </message>
@@ -812,18 +832,6 @@
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>measuring</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hands off · {0}{1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} · run {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -843,14 +851,6 @@
     </message>
     <message>
         <source>Find what causes what is left over</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>End what is being computed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -927,6 +927,14 @@
     </message>
     <message>
         <source>Looking at the residual; a whole preflight takes about a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop computing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End what is being computed; what is done stays</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1062,6 +1070,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Hands off: it goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Pauses where the next step begins; the coils go to zero there.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1156,6 +1168,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Open a bench …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stands in this lab: the Bench page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking into the store.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ready. {0} stands on {1}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1225,6 +1249,10 @@
     </message>
     <message>
         <source>{0} in the store</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1648,7 +1676,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Approved by {0}. Now sign, each under the own name.</source>
+        <source>Approved by {0}. Now both sign, each under their own name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1,0 +1,116 @@
+"""What a person reads while they work: news that is news, names in words, nothing cut where it can be helped."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit
+
+from labcal.bench.parameters import Limits, ParameterSpec
+from labcal.errors import InputError
+from labcal.gui.form import range_of
+from labcal.gui.numbers import step_words
+from labcal.gui.run_vm import Order
+from labcal.gui.wire import Fault, fault_of, item_to_json
+from labcal.record.stream import Event, Prompt, Step
+
+
+def send(window, *items):
+    window.desk.bench_worker.items.emit([item_to_json(item) for item in items])
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("x-50uT-full", "x −50 µT full"),
+        ("z+20uT-nominal: wrong signs", "z +20 µT nominal: wrong signs"),
+        ("closure-x", "closure-x"),
+        ("mount-y", "mount-y"),
+    ],
+)
+def test_a_step_is_said_in_words(name, words):
+    assert step_words(name) == words
+
+
+def test_a_small_limit_is_written_out():
+    spec = ParameterSpec("u_time_s", "float", 0.005, limits=Limits(1e-6, 1e5, unit="s"))
+    assert range_of(spec) == "0.000001 … 100000 s"
+
+
+def test_an_answer_is_no_news_and_what_goes_on_is_said_without_a_loose_end(still):
+    still.desk.run.start(Order("axes-check", "bench.toml"))
+    send(still, Prompt(1.0, "ready", "Hands off?", ("done",), True))
+    still.desk.run.answer("done")
+    send(still, Event(1.1, "answer", "done", {"key": "ready"}))
+    assert "done" not in still.desk.lab.state.message
+    live = still.page("Run").live
+    live._draw()
+    assert live.headline.text() == "Hands off"
+
+
+def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
+    still.desk.run.start(Order("axes-check", "bench.toml"))
+    live = still.page("Run").live
+    assert not any(part.isVisible() for part in (live.steps, live.lights, live.loci, live.coverage))
+    ended = {"run_id": "r1", "status": "finished", "fault": None, "failed": []}
+    still.desk.bench_worker.answer("run", ended)
+    assert (live.fit.isVisible(), live.close_run.isVisible()) == (False, True)
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "closing"), 20.0))
+    assert all(part.isVisible() for part in (live.steps, live.lights, live.loci, live.coverage))
+
+
+def test_who_stops_a_run_reads_how_it_stands_and_no_alarm(still):
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    send(still, Event(5.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]}))
+    stopped = {"kind": "stopped", "text": "stopped by the operator", "remedy": "", "details": "Traceback: …"}
+    still.desk.bench_worker.answer("run", {"run_id": "r1", "status": "stopped", "fault": stopped, "failed": []})
+    card = still.page("Run").live.fault
+    assert card.text.text().startswith("All coils are at zero. What was measured is kept")
+    assert not card.save.isVisible()
+    card.show_fault(Fault("instrument", "The reference is silent."))
+    assert card.save.isVisible()
+
+
+def test_a_serial_that_is_typed_takes_the_scanned_one_from_the_line_below(still):
+    still.desk.scan("WRONG-1")
+    assert still.desk.lab.state.message == "Scanned: DUT WRONG-1"
+    still.desk.who(dut="EM-07")
+    assert still.desk.lab.state.message == ""
+
+
+def test_enter_after_the_serial_leads_to_the_operator(still, qtbot):
+    still.top.dut.setFocus()
+    qtbot.keyClick(still.top.dut, Qt.Key.Key_Return)
+    assert still.top.operator.hasFocus()
+
+
+def test_a_fault_names_the_file_and_keeps_its_path_for_the_details():
+    fault = fault_of(InputError("does not open", file="/home/j/keys/j.doe.pem"))
+    assert (fault.text, fault.details) == ("j.doe.pem: does not open", "/home/j/keys/j.doe.pem: does not open")
+
+
+def test_the_names_of_parameters_stand_whole_beside_eleven_methods(still, qtbot):
+    from labcal.gui.pages.fit import GAINS, OFFSETS, QUALITY
+
+    page = still.page("Fit")
+    still.open_page("Fit")
+    failed = {"fit": {"ok": False, "why_not": "diverged"}}
+    still.desk.study_vm.fits = {f"method-number-{n}": failed for n in range(11)}
+    still.desk.study_vm.changed.emit()
+    page._turns.finish()
+    widest = max(page.table.fontMetrics().horizontalAdvance(name) for name in (*QUALITY, *OFFSETS, *GAINS))
+    assert page.table.columnWidth(0) >= widest
+
+
+def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot):
+    still.open_page("Certificate")
+    page = still.page("Certificate")
+    secret = QLineEdit(page)
+    secret.setEchoMode(page.passphrase.echoMode())
+    secret.show()
+    secret.setFocus()
+    qtbot.waitUntil(secret.hasFocus)
+    still.scanner._wait.setInterval(3_600_000)
+    qtbot.keyClicks(secret, "correct horse")
+    assert secret.text() == "correct horse"
+    assert still.desk.lab.state.dut_serial == "EM-07"
+    secret.deleteLater()
