@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
+from labcal.fit.identify import Identified, identify
 from labcal.fit.ml import Estimate, estimate
 from labcal.fit.observations import AXIS, SCALAR, VECTOR, Observations, observe
 from labcal.fit.solve import LEAST_SQUARES, FormName, Solution, solve
@@ -179,11 +180,24 @@ def fit_base(run: Run, seen: Observations) -> tuple[Base, Estimate]:
             except (ValueError, np.linalg.LinAlgError) as error:
                 why = str(error)
                 continue
-        known = found.identified.worst_u_nT < LOOSE * float(seen.magnitude.max())
-        if found.identified.why_not is None and (known or base == "offset"):
+        if _known(found, base) or (scalar and _known(replace(found, identified=_by_geometry(found)), base)):
             return base, found
         why = found.identified.why_not or why
     raise InputError(f"run {run.run_id} does not even determine an offset: {why}")
+
+
+def _known(found: Estimate, base: Base) -> bool:
+    loose = found.identified.worst_u_nT >= LOOSE * float(found.seen.magnitude.max())
+    return found.identified.why_not is None and (base == "offset" or not loose)
+
+
+def _by_geometry(found: Estimate) -> Identified:
+    """What these readings would determine if the fitted map were true: a strong effect is no lack of excitation."""
+    start = found.solution
+    field = evaluate(found.seen, found.noise, start.theta, start.phase).field
+    seen = replace(found.seen, magnitude=np.linalg.norm(field, axis=1))
+    exact = solve(seen, found.noise, found.form, start.theta, start.phase, LEAST_SQUARES)
+    return identify(seen, found.noise, found.form, exact, LEAST_SQUARES)
 
 
 def linearise(

@@ -13,6 +13,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from labcal import session
+from labcal.fit.ml import estimate
 from labcal.fit.observations import AXIS
 from labcal.geometry import rotate, rotation_vector
 from labcal.loop import close_loop, decide, evidence, working_range
@@ -24,7 +25,7 @@ from labcal.loop.delays import delays
 from labcal.loop.evidence import decided, search_of, weighed
 from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, held_out, plan
-from labcal.loop.problem import Problem
+from labcal.loop.problem import Problem, _by_geometry
 from labcal.loop.refit import refit
 from labcal.loop.search import Candidate, Search, Weighed, new_to
 from labcal.loop.spectrum import Likelihood
@@ -422,3 +423,17 @@ def test_the_unknown_start_of_a_slow_response_is_no_drift(searching: Callable[..
         warm, dying = (replace(c, form=c.form.reshaped(tau_s=at)) for c, at in ((slow, 40.0), (settling, tau_s)))
         stage = search.stage([warm], decide._starts(search, warm))
         assert search.weigh(dying, stage).rank == new
+
+
+def test_a_strong_effect_is_no_lack_of_excitation(making: ModuleType, tmp_path: Path) -> None:
+    def known(axes: str, gain: float) -> tuple[float, float]:
+        rows, segments = making.recorded(axes=axes)
+        rows["dut"] = rows["dut"] * (1 + gain * np.outer(np.sin(rows["t_s"] / 90), [1.0, -0.6, -2.0]))
+        found = estimate(session.load_run(str(making.written(tmp_path, rows, segments))), as_scalar=True)
+        return found.identified.worst_u_nT, _by_geometry(found).worst_u_nT
+
+    quiet, strong = known("xy", 0.0), known("xy", 0.02)
+    assert quiet[1] == pytest.approx(quiet[0], rel=0.05)
+    assert strong[1] == pytest.approx(quiet[0], rel=0.05)
+    assert strong[0] > 5 * quiet[0]
+    assert np.isinf(known("x", 0.0)[1])
