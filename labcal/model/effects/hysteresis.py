@@ -136,11 +136,21 @@ def _travel(run: Run) -> float:
 
 
 def _narrowest(run: Run) -> float:
-    """The narrowest loop [nT] that may be tried: any where a reference drives it, else one far above the noise."""
-    if all(offers(run, segment) == "vector" for segment in run.segments):
-        return 0.0
-    typical = float(np.sqrt(np.nanmean(run.reading**2))) * run.dut.nominal_nT_per_unit
-    return OWN_NOISE * (run.dut.noise_nT or 1e-3 * typical)
+    """The narrowest loop [nT] that may be tried: any where a reference drives it, else one far above the noise.
+
+    Infinite where no segment sweeps the field: what ripples there is noise, of the reference as well.
+    """
+    far = OWN_NOISE * _noise(run)
+    known = run.select(np.isfinite(run.reading).all(axis=1))
+    parts = [known.reading[rows] for rows in stretches(known.segment_index)]
+    if max(float(np.ptp(part, axis=0).max()) for part in parts) * run.dut.nominal_nT_per_unit < far:
+        return np.inf
+    return 0.0 if all(offers(run, segment) == "vector" for segment in run.segments) else far
+
+
+def _noise(run: Run) -> float:
+    """Of a reading [nT]; a thousandth of it where none is declared."""
+    return run.dut.noise_nT or 1e-3 * float(np.sqrt(np.nanmean(run.reading**2))) * run.dut.nominal_nT_per_unit
 
 
 FAMILY = Family(
