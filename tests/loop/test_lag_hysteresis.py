@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects import Form, Scene
-from labcal.model.effects.hysteresis import dahl, kernel, stop
+from labcal.model.effects.hysteresis import candidates, dahl, kernel, stop
 from labcal.model.effects.protocol import Shape
 from labcal.model.effects.regressors import low_passed, per_axis, shifted
+from labcal.record import Dut, Reference, Run, Segment
 
 
 def test_a_stop_follows_until_its_threshold_and_back() -> None:
@@ -18,6 +19,19 @@ def test_a_stop_follows_until_its_threshold_and_back() -> None:
 def test_a_dahl_loop_comes_within_one_part_in_e_of_its_branch_over_its_width() -> None:
     drive = np.linspace(0, 3000, 301)[:, None]
     assert np.isclose(dahl(drive, 3000.0)[-1, 0], 1 - np.exp(-1))
+
+
+def test_a_loop_is_looked_for_where_a_segment_sweeps_the_field_alone() -> None:
+    noise = np.random.default_rng(1).normal(0, 20.0, (100, 3))
+    swept = np.linspace(-1, 1, 100)[:, None] * [3e4, 0.0, 0.0]
+    segments = (Segment("a", "static"), Segment("b", "static"))
+    held, moved = (
+        Run("r", "2026-01-01T00:00:00Z", True, "", Dut("s", noise_nT=20.0), Reference("vector"), segments,
+            np.arange(100.0), np.repeat([0, 1], 50), reading, reference_vector=reading.copy())
+        for reading in (noise + np.repeat([[0.0], [3e4]], 50, axis=0), noise + swept)
+    )  # fmt: skip
+    assert not candidates(held)
+    assert candidates(moved)
 
 
 def test_relays_of_many_widths_are_a_saturating_loop_and_no_curve() -> None:

@@ -141,7 +141,7 @@ def _narrowest(run: Run) -> float:
     Infinite where no segment sweeps the field: what ripples there is noise, of the reference as well.
     """
     far = OWN_NOISE * _noise(run)
-    known = run.select(np.isfinite(run.reading).all(axis=1))
+    known = run.select(np.asarray(np.isfinite(run.reading).all(axis=1)))
     parts = [known.reading[rows] for rows in stretches(known.segment_index)]
     if max(float(np.ptp(part, axis=0).max()) for part in parts) * run.dut.nominal_nT_per_unit < far:
         return np.inf
