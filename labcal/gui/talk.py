@@ -19,7 +19,7 @@ LOOK_S = 0.05
 
 
 class Talk:
-    """Hears what the window says while work goes on. When the window hangs up, the run is aborted: coils to zero."""
+    """Hears what the window says while work goes on. When it dies, the coils go to zero and the run is interrupted."""
 
     def __init__(self, heard: TextIO, said: TextIO) -> None:
         self.control = Control()
@@ -39,9 +39,12 @@ class Talk:
     def say(self, said: str, **what: Any) -> None:
         """Send one message."""
         line = json.dumps({"said": said, **what}, default=str)
-        with self._lock:
-            self._said.write(line + "\n")
-            self._said.flush()
+        try:
+            with self._lock:
+                self._said.write(line + "\n")
+                self._said.flush()
+        except BrokenPipeError:  # nobody is there to hear it
+            self.control.leave()
 
     def on_bench(self, simulated: bool) -> None:
         """From here on a hang-up means abort, not exit. A paused simulation stands still."""
@@ -85,7 +88,7 @@ class Talk:
     def _listen(self) -> None:
         for line in self._heard:
             self._take(json.loads(line))
-        self.control.abort()
+        self.control.leave()
         self._asks.put(None)
         if not self._on_bench:
             os._exit(0)

@@ -13,11 +13,15 @@ class Aborted(Stopped):
     """The operator aborted: coils to zero first, the procedure's own way out after that."""
 
 
+class Left(Aborted):
+    """Whoever ran this is gone: the same way out."""
+
+
 class Control:
     """Pause takes hold where the next step begins; stop and abort at the next sample. All leave the coils at zero."""
 
     def __init__(self) -> None:
-        self._going, self._stop, self._abort = Event(), Event(), Event()
+        self._going, self._stop, self._abort, self._left = Event(), Event(), Event(), Event()
         self._going.set()
         self._notes: SimpleQueue[tuple[str, Mapping[str, str]]] = SimpleQueue()
 
@@ -36,6 +40,10 @@ class Control:
     def abort(self) -> None:
         """End now: the coils go to zero before anything else is done. The run is `failed: aborted by the operator`."""
         self._abort.set()
+
+    def leave(self) -> None:
+        """Whoever ran this is gone: as an abort, but the run is `interrupted`, and may be gone on with."""
+        self._left.set()
 
     def note(self, text: str, **data: str) -> None:
         """Put a remark into the record ("lift moved"), stamped when the next item is written; `data` goes with it."""
@@ -66,5 +74,7 @@ class Control:
         """Raise Aborted or Stopped where that is wanted."""
         if self._abort.is_set():
             raise Aborted("aborted by the operator")
+        if self._left.is_set():
+            raise Left("whoever ran this is gone")
         if self._stop.is_set():
             raise Stopped("stopped by the operator")

@@ -15,7 +15,7 @@ from labcal.bench.roles import CoilSupply
 from labcal.bench.steps import Procedure
 from labcal.errors import InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
-from labcal.runner.control import Aborted, Control
+from labcal.runner.control import Aborted, Control, Left
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
@@ -63,6 +63,8 @@ class Drive:
                         self._refuse_a_clock_set_back(*started)
                         self._pause_if_wanted()
             return Ending("finished")
+        except Left as fault:
+            return Ending("interrupted", fault)
         except Aborted as fault:
             return Ending(f"failed: {fault}", fault)
         except (Stopped, KeyboardInterrupt) as fault:
