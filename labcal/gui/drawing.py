@@ -138,6 +138,7 @@ class Mounting(QWidget):
         size = painter.fontMetrics().size(0, name)
         x = tip.x() + 8 * cos(angle) - size.width() * (1 - cos(angle)) / 2
         y = tip.y() + 8 * sin(angle) - size.height() * (1 - sin(angle)) / 2
+        y += 0 if font.bold() else 0.9 * size.height()  # the cage's axes are named below: a body axis may lie on them
         x = min(max(x, 2.0), self.width() - size.width() - 2.0)
         painter.drawText(QRectF(x, y, size.width() + 2, size.height()), Qt.AlignmentFlag.AlignCenter, name)
 

@@ -127,11 +127,10 @@ class Card(Ground):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         outer.setSpacing(GRID)
-        self.heading = shrinking(label(title, "title"))
+        self.heading = shrinking(label(title, "title", wrap=True))
         self.unit = label(unit, "caption")
         head = QHBoxLayout()
-        head.addWidget(self.heading)
-        head.addStretch()
+        head.addWidget(self.heading, 1)
         head.addWidget(self.unit)
         if title or unit:
             outer.addLayout(head)

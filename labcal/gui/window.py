@@ -10,7 +10,7 @@ from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
 from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
 
@@ -130,6 +130,7 @@ class Window(Frame):
         self._ahead.timeout.connect(self.build_ahead)
         self._imports = Thread(target=import_pages, daemon=True, name="imports")
         self.wall = str(desk.settings.value("wall", "no")) == "yes"
+        self._before_wall: QSize | None = None
         self.fault = FaultCard()
         self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
         self.above.addWidget(self.fault)
@@ -190,7 +191,11 @@ class Window(Frame):
         """Texts to be read from two metres, or back (F11)."""
         self.wall = not self.wall
         self.desk.settings.setValue("wall", "yes" if self.wall else "no")
+        if self.wall:
+            self._before_wall = self.size()
         self._look()
+        if not self.wall and self._before_wall is not None:
+            self.dressing.add(partial(self.resize, self._before_wall))
 
     def set_theme(self, theme: Theme) -> None:
         """Show everything in `theme`, what is in sight first."""

@@ -368,6 +368,7 @@ def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
     before, words = lab.rail.width(), lab.top.off.fontMetrics().height()
     lab.toggle_wall()
     assert lab.rail.width() > 1.5 * before
+    assert lab.page("Loop").change_heading.wordWrap()  # where there is no room it goes on below
     qtbot.waitUntil(lambda: lab.top.off.fontMetrics().height() > 1.5 * words, timeout=LONG_MS)
 
 

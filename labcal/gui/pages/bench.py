@@ -85,7 +85,7 @@ class BenchPage(QWidget):
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(3, header.ResizeMode.Interactive)
         self.table.setColumnWidth(3, 26 * GRID)
-        self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask")
+        self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
         card.body.addLayout(row)

@@ -69,7 +69,7 @@ class FitPage(QWidget):
         self.fit.clicked.connect(lambda: self._study.fit("ml"))
         self.all = button(self.tr("All methods"), self.tr("Estimate by every method, to see whether they agree"))
         self.all.clicked.connect(self._study.fit_all)
-        self.cancel = button(self.tr("Stop computing"), self.tr("End what is being computed; what is done stays"))
+        self.cancel = button(self.tr("Cancel"), self.tr("End what is being computed; what is done stays"))
         self.cancel.clicked.connect(self._study.cancel)
         self.draft = button(self.tr("Make a draft"), self.tr("Write a draft calibration from the selected method"))
         self.draft.clicked.connect(self._draft)

@@ -95,7 +95,7 @@ class HistoryPage(QWidget):
         self.table.itemSelectionChanged.connect(self._chosen)
         self.table.doubleClicked.connect(self._open)
         self.empty = label(
-            self.tr("No run fits. A run from the Run page, or an imported bundle, comes up here."), "caption"
+            self.tr("No such run. A run from the Run page, or an imported bundle, comes up here."), "caption"
         )
         card.body.addLayout(row)
         card.body.addWidget(self.empty)
@@ -114,7 +114,8 @@ class HistoryPage(QWidget):
         self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem(utcOffset=0)})
         card.body.addWidget(self.parameter)
         self.none = label(
-            self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day.")
+            self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day."),
+            wrap=True,
         )
         card.body.addWidget(self.none)
         card.body.addWidget(self.plot, 1)

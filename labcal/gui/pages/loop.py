@@ -67,6 +67,8 @@ class LoopPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addLayout(self._head())
+        self.waiting = label("", "caption", wrap=True)
+        column.addWidget(self.waiting)
         self.fault = FaultCard()
         self.fault.report_asked.connect(desk.report_asked)
         column.addWidget(self.fault)
@@ -83,12 +85,11 @@ class LoopPage(QWidget):
     def _head(self) -> QHBoxLayout:
         self.chooser = RunChooser(self._desk)
         self.chooser.chosen.connect(self._study.open)
-        self.waiting = shrinking(label("", "caption"))
         self.close_loop = button(
             self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
         )
         self.close_loop.clicked.connect(self._study.close_loop)
-        self.cancel = button(self.tr("Stop computing"), self.tr("End what is being computed; what is done stays"))
+        self.cancel = button(self.tr("Cancel"), self.tr("End what is being computed; what is done stays"))
         self.cancel.clicked.connect(self._study.cancel)
         self.sign = button(
             self.tr("To the certificate"), self.tr("The draft with the accepted effects: approve and sign it")
@@ -96,7 +97,6 @@ class LoopPage(QWidget):
         self.sign.clicked.connect(lambda: self._desk.went.emit("Certificate"))
         row = QHBoxLayout()
         row.addWidget(self.chooser, 1)
-        row.addWidget(self.waiting)
         for widget in (self.cancel, self.close_loop, self.sign):
             row.addWidget(widget)
         return row
@@ -209,6 +209,7 @@ class LoopPage(QWidget):
         working = "loop" in study.waiting
         self._tell()
         self.cancel.setVisible(study.busy)
+        self.close_loop.setVisible(not study.busy)
         self.close_loop.setEnabled(bool(study.run) and not study.busy)
         self.sign.setEnabled(study.loop is not None)
         set_primary(self.close_loop, study.loop is None)
@@ -227,6 +228,7 @@ class LoopPage(QWidget):
         study = self._study
         words = self.tr("tracing … {0}").format(study.message) if "loop" in study.waiting else ""
         self.waiting.setText(", ".join(study.waiting) if study.busy and not words else words)
+        self.waiting.setVisible(study.busy)
 
     def _show_loop(self, loop: dict[str, Any], remarks: list[str]) -> None:
         words, state = WORDS[loop["verdict"]]
@@ -352,7 +354,7 @@ class LoopPage(QWidget):
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
         both = (unpack(one["before"]), unpack(one["after"]))
         rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
-        self.change_words.setText(" → ".join(rms) + " nT")
+        self.change_words.setText(self.tr("all rows: {0} nT").format(" → ".join(rms)))
         return self.change_words.setToolTip(self.tr("Rms over all rows, before and after"))
 
     def _show_change(self) -> None:

@@ -484,11 +484,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop computing</source>
+        <source>End what is being computed; what is done stays</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>End what is being computed; what is done stays</source>
+        <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -684,7 +684,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No run fits. A run from the Run page, or an imported bundle, comes up here.</source>
+        <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -930,11 +930,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop computing</source>
+        <source>End what is being computed; what is done stays</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>End what is being computed; what is done stays</source>
+        <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -971,6 +971,10 @@
     </message>
     <message>
         <source>computing …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all rows: {0} nT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
