@@ -69,18 +69,19 @@ def expand(problem: Problem) -> list[Candidate]:
     """Every form of every family at every point of its grid; those that need no residual to look at."""
     found = []
     for family in families():
-        if family.sought == "grid" and _at_home(problem, family):
-            at_once = [form for form in family.candidates(problem.run) if not _delayed(form)]
+        if family.sought == "grid" and at_home(problem, family):
+            at_once = [form for form in family.candidates(problem.run) if not _of_a_residual(form)]
             for points in map(_points, at_once):
                 found += [Candidate(family, point, len(points)) for point in points]
     return found
 
 
-def _delayed(form: Form) -> bool:
-    return any(shape.name == "delay_s" for shape in form.shape)
+def _of_a_residual(form: Form) -> bool:
+    """Whether its delay or moment is read off a residual."""
+    return any(shape.name in ("delay_s", "t_step_s") for shape in form.shape)
 
 
-def _at_home(problem: Problem, family: Family) -> bool:
+def at_home(problem: Problem, family: Family) -> bool:
     """Whether this problem can show the family at all.
 
     Effects of the rig need to know where the cage is. So does a lag: shifting noisy readings averages them, which

@@ -1,7 +1,7 @@
-"""Where the offset may have stepped: every moment is looked at, by plain least squares in one sweep.
+"""Where an offset or the cage's field may have stepped: every moment is looked at, by plain least squares in one sweep.
 
 A step half a minute off its moment is no better than any slow wandering, so a grid of times would miss it. The columns
-of a step at row k are those of a constant offset from row k on: their Gram matrices with everything else are sums over
+of a step at row k are those of a constant from row k on: their Gram matrices with everything else are sums over
 the rows that follow, and the drop of the sum of squares at all k costs one pass.
 """
 
@@ -13,8 +13,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.search import SEEN, Candidate, Search
-from labcal.model.effects import families
+from labcal.loop.search import SEEN, Candidate, Search, at_home
+from labcal.model.effects import Family, Form, families
 
 Array = NDArray[np.float64]
 PEAKS = 3  # moments that are weighed
@@ -24,28 +24,32 @@ APART = 60  # peaks lie at least the run's length over this apart
 
 def steps(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
     """The step at the moments where it takes most off the residual that the accepted effects leave."""
-    forms = [(f, form) for f in families() if f.sought == "moments" for form in f.candidates(search.problem.run)]
-    if not forms:
-        return []
+    found: list[Candidate] = []
+    for family in families():
+        for form in family.candidates(search.problem.run) if at_home(search.problem, family) else ():
+            if any(shape.name == "t_step_s" for shape in form.shape):
+                found += _at_peaks(search, family, form, drops(search, accepted, form))
+    return found
+
+
+def _at_peaks(search: Search, family: Family, form: Form, drop: Array) -> list[Candidate]:
     t = search.problem.scene.t_s[search.rows]
-    drop = drops(search, accepted)
     found: list[Candidate] = []
     for _ in range(PEAKS):
         row = int(np.argmax(drop))
         if drop[row] <= 0:
             break
         grid = (float(t[row - 1]), float(t[row - 1] + t[row]) / 2, float(t[row]))
-        for family, form in forms:
-            at = replace(form.shape[0], value=grid[1], grid=grid)
-            found.append(Candidate(family, replace(form, shape=(at,)), len(t)))
+        at = replace(form.shape[0], value=grid[1], grid=grid)
+        found.append(Candidate(family, replace(form, shape=(at,)), len(t)))
         drop[max(row - len(t) // APART, 0) : row + len(t) // APART + 1] = 0.0
     return found
 
 
-def drops(search: Search, accepted: Sequence[Candidate]) -> Array:
-    """What a step from each row on takes off the sum of squares (n,); nought at the ends."""
+def drops(search: Search, accepted: Sequence[Candidate], form: Form) -> Array:
+    """What the step of this form from each row on takes off the sum of squares (n,); nought at the ends."""
     problem, rows = search.problem, search.rows
-    E = problem.whiten[rows]  # (n, q, 3) a constant offset along each axis
+    E = problem.columns(form.reshaped(t_step_s=-np.inf))[rows]  # (n, q, 3) as if it had come before the run
     A = np.concatenate([problem.T, *(search.columns(c) for c in accepted)], axis=2)[rows]
     flat = A.reshape(-1, A.shape[2])
     inverse = np.linalg.pinv(flat.T @ flat, hermitian=True)

@@ -71,6 +71,10 @@ def test_without_angles_and_with_attitudes_at_rest_the_frame_is_known(making: Mo
     assert np.allclose(problem.affine.K, turned.T / 1.05, atol=1e-3)
 
 
+def _of_the_offset(search: Search) -> list[Candidate]:
+    return [step for step in steps(search, ()) if step.family.id == "offset-step"]
+
+
 def _search(problem: Problem) -> Search:
     return search_of(problem, 0.85)
 
@@ -99,18 +103,18 @@ def test_rows_are_not_binned_where_a_fast_line_would_be_lost(started: Started) -
 def test_a_step_is_found_at_its_moment_and_its_drop_is_that_of_a_fit(started: Started) -> None:
     problem = started(lambda rows: 60.0 * (rows["t_s"] > 190.3)[:, None] * np.ones(3))
     search = _search(problem)
-    best = steps(search, ())[0]
+    best = _of_the_offset(search)[0]
     assert abs(best.form.at("t_step_s") - 190.3) < 1.0
     row = int(np.searchsorted(problem.scene.t_s, best.form.at("t_step_s")))
     fell = np.sum(search.residual(()) ** 2) - np.sum(search.residual([best]) ** 2)
-    assert np.isclose(drops(search, ())[row], fell, rtol=1e-6)
+    assert np.isclose(drops(search, (), best.form)[row], fell, rtol=1e-6)
 
 
 def test_a_block_that_hides_the_moment_of_a_step_does_not_count_against_it(started: Started) -> None:
     """Only the rows among which the step lies are left out, of before and after alike."""
     search = _search(started(lambda rows: 300.0 * (rows["t_s"] > 200.0)[:, None] * np.array([1.0, -0.7, 0.5])))
     blocks = plan(search.problem, 0.0)
-    honest = held_out(search, blocks, lambda part: steps(part, ())[:1])
+    honest = held_out(search, blocks, lambda part: _of_the_offset(part)[:1])
     hidden = len(search.problem) - len(honest.after_nT)
     assert 0 < hidden <= np.bincount(blocks.block).max() + 2
     assert honest.after < 1.1 * np.sqrt(3) * 20.0 / 1.05  # the readings' own noise
@@ -252,6 +256,21 @@ def test_a_field_that_stands_is_no_drift_though_a_drift_contains_it(started: Sta
     weighed_alone = {w.candidate.family.id: w for w in search.rank(search.candidates)}
     assert earned(search, (), weighed_alone["reference-drift"]) is (drifts > 0)
     assert [c.family.id for c in forward(search, most=1)[0]] == [name]
+
+
+@pytest.mark.parametrize("told", [True, False], ids=["a channel tells", "nothing tells"])
+def test_what_comes_with_the_motor_or_at_a_moment_is_the_cages_field_and_no_offset(
+    making: ModuleType, tmp_path: Path, told: bool
+) -> None:
+    rows, segments = making.recorded()
+    on = (np.mod(rows["t_s"], 31.0) < 12.0) if told else rows["t_s"] > 190.3
+    rows["ref"] = rows["ref"] + on[:, None] * np.array([40.0, -90.0, 60.0])
+    rows["motor_on"] = on.astype(float)
+    motor = {"motor_on": {"unit": "1", "quantity": "other", "role": "platform"}}
+    path = making.written(tmp_path, rows, segments, making.CHANNELS | (motor if told else {}))
+    (chosen,) = forward(_search(prepared(session.load_run(str(path)))[0]))[0]
+    assert chosen.cause == ("cage-field", ("motor_on",) if told else ())
+    assert chosen.form.parameters[0][0] == ("q_x" if told else "step_x")
 
 
 def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> None:

@@ -5,12 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.model.effects.protocol import Array, Family, Form, Scene
-from labcal.model.effects.regressors import AXES
+from labcal.model.effects.regressors import AXES, of_the_rig, some_moment
 from labcal.record import Run, offers
+from labcal.record.run import Channel
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body, θ the platform angle; `rest_x` … where none is."""
+    """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body, θ the platform angle; `rest_x` … where none is.
+
+    `q_x` … for each unit of a channel, `step_x` … from t_step on.
+    """
     assert scene.rig is not None
     angle = np.nan_to_num(scene.rig.angle_rad)
     turning = np.isfinite(scene.rig.angle_rad)
@@ -20,6 +24,10 @@ def kernel(form: Form, scene: Scene) -> Array:
         drive = np.ones(len(scene))
         if kind == "rest":
             drive = (~turning).astype(float)
+        elif kind == "q":
+            drive = form.drive(scene)
+        elif kind == "step":
+            drive = (scene.t_s >= form.at("t_step_s")).astype(float)
         elif kind != "c":
             wave = np.cos if kind.startswith("cos") else np.sin
             drive = wave(int(kind[3:]) * angle) * turning
@@ -28,7 +36,7 @@ def kernel(form: Form, scene: Scene) -> Array:
 
 
 def candidates(run: Run) -> list[Form]:
-    """A constant; and one that changes with the angle, up to the second harmonic.
+    """A constant; one that changes with the angle, up to the second harmonic; with the platform or the room; a step.
 
     Segments at rest do not say at which angle the platform stands: what changes with it is another constant there.
     """
@@ -37,7 +45,19 @@ def candidates(run: Run) -> list[Form]:
         return []
     rest = ("rest",) if any(s.kind != "rotation" for s in seen) else ()
     sets = (("c",), ("c", *rest, "cos1", "sin1"), ("c", *rest, "cos1", "sin1", "cos2", "sin2"))
-    return [Form(kernel, tuple((f"{k}_{a}", "nT") for k in kinds for a in AXES)) for kinds in sets]
+    standing = [Form(kernel, tuple((f"{k}_{a}", "nT") for k in kinds for a in AXES)) for kinds in sets]
+    return [*standing, *map(_with, of_the_rig(run)), _from_a_moment(run)]
+
+
+def _with(channel: Channel) -> Form:
+    """Nothing where the channel says nought: a motor at rest, a current that does not flow."""
+    parameters = tuple((f"q_{a}", f"nT/{channel.unit}") for a in AXES)
+    return Form(kernel, parameters, (channel.name,), {channel.name: 0.0})
+
+
+def _from_a_moment(run: Run) -> Form:
+    """Something large was moved: a lift, a car, a cupboard."""
+    return Form(kernel, tuple((f"step_{a}", "nT") for a in AXES), shape=(some_moment(run),))
 
 
 FAMILY = Family(
@@ -45,5 +65,6 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    shapes=("t_step_s",),
     experiment="repeat with the coils at zero, and with the reference turned by 180°",
 )

@@ -7,11 +7,12 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.effects.protocol import Array, Form, Scene
+from labcal.model.effects.protocol import Array, Form, Scene, Shape
 from labcal.model.effects.recursion import affine
 from labcal.record import Run
 from labcal.record.run import Channel
 
+WEATHER = ("temperature", "pressure", "humidity")
 AXES = ("x", "y", "z")
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
@@ -41,6 +42,20 @@ def driving(form: Form, scene: Scene) -> Array:
 def moving(run: Run, quantities: Iterable[str]) -> list[Channel]:
     """Channels of the sensor's side with one of these quantities that move and are known for half of the rows."""
     return [c for c in run.channels if c.role == "dut" and c.quantity in quantities and _moves(c.values)]
+
+
+def of_the_rig(run: Run) -> list[Channel]:
+    """Channels of the platform and of the room, a motor, a door, a lift, that move and are known for half the rows.
+
+    What the coils carry makes the cage's own field, which the reference sees; the weather moves nothing magnetic.
+    """
+    rig = [c for c in run.channels if c.role in ("platform", "room") and c.quantity not in WEATHER]
+    return [c for c in rig if _moves(c.values)]
+
+
+def some_moment(run: Run) -> Shape:
+    """Where a step may lie: the residual shows where it is looked for."""
+    return Shape("t_step_s", float(run.t_s[0] + run.t_s[-1]) / 2, "s")
 
 
 def _moves(values: Array) -> bool:
