@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
@@ -17,10 +17,37 @@ from labcal.gui.words import say
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
 MOST = 1500  # points of a locus
+REST_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
 _stock: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
+
+
+class Rest(QObject):
+    """Has a plot drawn in an event of its own where its size or its theme has changed, once it has come to rest."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self._over = QTimer(self, interval=REST_MS, singleShot=True)
+        self._over.timeout.connect(self._draw)
+        widget.installEventFilter(self)
+
+    def begin(self) -> None:
+        """Draw nothing until it has come to rest."""
+        self._widget.setUpdatesEnabled(False)
+        self._over.start()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Another size: everything in it is drawn anew."""
+        if event.type() == QEvent.Type.Resize:
+            self.begin()
+        return False
+
+    def _draw(self) -> None:
+        self._widget.setUpdatesEnabled(True)
+        self._widget.repaint()
 
 
 def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
@@ -34,6 +61,7 @@ def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
 
 def _blank() -> pg.PlotWidget:
     widget = pg.PlotWidget(enableMenu=False)
+    widget.rest = Rest(widget)
     item = widget.getPlotItem()
     item.showGrid(x=True, y=True, alpha=0.15)
     item.hideButtons()
@@ -58,6 +86,7 @@ def stock_up(number: int) -> bool:
 
 def ink(widget: pg.PlotWidget, theme: Theme) -> None:
     """Put ground, axes and their names into the theme's colours."""
+    widget.rest.begin()
     widget.setBackground(theme.surface)
     for side in ("bottom", "left"):
         axis = widget.getPlotItem().getAxis(side)
@@ -119,8 +148,9 @@ class Loci(QWidget):
         self._views: list[list[tuple[pg.PlotCurveItem, pg.PlotCurveItem]]] = []
         for right, up in VIEWS:
             widget = plot(theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
-            for side in ("bottom", "left"):  # directions need no figures; the room goes to the sphere
+            for side in ("bottom", "left"):  # directions need no figures and no grid
                 widget.getPlotItem().getAxis(side).setStyle(showValues=False, tickLength=0)
+            widget.showGrid(x=False, y=False)
             widget.setAspectLocked(True)
             widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
             self._plots.append(widget)

@@ -75,6 +75,7 @@ class Later(QWidget):
                 if number % AT_ONCE == 0:
                     yield
         self._column.addWidget(page)
+        page.show()
 
     def wearers(self) -> list[QWidget]:
         """What is dressed, one by one."""

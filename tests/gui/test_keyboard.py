@@ -33,6 +33,7 @@ def test_a_run_is_started_answered_noted_and_stopped_without_a_mouse(qtbot, acti
     qtbot.keyClick(page.choose.list, Qt.Key.Key_Home)
     assert page.choose.list.currentItem().text() == "ambient"
     first = page.choose.form.findChildren(QLineEdit)[0]
+    qtbot.waitUntil(first.isVisible, timeout=patience)
     by_tab(qtbot, active, first)
     by_tab(qtbot, active, page.choose.start)
     qtbot.keyClick(page.choose.start, Qt.Key.Key_Space)

@@ -180,13 +180,15 @@ def test_a_note_and_a_photograph_go_into_the_record_at_any_moment(qtbot, brought
     ]
 
 
-def test_a_form_that_comes_up_new_is_in_the_theme_and_so_after_another_theme(still):
+def test_a_form_that_comes_up_new_is_in_the_theme_and_so_after_another_theme(qtbot, still, patience):
     choose = still.page("Run").choose
     choose.choose("axes-check")
     choose.choose("preflight")
+    qtbot.waitUntil(lambda: choose.form.isVisible(), timeout=patience)
     assert LIGHT.sunken in choose.form.styleSheet()
     still.set_theme(DARK)
-    choose.choose("axes-check")  # the old form is gone before it is its turn
+    choose.choose("axes-check")
+    qtbot.waitUntil(lambda: choose.form.isVisible(), timeout=patience)  # the old one is gone before it is its turn
     still.dressing.finish()
     assert DARK.sunken in choose.form.styleSheet()
     still.set_theme(LIGHT)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import Qt
@@ -11,6 +12,7 @@ from labcal.gui.desk import Desk
 from labcal.gui.form import Form, spec_of
 from labcal.gui.pace import PACES
 from labcal.gui.theme import GRID
+from labcal.gui.turns import Turns
 from labcal.gui.widgets import Card, button, label
 from labcal.gui.words import say
 
@@ -20,7 +22,7 @@ class Choose(QWidget):
 
     def __init__(self, desk: Desk) -> None:
         super().__init__()
-        self._desk = desk
+        self._desk, self._turns = desk, Turns(self)
         self._procedures: dict[str, dict[str, Any]] = {}
         self.form: Form | None = None
         self._wanted, self._plan_wanted = "preflight", False
@@ -150,9 +152,13 @@ class Choose(QWidget):
         self.needs.setText(needs_words(one))
         self.form = Form([spec_of(p) for p in one["parameters"]])
         self.form.changed.connect(self._other_settings)
-        self._area.setWidget(self.form)
-        self.form.setAutoFillBackground(False)
+        self.form.setParent(self._area.viewport())  # it is dressed there, before it is seen
+        self._turns.put("form", partial(self._show_form, self.form))
         self._other_settings()
+
+    def _show_form(self, form: Form) -> None:
+        self._area.setWidget(form)
+        form.setAutoFillBackground(False)
 
     def _check(self) -> None:
         simulated = bool(self._desk.facts.get("simulated"))
