@@ -15,7 +15,7 @@ from labcal.loop.floor import Floor
 from labcal.loop.holdout import HeldOut, Plan, held_out, plan
 from labcal.loop.problem import Problem
 from labcal.loop.refit import refit
-from labcal.loop.search import Candidate, Search, Weighed, expand
+from labcal.loop.search import NAMED, Candidate, Search, Weighed, expand
 from labcal.loop.setaside import farness, outliers
 from labcal.loop.surrogates import by_chance
 from labcal.model.effects.regressors import stretches
@@ -342,11 +342,12 @@ def _as_heavy(search: Search, accepted: Sequence[Candidate], chosen: Candidate) 
 
 
 def _larger(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
-    """Causes that extend `chosen` and whose own part, short of a name, is more likely at work than not."""
+    """Causes that extend `chosen` and whose own part is more likely at work than not: a sure one is no mere detail."""
     larger = [c for c in search.candidates if chosen.family.id in c.family.extends]
     causes = {c.cause for c in accepted}
     beside = search.rank(larger, accepted, neighbourhood(search, accepted)) if larger else []
-    return [w for w in beside if w.weight > 0 and w.candidate.cause not in causes]
+    open_to = [w for w in beside if w.candidate.cause not in causes]
+    return [w for w in open_to if w.weight > 0 and (w.weight < NAMED or w.drop >= MATERIAL)]
 
 
 def _alike(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
