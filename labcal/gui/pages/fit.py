@@ -136,7 +136,8 @@ class FitPage(QWidget):
         self.table.setVisible(bool(study.fits))
         self._turns.add(self._show_fits, self._show_pictures)
         if study.run and not study.fits:
-            self.empty.setText(self.tr("Fit estimates K and k of this run; All methods compares eleven ways."))
+            ready = self.tr("Fit estimates K and k; All methods compares eleven ways.")
+            self.empty.setText(self.tr("The first method takes some seconds.") if study.busy else ready)
 
     def _show_fits(self) -> None:
         fits = self._study.fits

@@ -284,7 +284,7 @@ class Live(QWidget):
     def _show_left(self) -> None:
         run, left = self._run, self._run.left_s()
         if run.step is None:
-            self.left.setText(run.message if run.alive else "")
+            self.left.setText(run.message if run.state == "starting" else "")
         elif left is None:
             self.left.setText(say(run.status.partition(":")[0]))
         else:

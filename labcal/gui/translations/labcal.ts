@@ -528,7 +528,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fit estimates K and k of this run; All methods compares eleven ways.</source>
+        <source>Fit estimates K and k; All methods compares eleven ways.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first method takes some seconds.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
