@@ -33,6 +33,7 @@ from labcal.store import Store
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 INSTALLED = sorted(entry.name for entry in entry_points(group="labcal.procedures"))
 BESIDE = ("preflight, redone", "preflight, resumed", "rotate-axis, by hand", "configuration, no such file", "a fault")
+DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
 SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away"}  # their texts say it all
@@ -198,7 +199,9 @@ class Asked:
         return self.buttons()
 
 
-@pytest.mark.parametrize("case", [*INSTALLED, *BESIDE])
+@pytest.mark.parametrize(
+    "case", [pytest.param(one, marks=pytest.mark.slow) if one in DEAR else one for one in (*INSTALLED, *BESIDE)]
+)
 def test_every_question_of_a_procedure_is_shown_and_answered_as_it_may_be(qtbot, still, questions, case):
     still.desk.run.start(Order("preflight", "bench.toml"))
     still.scanner._now = float  # the time stands still: whatever is struck until it is looked at is one burst

@@ -83,8 +83,8 @@ class Live(QWidget):
         self.steps.setAccessibleName(self.tr("Steps"))
         self.steps.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.note = QLineEdit()
-        self.note.setPlaceholderText(self.tr("Note, Enter"))
-        self.note.setToolTip(self.tr('Put a remark with its time into the record: "lift moved"'))
+        self.note.setPlaceholderText(self.tr("Note"))
+        self.note.setToolTip(self.tr('Put a remark with its time into the record, and Enter: "lift moved"'))
         self.note.returnPressed.connect(self._note)
         for widget in (self.title, self.progress, self.left):
             card.body.addWidget(widget)

@@ -743,14 +743,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Note, Enter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Put a remark with its time into the record: &quot;lift moved&quot;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Photo …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -792,6 +784,14 @@
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a remark with its time into the record, and Enter: &quot;lift moved&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
