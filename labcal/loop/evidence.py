@@ -101,7 +101,10 @@ def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int 
         idle = _in_doubt(search, apart, accepted, steps, level) if idle is None else idle
         if idle is None:
             break
-        refused.add(accepted[idle].cause)
+        if accepted[idle].cause in {c.cause for c in accepted[:idle]}:
+            most = idle  # one more line or step of those there are: they stay
+        else:
+            refused.add(accepted[idle].cause)
         accepted, steps = accepted[:idle], steps[:idle]
     return Choice(tuple(accepted), tuple(rankings), tuple(steps), apart)
 
