@@ -75,7 +75,7 @@ class PromptCard(Card):
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
         self._call = QTimer(self, interval=CALLS_EVERY_MS)
-        self._call.timeout.connect(lambda: QApplication.beep())
+        self._call.timeout.connect(self._beep)
 
     def show_prompt(self, prompt: Prompt | None) -> None:
         """Ask `prompt`; the same one again changes nothing."""
@@ -85,7 +85,7 @@ class PromptCard(Card):
         if prompt is None:
             self._call.stop()
             return
-        QApplication.beep()
+        self._beep()
         self._call.start()
         self.text.say(prompt.text)
         self.drawing.show_drawing(prompt.drawing)
@@ -93,6 +93,11 @@ class PromptCard(Card):
         self.entry.setVisible(not prompt.choices)
         self.choose.setVisible(FILE in prompt.drawing)
         self._make_buttons(prompt)
+
+    def _beep(self) -> None:
+        """A window that was closed over a question asks nobody."""
+        if self.window().isVisible():
+            QApplication.beep()
 
     def _make_buttons(self, prompt: Prompt) -> None:
         while (old := self._buttons.takeAt(0)) is not None:

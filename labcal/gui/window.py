@@ -61,6 +61,7 @@ class Later(QWidget):
     def build(self) -> None:
         """Build the page, a part at a time; at last put it into its place."""
         next(self._parts, None)
+        gc.freeze()  # what is built stays: the collector need not go through it again
 
     def _in_parts(self) -> Iterator[None]:
         self.page = page = self._build()
@@ -168,7 +169,6 @@ class Window(Frame):
         While a run goes on only what is in sight. In the end, have the worker of fits ready.
         """
         waiting = [later for later in self.later.values() if not later.ready]
-        gc.freeze()  # what is built stays: the collector need not go through it again
         if not waiting:
             return self.desk.study_vm.prepare() if stock_one() else self._ahead.start(0)
         first = min(waiting, key=lambda later: not later.isVisible())

@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from labcal.gui.prompt_card import PromptCard
 from labcal.gui.run_vm import Order
 from labcal.gui.theme import DARK, LIGHT
 from labcal.gui.wire import Fault, item_to_json
@@ -114,6 +115,9 @@ def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, 
     heard.clear()
     assert (card._call.isActive(), card._call.interval()) == (True, 20_000)
     card._call.timeout.emit()  # twenty seconds later
+    assert heard == ["beep"]
+    closed = PromptCard(LIGHT)
+    closed.show_prompt(still.desk.run.prompt)
     assert heard == ["beep"]
     qtbot.mouseClick(card.choices["done"], Qt.MouseButton.LeftButton)
     assert not card._call.isActive()
