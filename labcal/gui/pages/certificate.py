@@ -103,8 +103,8 @@ class CertificatePage(QWidget):
         to_fit = button(self.tr("Go to Fit"), self.tr("Estimate a calibration"), primary=True)
         to_fit.clicked.connect(lambda: self._desk.went.emit("Fit"))
         self.to_fit = to_fit
-        for widget in (self.empty, to_fit):
-            card.body.addWidget(widget)
+        card.body.addWidget(self.empty)
+        card.body.addWidget(to_fit, 0, Qt.AlignmentFlag.AlignLeft)
         card.body.addWidget(self.list, 1)
         card.body.addStretch()
         return card
