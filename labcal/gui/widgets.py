@@ -127,7 +127,7 @@ class Card(Ground):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         outer.setSpacing(GRID)
-        self.heading = shrinking(label(title, "title", wrap=True))
+        self.heading = shrinking(label(title, "title"))
         self.unit = label(unit, "caption")
         head = QHBoxLayout()
         head.addWidget(self.heading, 1)

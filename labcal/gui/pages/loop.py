@@ -159,7 +159,7 @@ class LoopPage(QWidget):
         return card
 
     def _change_card(self) -> Card:
-        card = Card(self.tr("3  What changes if it is added"), "")
+        card = Card(self.tr("3  What it changes"), "")
         self.change_heading, self.change_words = card.heading, card.unit
         self.against = chooser(self.tr("What the residual is drawn against; the named cause first"), letters=5)
         self.against.activated.connect(self._show_change)
@@ -176,7 +176,7 @@ class LoopPage(QWidget):
         return card
 
     def _unknown_card(self) -> Card:
-        card = Card(self.tr("4  What we still do not know"), "")
+        card = Card(self.tr("4  Still not known"), "")
         self.unknown = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
         self.next = button(
@@ -345,7 +345,7 @@ class LoopPage(QWidget):
     def _name_change(self) -> None:
         """Whose change it is, why it stands as it does, and how much it is."""
         chosen, one = self.picked(), self._one()
-        title = self.tr("3  What changes if it is added") if chosen is None else f"3  + {cause(chosen[1])}"
+        title = self.tr("3  What it changes") if chosen is None else f"3  + {cause(chosen[1])}"
         self.change_heading.setText(title)
         self.change_heading.setToolTip(title)
         self.change_why.setText("" if chosen is None else chosen[2])

@@ -906,15 +906,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>3  What changes if it is added</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What the residual is drawn against; the named cause first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>4  What we still do not know</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -939,6 +931,14 @@
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3  What it changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4  Still not known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
