@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 import pyqtgraph as pg
@@ -22,6 +22,7 @@ JUMP = 0.35  # between two neighbours on the unit sphere that belong to differen
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
 _stock: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
+_making: list[Iterator[None]] = [iter(())]  # the one under way
 
 
 class Rest(QObject):
@@ -52,35 +53,42 @@ class Rest(QObject):
 
 def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
     """An empty plot with named axes (units in the name) in the theme's colours, without pyqtgraph's own menus."""
-    widget = _stock.pop() if _stock else _blank()
+    while not _stock:
+        stock_up(1)
+    widget = _stock.pop()
     for side, text in (("bottom", bottom), ("left", left)):
         widget.getPlotItem().getAxis(side).labelText = say(text)
     ink(widget, theme)
     return widget
 
 
-def _blank() -> pg.PlotWidget:
-    widget = pg.PlotWidget(enableMenu=False)
+def _blank() -> Iterator[None]:
+    """Put one more into the stock, in three parts."""
+    axes = {side: pg.AxisItem(side) for side in ("left", "bottom", "right", "top")}
+    yield
+    item = pg.PlotItem(axisItems=axes, enableMenu=False)
+    yield
+    widget = pg.PlotWidget(plotItem=item)
     widget.rest = Rest(widget)
-    item = widget.getPlotItem()
     item.showGrid(x=True, y=True, alpha=0.15)
     item.hideButtons()
     for side in ("bottom", "left"):
-        item.getAxis(side).enableAutoSIPrefix(False)
-        item.getAxis(side).setStyle(maxTickLevel=1)
-        item.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is dear to draw
+        axes[side].enableAutoSIPrefix(False)
+        axes[side].setStyle(maxTickLevel=1)
+        axes[side].setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is dear to draw
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    return widget
+    _stock.append(widget)
 
 
 def stock_up(number: int) -> bool:
-    """Have one plot more ready for the page that is built next, unless there are `number`; says whether there are.
+    """Make a part of a plot for the page that is built next, unless there are `number`; says whether there are.
 
     A plot takes 20 ms to make, and a page has up to four.
     """
     if len(_stock) >= number:
         return True
-    _stock.append(_blank())
+    if next(_making[0], True):
+        _making[0] = _blank()
     return False
 
 
