@@ -143,7 +143,7 @@ class LoopPage(QWidget):
         return card
 
     def _who_card(self) -> Card:
-        card = Card(self.tr("2  Who could have done it"))
+        card = Card(self.tr("2  Who could it be"))
         self.bars = Bars(self._theme)
         self.others = QListWidget()
         self.others.setWordWrap(True)
@@ -354,7 +354,7 @@ class LoopPage(QWidget):
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
         both = (unpack(one["before"]), unpack(one["after"]))
         rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
-        self.change_words.setText(self.tr("all rows: {0} nT").format(" → ".join(rms)))
+        self.change_words.setText(" → ".join(rms) + " nT")
         return self.change_words.setToolTip(self.tr("Rms over all rows, before and after"))
 
     def _show_change(self) -> None:

@@ -874,10 +874,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>2  Who could have done it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -934,6 +930,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>2  Who could it be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3  What it changes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -975,10 +975,6 @@
     </message>
     <message>
         <source>computing …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>all rows: {0} nT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
