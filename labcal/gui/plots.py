@@ -67,6 +67,8 @@ def _blank() -> Iterator[None]:
     axes = {side: pg.AxisItem(side) for side in ("left", "bottom", "right", "top")}
     yield
     item = pg.PlotItem(axisItems=axes, enableMenu=False)
+    for side in ("right", "top"):  # axes that are given are shown
+        item.hideAxis(side)
     yield
     widget = pg.PlotWidget(plotItem=item)
     widget.rest = Rest(widget)

@@ -114,3 +114,12 @@ def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot):
     assert secret.text() == "correct horse"
     assert still.desk.lab.state.dut_serial == "EM-07"
     secret.deleteLater()
+
+
+def test_a_plot_has_its_two_axes_and_no_more(qapp):
+    from labcal.gui.plots import plot
+    from labcal.gui.theme import LIGHT
+
+    item = plot(LIGHT, "time  s", "residual  nT").getPlotItem()
+    shown = {side for side in ("left", "bottom", "right", "top") if item.getAxis(side).isVisible()}
+    assert shown == {"left", "bottom"}
