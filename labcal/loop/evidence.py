@@ -22,7 +22,8 @@ from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
-SHARE_OF_EXCESS = 0.75  # of the mean square above the noise that the effects together have to carry
+SHARE_OF_EXCESS = 0.75  # of the mean square above the noise that the effects together have to carry,
+SHARE_WITH_CHANNELS = 0.5  # and where each of them follows a channel
 REMAINS = 0.03  # of what all effects took away: as much left is an unnamed process, not a drift, a step or a mode,
 HARMONICS = 0.1  # and as much is no line with its harmonics
 REST = 1 / 3  # and as much of what a later cause took away shows that it took misfit of an earlier one's form
@@ -76,7 +77,7 @@ def weighed(search: Search, level: Floor) -> Evidence:
     accepted, blocks = choice.accepted, choice.blocks
     while True:
         honest = held_out(search, blocks, repeated(level, blocks, len(accepted)))
-        if not accepted or _carries(honest, level):
+        if not accepted or _carries(honest, level, accepted):
             break
         accepted = accepted[:-1]
     if search is not bare and bool((search.good == bare.good).all()):
@@ -225,10 +226,15 @@ def _adds(steps: Sequence[HeldOut], level: Floor) -> bool:
     return len(steps) == 1 or fall > min(SECOND * total, SECOND_OF_NOISE * level.nT**2)
 
 
-def _carries(honest: HeldOut, level: Floor) -> bool:
-    """Whether the effects carry most of what lies above the noise: less is no explanation, whatever its name."""
+def _carries(honest: HeldOut, level: Floor, accepted: Sequence[Candidate]) -> bool:
+    """Whether the effects carry most of what lies above the noise: less is no explanation, whatever its name.
+
+    What is held up by channels alone may leave more: a form of another cause may look like a curve or a drift, but not
+    like a load that somebody switches.
+    """
     excess = honest.before**2 - level.nT**2
-    return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > SHARE_OF_EXCESS * excess
+    share = SHARE_WITH_CHANNELS if all(c.form.channels for c in accepted) else SHARE_OF_EXCESS
+    return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > share * excess
 
 
 def search_of(problem: Problem, lowest: float) -> Search:
