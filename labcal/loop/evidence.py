@@ -96,12 +96,17 @@ def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int 
         accepted, rankings = _chosen(search, most, refused)
         apart = blocks or plan(search.problem, correlation_s(search, accepted))
         accepted = _preferred(search, apart, accepted, refused)
-        accepted = reexamined(search, _plainer(search, apart, accepted))
+        plain = _plainer(search, apart, accepted)
+        accepted = reexamined(search, list(plain))
+        gone = {c.cause for c in plain} - {c.cause for c in accepted}
         steps = [_proof(search, apart, accepted, i) for i in range(len(accepted))]
         idle = _idle(search, accepted, steps, level)
         idle = _in_doubt(search, apart, accepted, steps, level) if idle is None else idle
-        if idle is None:
+        if idle is None and not gone:
             break
+        if idle is None:  # what brings nothing in its plainer look gives its place to another
+            refused |= gone
+            continue
         if accepted[idle].cause in {c.cause for c in accepted[:idle]}:
             most = idle  # one more line or step of those there are: they stay
         else:

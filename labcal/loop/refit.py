@@ -12,7 +12,7 @@ from labcal.loop.problem import Problem, linearise
 from labcal.loop.search import NOTHING, SEEN, minimise
 from labcal.loop.spectrum import spectrum_of, transformed, weighted_gram
 from labcal.model import Parameter
-from labcal.model.effects import Form, Scene
+from labcal.model.effects import Form, Scene, families
 from labcal.model.effects.protocol import Shape
 
 Array = NDArray[np.float64]
@@ -125,6 +125,8 @@ def _seen(here: Problem, forms: Sequence[Form], beta: Sequence[Array], used: NDA
     The map is driven by readings, the rig's effects by the reference: a turn common to all mountings, which no run
     shows, seems to differ from a turn of the map by twice the angle between the two (two standard deviations).
     """
+    if not any(family.kernel is form.kernel for family in families() if family.belongs_to == "rig" for form in forms):
+        return SEEN
     apart = here.residual_nT + total(forms, beta, here.scene)
     return max(SEEN, float(4 * np.sum(apart[used] ** 2) / np.sum(here.scene.field_nT[used] ** 2)))
 

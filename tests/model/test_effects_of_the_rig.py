@@ -32,23 +32,3 @@ def test_a_sensor_off_the_middle_of_the_device_is_carried_about_in_the_gradient(
     form = Form(kernel, tuple((f"g{w}_{a}", "1") for w in SYMMETRIC for a in "xyz"))
     beta = np.outer([gradient[at] for at in SYMMETRIC.values()], place).ravel()
     assert np.allclose(form.columns(scene) @ beta, seen)
-
-
-def test_each_coil_has_a_gradient_of_its_own() -> None:
-    rng = np.random.default_rng(4)
-    scene = turned(30, rng)
-    assert scene.rig is not None
-    of_coil = rng.normal(size=(3, 3, 3))
-    of_coil = of_coil + of_coil.transpose(0, 2, 1)
-    of_coil -= np.eye(3) * np.trace(of_coil, axis1=1, axis2=2)[:, None, None] / 3
-    place, fixed = rng.normal(size=3), rng.normal(size=(3, 3))
-    there = np.einsum("nji,j->ni", scene.rig.to_body, place)
-    cage = np.einsum("nc,cij,nj->ni", scene.rig.reference_nT, of_coil, there) + scene.rig.reference_nT @ fixed
-    seen = np.einsum("nij,nj->ni", scene.rig.to_body, cage)
-
-    names = [f"b{c}_{a}" for c in "xyz" for a in "xyz"]
-    names += [f"g{w}@{c}_{a}" for c in "xyz" for w in SYMMETRIC for a in "xyz"]
-    own = [[G[at] for at in SYMMETRIC.values()] for G in of_coil]
-    beta = np.concatenate([fixed.ravel(), np.einsum("cw,a->cwa", own, place).ravel()])
-    columns = Form(kernel, tuple((name, "1") for name in names)).columns(scene)
-    assert np.allclose(columns @ beta, seen)

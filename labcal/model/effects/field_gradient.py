@@ -2,8 +2,7 @@
 
 A constant place off the axis gives Δv = A v with A symmetric and traceless (curl and divergence are zero); a device
 off the platform axis moves on a circle, and the difference turns with the angle. Where the sensor sits off the middle
-of the device, the circle is another one for each mounting, Δv = |v| G r with r a place fixed in the body. Each coil has
-a gradient of its own: where the field points in several ways, Δv = Σ v_c (b_c + G_c r) over the cage's axes c.
+of the device, the circle is another one for each mounting, Δv = |v| G r with r a place fixed in the body.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ SYMMETRIC = {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2
 def kernel(form: Form, scene: Scene) -> Array:
     """`a_xy` … an element of A; `cos_x` … along x of C in proportion to |v| and the cosine of the angle.
 
-    `gxy_z` … an element of G times z of the place in the body; `bx_y` along y of C in proportion to v_x, and `gxy@x_z`.
+    `gxy_z` … an element of G times z of the place in the body.
     """
     assert scene.rig is not None
     v, angle = scene.rig.reference_nT, scene.rig.angle_rad
@@ -34,11 +33,6 @@ def kernel(form: Form, scene: Scene) -> Array:
         elif kind in ("cos", "sin"):
             wave = np.cos if kind == "cos" else np.sin
             cage = (size * turning * wave(np.nan_to_num(angle)))[:, None] * np.eye(3)[AXES.index(which)]
-        elif kind.startswith("b"):
-            cage = v[:, [AXES.index(kind[1])]] * np.eye(3)[AXES.index(which)]
-        elif "@" in kind:
-            place = scene.rig.to_body[:, AXES.index(which)] @ _traceless(kind[1:3])
-            cage = v[:, [AXES.index(kind[-1])]] * place
         else:
             cage = size[:, None] * (scene.rig.to_body[:, AXES.index(which)] @ _traceless(kind.removeprefix("g")))
         out[:, :, column] = np.einsum("nij,nj->ni", scene.rig.to_body, cage)
@@ -59,9 +53,7 @@ def candidates(run: Run) -> list[Form]:
     place = tuple((f"a_{w}", "1") for w in SYMMETRIC)
     circle = tuple((f"{w}_{a}", "1") for w in ("cos", "sin") for a in AXES)
     aboard = tuple((f"g{w}_{a}", "1") for w in SYMMETRIC for a in AXES)
-    each = tuple((f"b{c}_{a}", "1") for c in AXES for a in AXES)
-    each += tuple((f"g{w}@{c}_{a}", "1") for c in AXES for w in SYMMETRIC for a in AXES)
-    return [Form(kernel, p) for p in (place, circle, place + circle, aboard, each)]
+    return [Form(kernel, p) for p in (place, circle, place + circle, aboard)]
 
 
 FAMILY = Family(
