@@ -40,7 +40,7 @@ def forward(
     """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
     accepted: list[Candidate] = []
     rankings: list[list[Weighed]] = []
-    total, out_of_play = 0.0, set(refused)
+    total, out_of_play, left = 0.0, set(refused), set[Cause]()
     while len(accepted) < most:
         open_to = [c for c in looks(search, accepted) if not _same(c, accepted)]
         ranking = search.rank(open_to, accepted, neighbourhood(search, accepted))
@@ -55,7 +55,9 @@ def forward(
         chosen = refined(search, best.candidate, accepted)
         kept = reexamined(search, [*accepted, chosen])
         if chosen in kept:
-            accepted, total = kept, total + best.drop
+            gone = {c.cause for c in accepted if c not in kept}
+            out_of_play |= gone & left  # what leaves for the second time would come and go for ever
+            accepted, total, left = kept, total + best.drop, left | gone
         else:
             out_of_play.add(best.candidate.cause)
     return accepted, rankings

@@ -273,6 +273,14 @@ def test_what_comes_with_the_motor_or_at_a_moment_is_the_cages_field_and_no_offs
     assert chosen.form.parameters[0][0] == ("q_x" if told else "step_x")
 
 
+def test_causes_that_push_each_other_out_come_to_an_end(started: Started, monkeypatch: pytest.MonkeyPatch) -> None:
+    every = _search(started())
+    few = [c for c in every.candidates if c.family.id in ("cross-field", "offset-drift") and not c.form.shape[1:]]
+    monkeypatch.setattr(decide, "reexamined", lambda search, accepted: accepted[-1:])
+    monkeypatch.setattr(decide, "_best", lambda search, accepted, ranking, total: ranking[0] if ranking else None)
+    assert len(forward(every.among(few))[0]) <= 1
+
+
 def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> None:
     nought = decide.spanning(np.zeros((5, 3, 4)))
     assert nought.shape == (5, 3, 0)
