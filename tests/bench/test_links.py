@@ -91,15 +91,20 @@ class SlowLine:
         with self._listener, self._listener.accept()[0] as host, socket.create_connection(place) as server:
             back = threading.Thread(target=self._back, args=(server, host), daemon=True)
             back.start()
-            requests = 0
-            while data := host.recv(4096):
-                requests += 1
-                if self._at_the_next and requests == 2:
-                    self.release.set()
-                    self.passed.wait(30)
-                server.sendall(data)
-            server.shutdown(socket.SHUT_RDWR)
+            with suppress(ConnectionError):  # a host that closes with a reply unread resets the line
+                self._pass_on(host, server)
+            with suppress(OSError):
+                server.shutdown(socket.SHUT_RDWR)
             back.join(5)
+
+    def _pass_on(self, host: socket.socket, server: socket.socket) -> None:
+        requests = 0
+        while data := host.recv(4096):
+            requests += 1
+            if self._at_the_next and requests == 2:
+                self.release.set()
+                self.passed.wait(30)
+            server.sendall(data)
 
     def _back(self, server: socket.socket, host: socket.socket) -> None:
         with suppress(OSError):
