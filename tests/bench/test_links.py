@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import os
 import pty
 import socket
@@ -19,8 +18,6 @@ import numpy as np
 import pytest
 from pymodbus.client import ModbusTcpClient
 from pymodbus.framer import FramerType
-from pymodbus.server import ModbusTcpServer
-from pymodbus.simulator import DataType, SimData, SimDevice
 
 from labcal.bench import open_bench
 from labcal.bench.clock import RealClock, VirtualClock
@@ -114,34 +111,42 @@ class SlowLine:
                 self.passed.set()
 
 
+REGISTERS = """
+import asyncio
+from pymodbus.framer import FramerType
+from pymodbus.server import ModbusTcpServer
+from pymodbus.simulator import DataType, SimData, SimDevice
+
+async def run():
+    device = SimDevice(1, [SimData(0, values=list(range(100)), datatype=DataType.REGISTERS)])
+    server = ModbusTcpServer(device, framer=FramerType("FRAMER"), address=("127.0.0.1", 0))
+    await server.serve_forever(background=True)
+    print(server.transport.sockets[0].getsockname()[1], flush=True)
+    await asyncio.Event().wait()
+
+asyncio.run(run())
+"""
+
+
 @contextmanager
 def serving_registers(framer: FramerType) -> Iterator[int]:
-    """A real pymodbus server on a TCP port whose register n holds n."""
-    ready, loop = threading.Event(), asyncio.new_event_loop()
-    found: list[int] = []
-
-    async def run() -> None:
-        device = SimDevice(1, [SimData(0, values=list(range(100)), datatype=DataType.REGISTERS)])
-        server = ModbusTcpServer(device, framer=framer, address=("127.0.0.1", 0))
-        await server.serve_forever(background=True)
-        found.append(server.transport.sockets[0].getsockname()[1])
-        ready.set()
-        await stop.wait()
-        await server.shutdown()
-
-    stop = asyncio.Event()
-    thread = threading.Thread(target=lambda: loop.run_until_complete(run()), daemon=True)
-    thread.start()
-    assert ready.wait(5)
-    yield found[0]
-    loop.call_soon_threadsafe(stop.set)
-    thread.join(5)
-    loop.close()
+    """A real pymodbus server on a TCP port whose register n holds n; it has a process of its own."""
+    command = [sys.executable, "-c", REGISTERS.replace("FRAMER", framer.value)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        yield int(process.stdout.readline())
+        process.kill()
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def registers() -> Iterator[int]:
     with serving_registers(FramerType.RTU) as port:
+        yield port
+
+
+@pytest.fixture(scope="module")
+def tcp_registers() -> Iterator[int]:
+    with serving_registers(FramerType.SOCKET) as port:
         yield port
 
 
@@ -180,34 +185,32 @@ def test_a_late_reply_is_never_taken_for_the_next_answer(registers: int, monkeyp
     slow.join()
 
 
-def test_modbus_tcp_speaks_with_a_real_server() -> None:
-    with serving_registers(FramerType.SOCKET) as port:
-        clock = RealClock()
-        link = modbus_link(open_link(f"modbus-tcp://127.0.0.1:{port}", clock), clock)
-        assert link.read_holding(1, 8, 3) == [8, 9, 10]
-        link.write_register(1, 8, 500)
-        link.write_registers(1, 9, [600, 700])
-        assert link.read_holding(1, 8, 3) == [500, 600, 700]
-        with pytest.raises(InstrumentError, match="exception 2") as caught:
-            link.read_holding(1, 99, 5)
-        assert caught.value.fault == "refused"
-        link.close()
+def test_modbus_tcp_speaks_with_a_real_server(tcp_registers: int) -> None:
+    clock = RealClock()
+    link = modbus_link(open_link(f"modbus-tcp://127.0.0.1:{tcp_registers}", clock), clock)
+    assert link.read_holding(1, 8, 3) == [8, 9, 10]
+    link.write_register(1, 8, 500)
+    link.write_registers(1, 9, [600, 700])
+    assert link.read_holding(1, 8, 3) == [500, 600, 700]
+    with pytest.raises(InstrumentError, match="exception 2") as caught:
+        link.read_holding(1, 99, 5)
+    assert caught.value.fault == "refused"
+    link.close()
 
 
-def test_a_late_reply_over_modbus_tcp_is_known_by_its_number() -> None:
-    with serving_registers(FramerType.SOCKET) as port:
-        line, clock = SlowLine(port, at_the_next=True), RealClock()
-        tcp = open_link(f"modbus-tcp://127.0.0.1:{line.port}", clock)
-        link = ModbusLink(tcp, clock, framer="socket", timeout_s=1.0, quiet_s=0.0)  # nobody waits for quiet
-        with pytest.raises(InstrumentError):
-            link.read_holding(1, 7, 1)
-        with suppress(InstrumentError):  # the late reply may cost this request, but does not answer it
-            assert link.read_holding(1, 50, 1) == [50]
-        while tcp.receive(clock.now() + 0.5):
-            pass
-        assert link.read_holding(1, 51, 1) == [51]
-        link.close()
-        line.join()
+def test_a_late_reply_over_modbus_tcp_is_known_by_its_number(tcp_registers: int) -> None:
+    line, clock = SlowLine(tcp_registers, at_the_next=True), RealClock()
+    tcp = open_link(f"modbus-tcp://127.0.0.1:{line.port}", clock)
+    link = ModbusLink(tcp, clock, framer="socket", timeout_s=1.0, quiet_s=0.0)  # nobody waits for quiet
+    with pytest.raises(InstrumentError):
+        link.read_holding(1, 7, 1)
+    with suppress(InstrumentError):  # the late reply may cost this request, but does not answer it
+        assert link.read_holding(1, 50, 1) == [50]
+    while tcp.receive(clock.now() + 0.5):
+        pass
+    assert link.read_holding(1, 51, 1) == [51]
+    link.close()
+    line.join()
 
 
 @pytest.mark.parametrize(("options", "waited_s"), [("", 0.6), ("?timeout_ms=50", 0.05)])
