@@ -17,7 +17,14 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal import files
 from labcal.certificate import pkcs8
-from labcal.certificate.allowed_signers import Signer, check_principal, own_line, read_allowed_signers, to_trust
+from labcal.certificate.allowed_signers import (
+    Signer,
+    check_principal,
+    own_line,
+    read_allowed_signers,
+    same_person,
+    to_trust,
+)
 from labcal.certificate.calibration_file import read_limited
 from labcal.certificate.sshsig import KEY_TYPE, public_key_blob
 from labcal.errors import InputError
@@ -147,10 +154,11 @@ def _check_name(name: str) -> None:
 
 
 def _check_spelling(name: str, known: Iterable[Signer], file: Path) -> None:
-    """Refuse a name that another person's differs from by capitals alone: it would pass one person off as two."""
+    """Refuse a name that another person's differs from by its spelling alone: it would pass one person off as two."""
     for other in known:
-        if other.principal != name and other.principal.lower() == name.lower():
-            raise InputError(f"{name} and {other.principal}, who is trusted, differ by capitals alone", file=file)
+        if other.principal != name and same_person(other.principal, name):
+            told = f"{name} and {other.principal}, who is trusted, are two spellings of one name; name them apart"
+            raise InputError(told, file=file)
 
 
 def _private(home: Path, name: str) -> Path:

@@ -16,7 +16,7 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal import files
 from labcal.certificate import sshsig
-from labcal.certificate.allowed_signers import Signer, own_line
+from labcal.certificate.allowed_signers import Signer, own_line, same_person
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
@@ -62,6 +62,8 @@ class Verification:
         named = self.calibration.approvers if self.calibration else ()
         if not named:
             return "no approver is named"
+        if own := [name for name in named if self.calibration and same_person(name, self.calibration.operator)]:
+            return f"named as approver, but is the operator: {', '.join(own)}"
         missing = [name for name in named if name not in self.signers]
         return f"named as approver, but has not signed: {', '.join(missing)}" if missing else None
 
@@ -93,9 +95,9 @@ def approve(path: Path, name: str) -> Calibration:
         raise InputError(f"is signed already ({signed[0].name}); only a draft can be approved", file=path)
     if not name:
         raise InputError("the approver has no name", file=path)
-    if _same_name(name, draft.operator):
-        raise InputError(f"{name} is the operator; another person approves", file=path)
-    if any(_same_name(name, other) for other in draft.approvers):
+    if same_person(name, draft.operator):
+        raise InputError(f"{name} is the operator, {draft.operator}; another person approves", file=path)
+    if any(same_person(name, other) for other in draft.approvers):
         raise InputError(f"{name} has approved it already", file=path)
     approved = replace(draft, approvers=(*draft.approvers, name))
     files.write_bytes(path.resolve(), calibration_bytes(approved))
@@ -111,7 +113,7 @@ def sign(path: Path, name: str, key: Ed25519PrivateKey, signers: Sequence[Signer
     content = read_limited(path, LARGEST_BYTES)
     parse_calibration(content, path)
     own = public_key_blob(key.public_key())
-    person = {own} | {s.key for s in signers if s.principal == name}
+    person = {own} | {s.key for s in signers if same_person(s.principal, name)}
     there = _expected(path)
     for file in there:
         earlier = _holding(file, content)
@@ -202,15 +204,18 @@ def _objection(
 
 
 def _once_each(checks: Sequence[Check]) -> tuple[Check, ...]:
-    """A second signature by the same person is none: it would pass one person off as two."""
-    seen: set[str | None] = set()
-    kept = []
+    """A second signature by the same person, or by the same key, is none: it would pass one person off as two."""
+    kept: list[Check] = []
     for check in checks:
-        if check.objection is None and check.principal in seen:
+        repeated = any(_same_hand(check, other) for other in kept)
+        if check.objection is None and repeated:
             check = replace(check, objection=f"repeats the signature of {check.principal}")
-        seen.add(check.principal)
         kept.append(check)
     return tuple(kept)
+
+
+def _same_hand(one: Check, other: Check) -> bool:
+    return one.fingerprint == other.fingerprint or same_person(one.principal or "", other.principal or "")
 
 
 def _real(check: Check) -> Check:
@@ -226,7 +231,3 @@ def _holding(file: Path, content: bytes) -> sshsig.Signature:
     except BadSignature as error:
         raise InputError(f"{error}; nothing was signed", file=file) from None
     return signature
-
-
-def _same_name(one: str, other: str) -> bool:
-    return " ".join(one.split()).casefold() == " ".join(other.split()).casefold()

@@ -10,9 +10,10 @@ import pytest
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import Signer, Verification, read_allowed_signers, read_calibration, sshsig
-from labcal.certificate.allowed_signers import own_line
+from labcal.certificate.allowed_signers import own_line, same_person
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.signing import approve, sign, sign_simulated, signature_files, verify
+from labcal.certificate.sshsig import public_key_blob
 from labcal.errors import InputError
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
@@ -235,6 +236,47 @@ def test_the_operator_cannot_approve_nor_anybody_twice(draft: Path):
         approve(draft, "bob baker")
     with pytest.raises(InputError, match="no name"):
         approve(draft, "  ")
+
+
+@pytest.mark.parametrize("name", ["grace.häberli", "Grace-Häberli", "GRACE_HÄBERLI", "grace.häberli@lab"])
+def test_the_operator_cannot_approve_in_another_spelling(draft: Path, name: str):
+    with pytest.raises(InputError, match="is the operator, Grace Häberli"):
+        approve(draft, name)
+    assert read_calibration(draft).approvers == ()
+
+
+def test_an_approver_who_is_the_operator_in_another_spelling_leaves_it_provisional(
+    draft: Path, lab: Lab, other_key: Ed25519PrivateKey
+):
+    approve(draft, "bob")
+    draft.write_bytes(draft.read_bytes().replace("Grace Häberli".encode(), b"B.O.B"))  # as another tool may write it
+    sign(draft, "bob", other_key, lab)
+    assert check(draft, lab).valid
+    assert check(draft, lab).provisional == "named as approver, but is the operator: bob"
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "same"),
+    [
+        ("J. Doe", "j.doe", True),
+        ("J. Doe", "J Doe", True),
+        ("J. Doe", "jdoe@lab", True),
+        ("j.doe@bern", "j.doe@zurich", False),
+        ("J. Doe", "J. Dow", False),
+        ("ada", "ad.a+2", False),
+        ("", " .", False),
+    ],
+)
+def test_spelling_makes_no_second_person(one: str, other: str, same: bool):
+    assert same_person(one, other) == same_person(other, one) == same
+
+
+def test_two_spellings_of_one_signer_are_one_signature(draft: Path, lab: Lab, key: Ed25519PrivateKey):
+    sign(draft, "ada", key, lab)
+    second = Ed25519PrivateKey.generate()
+    sign(draft, "bea", second, lab)
+    twice = (lab[0], own_line("A.da@lab", public_key_blob(second.public_key())))
+    assert "repeats the signature of A.da@lab" in objection(draft, twice)
 
 
 def test_nobody_approves_after_a_signature(draft: Path, lab: Lab, key: Ed25519PrivateKey):
