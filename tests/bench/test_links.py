@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pty
+import select
 import socket
 import subprocess
 import sys
@@ -27,6 +28,7 @@ from labcal.errors import InputError, InstrumentError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
+LONG_S = 60.0  # a busy machine answers within it
 
 
 @pytest.fixture
@@ -35,10 +37,12 @@ def served(tmp_path: Path) -> Iterator[Path]:
     out = tmp_path / "served.toml"
     command = [*LABCAL, "bench", "serve", str(EXAMPLE), "--out", str(out)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout is not None
-        assert process.stdout.readline() == "ready\n"
-        yield out
-        process.terminate()
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline() == "ready\n"
+            yield out
+        finally:
+            process.terminate()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
@@ -81,7 +85,7 @@ class SlowLine:
 
     def join(self) -> None:
         """Wait until both ways have ended; the host has closed before."""
-        self._thread.join(5)
+        self._thread.join()
 
     def _there(self) -> None:
         place = ("127.0.0.1", self._server_port)
@@ -92,7 +96,7 @@ class SlowLine:
                 self._pass_on(host, server)
             with suppress(OSError):
                 server.shutdown(socket.SHUT_RDWR)
-            back.join(5)
+            back.join()
 
     def _pass_on(self, host: socket.socket, server: socket.socket) -> None:
         requests = 0
@@ -100,13 +104,13 @@ class SlowLine:
             requests += 1
             if self._at_the_next and requests == 2:
                 self.release.set()
-                self.passed.wait(30)
+                self.passed.wait(LONG_S)
             server.sendall(data)
 
     def _back(self, server: socket.socket, host: socket.socket) -> None:
         with suppress(OSError):
             while data := server.recv(4096):
-                self.release.wait(30)
+                self.release.wait(LONG_S)
                 host.sendall(data)
                 self.passed.set()
 
@@ -133,9 +137,11 @@ def serving_registers(framer: FramerType) -> Iterator[int]:
     """A real pymodbus server on a TCP port whose register n holds n; it has a process of its own."""
     command = [sys.executable, "-c", REGISTERS.replace("FRAMER", framer.value)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout is not None
-        yield int(process.stdout.readline())
-        process.kill()
+        try:
+            assert process.stdout is not None
+            yield int(process.stdout.readline())
+        finally:
+            process.kill()
 
 
 @pytest.fixture(scope="module")
@@ -157,6 +163,7 @@ def test_a_bare_client_takes_a_late_reply_for_the_next_answer(registers: int) ->
     client.connect()
     with pytest.raises(Exception, match="No response"):
         client.read_holding_registers(7, count=1, device_id=1)
+    client.comm_params.timeout_connect = LONG_S
     answer = client.read_holding_registers(50, count=1, device_id=1).registers
     client.close()
     line.join()
@@ -170,8 +177,9 @@ def test_a_late_reply_is_never_taken_for_the_next_answer(registers: int, monkeyp
 
     def late(until_s: float) -> list[tuple[float, bytes]]:
         if until_s > clock.now() + quiet_s / 2:  # it waits for quiet: the reply comes now
+            link._client._timeout_s = LONG_S  # of the requests to come
             slow.release.set()
-            assert slow.passed.wait(30)
+            assert slow.passed.wait(LONG_S)
         return receive(until_s)
 
     monkeypatch.setattr(line, "receive", late)
@@ -187,7 +195,7 @@ def test_a_late_reply_is_never_taken_for_the_next_answer(registers: int, monkeyp
 
 def test_modbus_tcp_speaks_with_a_real_server(tcp_registers: int) -> None:
     clock = RealClock()
-    link = modbus_link(open_link(f"modbus-tcp://127.0.0.1:{tcp_registers}", clock), clock)
+    link = modbus_link(open_link(f"modbus-tcp://127.0.0.1:{tcp_registers}?timeout_ms=60000", clock), clock)
     assert link.read_holding(1, 8, 3) == [8, 9, 10]
     link.write_register(1, 8, 500)
     link.write_registers(1, 9, [600, 700])
@@ -204,6 +212,7 @@ def test_a_late_reply_over_modbus_tcp_is_known_by_its_number(tcp_registers: int)
     link = ModbusLink(tcp, clock, framer="socket", timeout_s=1.0, quiet_s=0.0)  # nobody waits for quiet
     with pytest.raises(InstrumentError):
         link.read_holding(1, 7, 1)
+    link._client._timeout_s = LONG_S
     with suppress(InstrumentError):  # the late reply may cost this request, but does not answer it
         assert link.read_holding(1, 50, 1) == [50]
     while tcp.receive(clock.now() + 0.5):
@@ -227,6 +236,34 @@ def test_how_long_a_modbus_reply_is_waited_for_is_the_links(
         modbus_link(EmulatedLink("emulated://nobody?timeout_ms=soon", Nobody(), clock), clock)
 
 
+class Leaping(RealClock):
+    """The clock of a computer that is held up for a minute between any two looks at it."""
+
+    leapt_s = 0.0
+
+    def now(self) -> float:
+        self.leapt_s += 60.0
+        return super().now() + self.leapt_s
+
+
+def test_a_reply_that_came_while_the_computer_was_held_up_is_a_reply(tcp_registers: int) -> None:
+    clock = Leaping()
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        link = open_link(f"tcp://127.0.0.1:{listener.getsockname()[1]}", clock)
+        with listener.accept()[0] as host:
+            host.sendall(b"here\nmore")
+            assert link.ask(b"", end=b"\n", timeout_s=1.0) == b"here\n"
+            with pytest.raises(InstrumentError, match="only b'more' came"):
+                link.ask(b"", end=b"\n", timeout_s=1.0)
+        link.close()
+    line = open_link(f"modbus-tcp://127.0.0.1:{tcp_registers}", clock)
+    send = line.send
+    line.send = lambda data: (send(data), select.select([line._port._socket], [], [], LONG_S))
+    modbus = ModbusLink(line, clock, framer="socket", timeout_s=1.0)
+    assert modbus.read_holding(1, 50, 1) == [50]
+    line.close()
+
+
 # lost lines
 
 
@@ -237,7 +274,7 @@ def test_an_unplugged_line_is_lost_until_it_is_opened_again() -> None:
     clock = RealClock()
     link = open_link(f"serial://{os.ttyname(slave)}?baud=115200", clock)
     os.write(master, b"here\n")
-    assert link.ask(b"", end=b"\n", timeout_s=1.0) == b"here\n"
+    assert link.ask(b"", end=b"\n", timeout_s=LONG_S) == b"here\n"
     os.close(slave)
     os.close(master)
     for _ in range(2):
@@ -259,7 +296,7 @@ def test_a_tcp_line_is_lost_when_the_other_side_goes() -> None:
         link.reopen()
         host = listener.accept()[0]
         host.sendall(b"again\n")
-        assert link.ask(b"*IDN?\n", end=b"\n", timeout_s=1.0) == b"again\n"
+        assert link.ask(b"*IDN?\n", end=b"\n", timeout_s=LONG_S) == b"again\n"
         host.close()
         link.close()
 

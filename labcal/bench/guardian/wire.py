@@ -55,6 +55,8 @@ def connect(card: Card, timeout_s: float) -> socket.socket:
 
 def unlisten(listener: socket.socket, card: Card) -> None:
     """Close the socket and take its name away."""
+    with suppress(OSError):
+        listener.shutdown(socket.SHUT_RDWR)  # whoever waits in accept() is told
     listener.close()
     if isinstance(card["address"], str):
         with suppress(OSError):

@@ -56,9 +56,9 @@ class _Readable(_Receives, Protocol):
 
 def read_reply(link: _Readable, clock: Clock, *, end: bytes | int, timeout_s: float) -> bytes:
     """The next reply on `link`, up to and with `end` (bytes) or `end` bytes long; what follows it stays on the line."""
-    reply, deadline, stamp = b"", clock.now() + timeout_s, clock.now()
+    reply, deadline, stamp, looked = b"", clock.now() + timeout_s, clock.now(), False
     while (length := _complete(reply, end)) is None:
-        if clock.now() >= deadline:
+        if looked:
             got = f"only {reply!r}" if reply else "nothing"
             wait_for_quiet(link, clock, QUIET_S)  # so that a late reply does not answer the next question
             raise InstrumentError(
@@ -66,6 +66,7 @@ def read_reply(link: _Readable, clock: Clock, *, end: bytes | int, timeout_s: fl
                 fault="silent",
                 remedy="Is it switched on, and is the link in bench.toml the right one?",
             )
+        looked = clock.now() >= deadline  # once more: it may have come while this computer did not look
         for came_s, piece in link.receive(min(deadline, clock.now() + ASK_STEP_S)):
             stamp, reply = came_s, reply + piece
     if reply[length:]:

@@ -115,6 +115,7 @@ class _LineClient(ModbusBaseSyncClient):
         params = CommParams(comm_type=CommType.SERIAL, host=line.url, comm_name="labcal", timeout_connect=timeout_s)
         super().__init__(framer, 0, params, None, None, None)
         self._line, self._clock, self._timeout_s, self._deadline_s = line, clock, timeout_s, 0.0
+        self._looked = False  # when the time was up
 
     def connect(self) -> bool:
         return True
@@ -125,11 +126,12 @@ class _LineClient(ModbusBaseSyncClient):
     def send(self, request: bytes, addr: tuple[Any, ...] | None = None) -> int:
         self._line.flush()
         self._line.send(request)
-        self._deadline_s = self._clock.now() + self._timeout_s
+        self._deadline_s, self._looked = self._clock.now() + self._timeout_s, False
         return len(request)
 
     def recv(self, size: int | None) -> bytes:
-        while self._clock.now() < self._deadline_s:
+        while not self._looked:
+            self._looked = self._clock.now() >= self._deadline_s
             pieces = self._line.receive(min(self._deadline_s, self._clock.now() + 0.001))
             if data := b"".join(data for _, data in pieces):
                 return data
