@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import os
+import shutil
+import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -23,6 +26,18 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip("needs the folder `shared` beside the project (measured data and schemas), which is not here")
     return folder
+
+
+@pytest.fixture(scope="session", autouse=True)
+def runtime_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Locks and sockets lie where no other labcal on this machine looks; a socket's path must be short."""
+    tmp_path_factory.getbasetemp()
+    folder = tempfile.mkdtemp(prefix="labcal-", dir="/tmp" if os.name == "posix" else None)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TMPDIR", folder)
+        patch.setattr(tempfile, "tempdir", folder)
+        yield
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 @pytest.fixture(autouse=True)

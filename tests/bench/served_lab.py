@@ -30,31 +30,42 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
 ZERO_A = 0.005
 LONG_S = 90.0  # a busy machine gets there, a broken one does not
+PATIENT_S = 15.0  # of a supply's driver: less than an order's, more than this process may be kept from answering
 SESSION = """
-import sys, time
+import signal, sys, time
 from pathlib import Path
 from labcal.bench import open_bench
+measures = [sys.argv[2] == "measure"]
+signal.signal(signal.SIGUSR1, lambda *_: measures.append(True))
 with open_bench(Path(sys.argv[1])) as bench:
     bench.cage.set_currents([float(part) for part in sys.argv[3].split(",")])
     print("energised", flush=True)
     if sys.argv[2] == "hang":
-        time.sleep(60)
+        time.sleep(600)
     while True:
         bench.clock.wait_until(bench.clock.now() + 0.1)
-        if sys.argv[2] == "measure":
+        if any(measures):
             bench.cage.currents_A()
 """
 
 
-def example() -> str:
-    """The example's bench file: supply_x takes the interface lock, nothing settles."""
-    text = EXAMPLE.read_text(encoding="utf-8").replace("settle_s = 0.3", "settle_s = 0.0")
-    return text.replace('role = "coil-x"', 'role = "coil-x"\nsettings = { interface_lock = true }')
+def plain() -> str:
+    """The example's bench file; nothing settles."""
+    return EXAMPLE.read_text(encoding="utf-8").replace("settle_s = 0.3", "settle_s = 0.0")
+
+
+def example(timeout_s: float = PATIENT_S) -> str:
+    """That with supplies which are waited for so long; supply_x takes the interface lock."""
+    text = plain()
+    for axis, locks in (("x", "true"), ("y", "false"), ("z", "false")):
+        settings = f"settings = {{ interface_lock = {locks}, timeout_s = {timeout_s} }}"
+        text = text.replace(f'role = "coil-{axis}"', f'role = "coil-{axis}"\n{settings}')
+    return text
 
 
 def three_on_one_pair() -> str:
     """Three Riden supplies on one RS-485 pair, that bear fewer than ten requests a second each."""
-    text = example().replace("\nsettings = { interface_lock = true }", "")
+    text = plain()
     for number, axis in enumerate("xyz", 1):
         of_tti = f'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-{axis}"'
         assert of_tti in text
@@ -107,7 +118,7 @@ class Served:
         source.write_text(bench)
         self._thread = threading.Thread(target=self._serve, args=(source, ready), daemon=True)
         self._thread.start()
-        assert ready.wait(30)
+        assert ready.wait(LONG_S)
 
     def _serve(self, source: Path, ready: threading.Event) -> None:
         with suppress(InterruptedError):
@@ -134,7 +145,7 @@ class Served:
 
     def close(self) -> None:
         self._stop.set()
-        self._thread.join(5)
+        self._thread.join()
 
 
 class Sessions:
@@ -143,11 +154,14 @@ class Sessions:
     def __init__(self, lab: Served) -> None:
         self._lab, self._started = lab, list[subprocess.Popen[str]]()
 
-    def __call__(self, then: str, currents_A: str = "1.0,0.6,0.3", **popen: Any) -> subprocess.Popen[str]:
+    def __call__(
+        self, then: str, currents_A: str = "1.0,0.6,0.3", popen: Callable[[], dict[str, Any]] = dict
+    ) -> subprocess.Popen[str]:
+        """One that does `then`; `popen` gives each attempt what its process is started with."""
         for _ in range(5):  # on a busy machine it may be silent for too long, and begins again
             child = subprocess.Popen(
                 [sys.executable, "-c", SESSION, str(self._lab.file), then, currents_A],
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **popen,
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **popen(),
             )  # fmt: skip
             self._started.append(child)
             assert child.stdout is not None
@@ -183,9 +197,9 @@ def guardians() -> set[int]:
 
 
 def alive(pid: int) -> bool:
-    status = Path(f"/proc/{pid}/stat")
+    """Whether this is a living guardian: of a dead one there is no command line, or another program's."""
     try:
-        return status.read_text().rpartition(")")[2].split()[0] != "Z"
+        return b"labcal.bench.guardian" in Path(f"/proc/{pid}/cmdline").read_bytes()
     except OSError:
         return False
 
@@ -217,13 +231,20 @@ def on_a_terminal(session: Sessions, currents_A: str = "1.0,0.6,0.3") -> tuple[s
     import fcntl
     import termios
 
-    terminal, its_end = os.openpty()
+    ends = list[int]()
 
     def take_it() -> None:
         os.setsid()
         signal.signal(signal.SIGHUP, signal.SIG_DFL)  # whoever runs the tests may have it ignored
-        fcntl.ioctl(its_end, termios.TIOCSCTTY, 0)
+        fcntl.ioctl(ends[-1], termios.TIOCSCTTY, 0)
 
-    child = session("idle", currents_A, stdin=its_end, preexec_fn=take_it)
-    os.close(its_end)
+    def on_it() -> dict[str, Any]:
+        ends.extend(os.openpty())  # a terminal whose first session has died serves no other
+        return {"stdin": ends[-1], "preexec_fn": take_it}
+
+    child = session("idle", currents_A, on_it)
+    terminal = ends[-2]
+    for end in ends:
+        if end != terminal:
+            os.close(end)
     return child, terminal

@@ -9,7 +9,7 @@ import socket
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import closing
+from contextlib import closing, suppress
 from pathlib import Path
 from typing import Any
 
@@ -62,7 +62,8 @@ class Ear:
     def call(self, first: bytes | None = None) -> socket.socket:
         """A caller; it says the token, or `first`."""
         caller = wire.connect(self.card, LONG_S)
-        caller.sendall(wire.packed({"token": self.card["token"]}) if first is None else first)
+        with suppress(ConnectionError):  # whoever says too much may be hung up on in mid-word
+            caller.sendall(wire.packed({"token": self.card["token"]}) if first is None else first)
         return caller
 
     def asked(self, *messages: Any) -> list[Any]:
@@ -113,7 +114,8 @@ def test_a_session_that_talks_nonsense_is_gone(ear: Ear, line: bytes) -> None:
     with ear.call() as caller:
         assert "value" in told(caller, {"order": "hello", "with": {"who": "session 1", "bench": BENCH}})
         session = ear.server.session
-        caller.sendall(line)
+        with suppress(ConnectionError):
+            caller.sendall(line)
         assert hung_up(caller)
     assert session is not None
     until(lambda: session.gone)

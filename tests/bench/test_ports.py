@@ -24,6 +24,7 @@ from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InstrumentError
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+LONG_S = 60.0  # a busy machine answers within it
 OPENS = """
 import sys
 from labcal.bench.clock import RealClock
@@ -39,9 +40,11 @@ def terminal() -> Iterator[tuple[int, str]]:
     """A pty: its master, and the path of its slave."""
     master, slave = pty.openpty()
     tty.setraw(slave)
-    yield master, os.ttyname(slave)
-    os.close(slave)
-    os.close(master)
+    try:
+        yield master, os.ttyname(slave)
+    finally:
+        os.close(slave)
+        os.close(master)
 
 
 def fault_of_opening(url: str) -> InstrumentError:
@@ -57,9 +60,11 @@ def test_a_port_has_one_link_in_this_process_and_in_all_others() -> None:
             assert str(os.getpid()) in str(fault_of_opening(url.replace("9600", "115200")))
         with subprocess.Popen([sys.executable, "-c", OPENS, url], stdin=-1, stdout=-1, text=True) as other:
             assert other.stdout is not None
-            assert other.stdout.readline() == "open\n"
-            fault = fault_of_opening(f"modbus-rtu://{path}")
-            other.kill()
+            try:
+                assert other.stdout.readline() == "open\n"
+                fault = fault_of_opening(f"modbus-rtu://{path}")
+            finally:
+                other.kill()
         assert fault.fault == "in use"
         assert f"(process {other.pid}) holds this port" in str(fault)
         open_link(url, RealClock()).close()
@@ -90,13 +95,13 @@ class EchoingDevice:
             os.write(self._master, heard[3:] + answer)
 
     def join(self) -> None:
-        self._thread.join(5)
+        self._thread.join(LONG_S)
 
 
 def modbus_over_echo(options: str) -> list[int]:
     with terminal() as (master, path):
         device, clock = EchoingDevice(master, [rtu("0103 02 0007")]), RealClock()
-        patience_s = 10.0 if options else 0.3
+        patience_s = LONG_S if options else 0.3
         link = ModbusLink(open_link(f"modbus-rtu://{path}{options}", clock), clock, timeout_s=patience_s, quiet_s=0.1)
         try:
             return link.read_holding(1, 7, 1)
@@ -119,7 +124,7 @@ def test_two_that_talk_at_once_are_noticed() -> None:
     with terminal() as (master, path), closing(open_link(f"serial://{path}?echo=1", RealClock())) as link:
         os.write(master, b"noise")
         with pytest.raises(InstrumentError, match="came back") as caught:
-            link.ask(b"*IDN?\n", end=b"\n", timeout_s=5.0)
+            link.ask(b"*IDN?\n", end=b"\n", timeout_s=LONG_S)
         assert caught.value.fault == "wrong reply"
         assert os.read(master, 10) == b"*IDN?\n"
 
@@ -148,7 +153,7 @@ def usbtmc(answers: list[bytes], *, patience_s: float = 20.0) -> Iterator[tuple[
         clock = RealClock()
         with closing(open_link(f"usbtmc://{path}", clock)) as link:
             yield link, clock, heard
-            thread.join(5)
+            thread.join(LONG_S)
 
 
 def test_an_instrument_on_usb_is_asked_by_messages() -> None:

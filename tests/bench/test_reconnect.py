@@ -48,7 +48,7 @@ class Plug:
     def pull(self) -> None:
         self.path.unlink()
         self._out.set()
-        self._thread.join(10)
+        self._thread.join()  # before its descriptors are given to somebody else
         os.close(self._slave)
         os.close(self._master)
 
@@ -57,8 +57,9 @@ class Plug:
         while not self._out.wait(0.002):
             with suppress(BlockingIOError):
                 emulator.take(clock.now(), os.read(self._master, 4096))
-            for _, piece in emulator.emit(clock.now()):
-                os.write(self._master, piece)
+            with suppress(BlockingIOError):  # nobody reads
+                for _, piece in emulator.emit(clock.now()):
+                    os.write(self._master, piece)
 
 
 class OtherSensor(Hmr2300Emulator):

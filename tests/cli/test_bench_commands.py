@@ -53,7 +53,8 @@ class Stranger:
     def __init__(self, reply: bytes) -> None:
         self._server, self._reply = socket.create_server(("127.0.0.1", 0)), reply
         self.link = f"tcp://127.0.0.1:{self._server.getsockname()[1]}"
-        threading.Thread(target=self._answer, daemon=True).start()
+        self._thread = threading.Thread(target=self._answer, daemon=True)
+        self._thread.start()
 
     def _answer(self) -> None:
         with suppress(OSError), self._server.accept()[0] as host:
@@ -61,6 +62,7 @@ class Stranger:
                 host.sendall(self._reply)
 
     def close(self) -> None:
+        self._thread.join(60)
         self._server.close()
 
 
@@ -84,7 +86,8 @@ def test_another_instrument_and_a_wrong_baud_rate_are_told_with_3(
 ) -> None:
     monkeypatch.setenv("COLUMNS", "400")
     with closing(Stranger(reply)) as stranger:
-        path = changed(tmp_path, 'link = "emulated://"', f'link = "{stranger.link}"')
+        patient = f'link = "{stranger.link}"\nsettings = {{ timeout_s = 60.0 }}'
+        path = changed(tmp_path, 'link = "emulated://"', patient)
         assert _run(["bench", "check", str(path)]) == 3
     assert says in capsys.readouterr().out
 
