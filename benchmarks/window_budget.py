@@ -78,12 +78,12 @@ def timed_application() -> Any:
 
         def notify(self, receiver: QObject, event: QEvent) -> bool:
             """Hand the event on, timed."""
-            begun, worked, outermost = time.perf_counter(), time.thread_time(), self.depth == 0
-            self.depth += 1
+            if self.depth:  # a part of another one: asking for the time is dear itself
+                return super().notify(receiver, event)
+            self.depth, begun, worked = 1, time.perf_counter(), time.thread_time()
             done = super().notify(receiver, event)
-            self.depth -= 1
-            if outermost:
-                self._keep(1000 * (time.perf_counter() - begun), 1000 * (time.thread_time() - worked), receiver, event)
+            self.depth = 0
+            self._keep(1000 * (time.perf_counter() - begun), 1000 * (time.thread_time() - worked), receiver, event)
             return done
 
         def _keep(self, took_ms: float, worked_ms: float, receiver: QObject, event: QEvent) -> None:

@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 from labcal.gui.wire import Fault
 
 Then = Callable[[Any], None]
-AT_MOST_S = 0.02  # of one turn of the event loop for what the worker said
+AT_MOST_S = 0.01  # of one turn of the event loop for what the worker said
 TAIL = 6000  # of stderr, for the details of a crash
 
 

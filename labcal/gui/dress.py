@@ -44,23 +44,28 @@ def bare(widget: QWidget, window: QWidget) -> bool:
     holder = widget.parentWidget()
     if holder is None or widget.window() is not window or widget.styleSheet() or isinstance(widget, QScrollBar):
         return False
-    return _whole(widget) or (_holds(holder) and widget in wearers(widget))
+    return bool(_whole(widget)) or (_holds(holder) and widget in wearers(widget))
 
 
 def dress(widget: QWidget, sheet: str) -> None:
     """Put on what `sheet` says about widgets of its kind, where it is still there."""
     if isValid(widget):
-        within = (name for holder, names in WITHIN.items() if isinstance(widget, holder) for name in names)
-        names = (*ALWAYS, *within, *(one.__name__ for one in type(widget).__mro__))
-        widget.setStyleSheet(sheet if _whole(widget) else _rules(sheet, names))
+        kinds = (type(widget), *_whole(widget))
+        within = (
+            name for kind in kinds for holder, names in WITHIN.items() if issubclass(kind, holder) for name in names
+        )
+        widget.setStyleSheet(
+            _rules(sheet, (*ALWAYS, *within, *(one.__name__ for kind in kinds for one in kind.__mro__)))
+        )
 
 
 def _holds(widget: QWidget) -> bool:
     return not _whole(widget) and (widget.layout() is not None or isinstance(widget, QSplitter))
 
 
-def _whole(widget: QWidget) -> bool:
-    return getattr(widget, "dressed_whole", False)
+def _whole(widget: QWidget) -> tuple[type[QWidget], ...]:
+    """What kinds of widgets wear what `widget` wears; none where each has its own."""
+    return getattr(widget, "dressed_whole", ())
 
 
 @lru_cache(maxsize=200)

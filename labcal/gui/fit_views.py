@@ -52,11 +52,11 @@ class FitViews(Card):
         self.against.activated.connect(self._draw)
 
     def begin(self) -> bool:
-        """Build the first picture; says whether it was still to be built."""
-        missing = self.faces.count() == 0
-        if missing:
-            self._chosen()
-        return missing
+        """Build a part of the first picture; says whether any was missing."""
+        if self.faces.count() > 0:
+            return self.loci.build_more()
+        self._chosen()
+        return True
 
     @cached_property
     def loci(self) -> Loci:

@@ -56,7 +56,7 @@ class Form(QWidget):
     """Entries for `specs`; `given()` says only what differs from the defaults."""
 
     changed = Signal()
-    dressed_whole = True  # many small parts, made anew for each procedure
+    dressed_whole = (QLabel, QLineEdit, QComboBox, QCheckBox)  # many small parts, made anew for each procedure
 
     def __init__(self, specs: list[ParameterSpec]) -> None:
         super().__init__()

@@ -47,8 +47,10 @@ class Rest(QObject):
         return False
 
     def _draw(self) -> None:
+        if (holder := self._widget.parentWidget()) is not None and not holder.updatesEnabled():
+            return self.begin()  # the whole page is being dressed
         self._widget.setUpdatesEnabled(True)
-        self._widget.repaint()
+        return self._widget.repaint()
 
 
 def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
@@ -150,27 +152,44 @@ class Loci(QWidget):
 
     def __init__(self, theme: Theme, *, clouds: int = 1) -> None:
         super().__init__()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        circle = np.linspace(0, 2 * np.pi, 181)
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(0, 0, 0, 0)
+        self._theme, self._clouds = theme, clouds
         self._plots: list[pg.PlotWidget] = []
         self._circles: list[pg.PlotDataItem] = []
         self._views: list[list[tuple[pg.PlotCurveItem, pg.PlotCurveItem]]] = []
-        for right, up in VIEWS:
-            widget = plot(theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
-            for side in ("bottom", "left"):  # directions need no figures and no grid
-                widget.getPlotItem().getAxis(side).setStyle(showValues=False, tickLength=0)
-            widget.showGrid(x=False, y=False)
-            widget.setAspectLocked(True)
-            widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
-            self._plots.append(widget)
-            self._circles.append(widget.plot(np.cos(circle), np.sin(circle)))
-            self._views.append([_lines(widget) for _ in range(clouds)])
-            row.addWidget(widget)
-        self._colour(theme)
+        self.build_more()
+
+    def build_more(self) -> bool:
+        """Build the next of its projections; says whether one was missing."""
+        if len(self._plots) == len(VIEWS):
+            return False
+        circle = np.linspace(0, 2 * np.pi, 181)
+        right, up = VIEWS[len(self._plots)]
+        widget = plot(self._theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
+        for side in ("bottom", "left"):  # directions need no figures and no grid
+            widget.getPlotItem().getAxis(side).setStyle(showValues=False, tickLength=0)
+        widget.showGrid(x=False, y=False)
+        widget.setAspectLocked(True)
+        widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
+        self._plots.append(widget)
+        self._circles.append(widget.plot(np.cos(circle), np.sin(circle)))
+        self._views.append([_lines(widget) for _ in range(self._clouds)])
+        self._row.addWidget(widget)
+        self._colour(self._theme)
+        return True
+
+    def showEvent(self, event: object) -> None:
+        """All of it, where it comes into sight before it was whole."""
+        self._whole()
+
+    def _whole(self) -> None:
+        while self.build_more():
+            pass
 
     def set_theme(self, theme: Theme) -> None:
         """Circles and lines in the theme's colours."""
+        self._theme = theme
         for widget in self._plots:
             ink(widget, theme)
         self._colour(theme)
@@ -186,6 +205,7 @@ class Loci(QWidget):
 
     def show_field(self, field_nT: Array, cloud: int = 0, most: int = MOST) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
+        self._whole()
         path = _broken(_directions(field_nT, most))
         for (right, up), clouds in zip(VIEWS, self._views, strict=True):
             front, behind = clouds[cloud]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TypeVar
 
 from PySide6.QtCore import QRect, QRectF, Qt
@@ -89,6 +91,17 @@ def flat(widget: W) -> W:
     """`widget` no taller than what is in it."""
     widget.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
     return widget
+
+
+@contextmanager
+def laid_out_later(*holders: QWidget) -> Iterator[None]:
+    """Show and hide what these hold; their places are found once, in an event of its own, not anew after each."""
+    layouts = [layout for one in holders if (layout := one.layout()) is not None]
+    for layout in layouts:
+        layout.setEnabled(False)
+    yield
+    for layout in layouts:
+        layout.setEnabled(True)
 
 
 class Ground(QWidget):

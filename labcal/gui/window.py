@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import time
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from importlib import import_module
@@ -22,15 +23,15 @@ from labcal.gui.frame import Frame
 from labcal.gui.problem import save_problem
 from labcal.gui.scanner import Scanner
 from labcal.gui.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
-from labcal.gui.turns import Turns
+from labcal.gui.turns import AT_MOST_S, Turns
 from labcal.gui.wire import Fault
+from labcal.store.items import prepare
 
 if TYPE_CHECKING:
     from labcal.gui.pages.run import RunPage
 
 AHEAD_MS = 400
 LOOK_MS = 20  # between two looks whether the imports or a run are done
-AT_ONCE = 16  # labels, buttons and so on that are dressed in one event of a page's building
 PLOTS = 4  # of a page, at most, when it is built
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
@@ -70,11 +71,13 @@ class Later(QWidget):
             yield
         worn = ""
         while worn != (worn := self._sheet()):  # again, where another theme has come meanwhile
-            for number, one in enumerate(wearers(page), start=1):
+            until = time.monotonic() + AT_MOST_S
+            for one in wearers(page):
+                if time.monotonic() > until:
+                    yield
+                    until = time.monotonic() + AT_MOST_S
                 dress(one, worn)
                 one.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
-                if number % AT_ONCE == 0:
-                    yield
         self._column.addWidget(page)
         page.show()
 
@@ -97,6 +100,7 @@ def import_pages() -> None:
     """What the pages are made of takes a second to import: in a thread of its own, the window is alive meanwhile."""
     for name in PAGES:
         import_module(f"labcal.gui.pages.{name.lower()}")
+    prepare()
 
 
 def stock_one() -> bool:
@@ -213,14 +217,19 @@ class Window(Frame):
         sheet = self.sheet()
         self.set_scale(WALL_SCALE if self.wall else 1.0)
         for part in (self.top, self.side, self.rail, self.bottom, self.fault):
-            self._dress(wearers(part), sheet)
+            self._dress(part, wearers(part), sheet)
         for later in sorted(self.later.values(), key=lambda one: not one.isVisible()):
-            self._dress(later.wearers(), sheet)
-            self.dressing.add(*(later.inked(self.theme) if inked else ()))
+            self._dress(later, later.wearers(), sheet, later.inked(self.theme) if inked else ())
 
-    def _dress(self, wanted: Iterable[QWidget], sheet: str) -> None:
+    def _dress(
+        self, part: QWidget, wanted: Iterable[QWidget], sheet: str, inked: Iterable[Callable[[], object]] = ()
+    ) -> None:
+        """Dress what is `wanted` of a part, then do `inked`; the part is painted once, when all that is done."""
+        part.setUpdatesEnabled(False)
         for one in wanted:
             self.dressing.put(one, partial(dress, one, sheet))
+        self.dressing.add(*inked)
+        self.dressing.put(part, partial(part.setUpdatesEnabled, True))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Dress what comes up new; then hear the keys."""

@@ -100,6 +100,13 @@ def _written(of: type, text: str) -> Any:
         ) from None
 
 
+def prepare() -> None:
+    """Have ready what reads each kind of item: made when the first one comes, it takes tens of milliseconds."""
+    for of in KINDS.values():
+        if of is not Block:
+            _adapter(of)
+
+
 def to_json(value: Any) -> str:
     """JSON on one line; numpy's numbers and arrays as plain ones, what is no JSON as its text."""
     return json.dumps(value, default=_plain, ensure_ascii=False)

@@ -54,7 +54,7 @@ class FitPage(QWidget):
         self._show()
 
     def build_more(self) -> bool:
-        """Build the first picture; says whether it was still to be built."""
+        """Build a part of the first picture; says whether any was missing."""
         return self.views.begin()
 
     def set_theme(self, theme: Theme) -> None:

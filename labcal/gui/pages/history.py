@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -219,7 +220,11 @@ class HistoryPage(QWidget):
             "left", f"{self.parameter.currentText()}  {say(unit)}", color=self._theme.muted
         )
         for axis, colour in enumerate(self._theme.axes):
-            self._line(np.array(times), mine, start, axis, colour)
+            self._turns.put(("line", axis), partial(self._line, np.array(times), mine, start, axis, colour))
+        self._turns.put("range", partial(self._name_and_range, times, names))
+
+    def _name_and_range(self, times: list[float], names: tuple[str, ...]) -> None:
+        """What is drawn last: the names above, and what is seen of time and value."""
         if times:
             name_above(self.plot, zip(names, self._theme.axes, strict=True))
             self.plot.autoRange(padding=0.1)

@@ -35,6 +35,8 @@ class RunPage(QWidget):
         loci = Loci(theme)
         loci.setParent(self)  # a theme that comes before it has its place is its own as well
         yield True
+        while loci.build_more():
+            yield True
         traces = Traces(theme, "DUT  nT")
         traces.setParent(self)
         yield True

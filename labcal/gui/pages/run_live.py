@@ -26,7 +26,7 @@ from labcal.gui.numbers import FIGURE_SPACE, duration, step_words
 from labcal.gui.plots import Loci, Traces
 from labcal.gui.prompt_card import PromptCard
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, set_primary, shrinking
+from labcal.gui.widgets import Card, button, label, laid_out_later, set_primary, shrinking
 from labcal.gui.wire import Fault
 from labcal.gui.words import say
 
@@ -51,12 +51,15 @@ class Live(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
-        row.addWidget(self._left(), 2)
+        left = self._left()
+        row.addWidget(left, 2)
         right = QSplitter()
         right.setOrientation(Qt.Orientation.Vertical)
         right.setChildrenCollapsible(False)
         right.setHandleWidth(2 * GRID)
-        right.addWidget(self._middle())
+        middle = self._middle()
+        right.addWidget(middle)
+        self._holders = (left, middle, self._picture)
         self.below = self._below()
         right.addWidget(self.below)
         right.setStretchFactor(0, 3)
@@ -189,14 +192,15 @@ class Live(QWidget):
         self.pause.setEnabled(run.state in ("running", "asking", "paused"))
         self.stop.setEnabled(run.alive and run.state != "stopping")
         turned = bool(run.names or run.locus)  # else there is no turn to show, and nothing to fit
-        for widget, shown in (
-            (self.pause, not ended),
-            (self.stop, not ended),
-            (self.close_run, ended),
-            (self.fit, ended and turned),
-            *((widget, turned) for widget in (self.progress, self.steps, self.lights, self.turn, self.loci)),
-        ):
-            widget.setVisible(shown)
+        with laid_out_later(self, *self._holders):
+            for widget, shown in (
+                (self.pause, not ended),
+                (self.stop, not ended),
+                (self.close_run, ended),
+                (self.fit, ended and turned),
+                *((widget, turned) for widget in (self.progress, self.steps, self.lights, self.turn, self.loci)),
+            ):
+                widget.setVisible(shown)
         set_primary(self.close_run, not turned)
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.note.setEnabled(run.alive)
