@@ -23,12 +23,6 @@ KNOWN = Handover(0.5, {"x": Held(1.8, True, Identity("Riden", "RD6006", "0002012
 CURRENT, SERIAL = b"\0\x09", 2  # of a Riden's registers
 
 
-def hushed(lines: list[str]) -> Iterator[str]:
-    """These lines, then a silence that does not end."""
-    yield from lines
-    threading.Event().wait()
-
-
 @pytest.mark.parametrize(
     ("said", "heard"),
     [
@@ -41,11 +35,24 @@ def hushed(lines: list[str]) -> Iterator[str]:
     ids=["killed", "killed in a word", "spoilt", "killed at once", "done"],
 )
 def test_what_was_said_last_counts(said: list[str], heard: tuple[str, Handover]) -> None:
-    assert stand_by(said) == heard
+    assert stand_by(said, hung_s=60.0) == heard
 
 
-def test_one_that_is_silent_is_replaced_with_what_it_said_last() -> None:
-    assert stand_by(hushed([KNOWN.line()]), hung_s=0.01) == ("silent", KNOWN)
+def test_one_that_is_silent_is_replaced_with_what_it_said_last(monkeypatch: pytest.MonkeyPatch) -> None:
+    hushed, over, start = threading.Event(), threading.Event(), threading.Thread.start
+
+    def said() -> Iterator[str]:
+        yield KNOWN.line()
+        hushed.set()
+        over.wait()
+
+    def begun(thread: threading.Thread) -> None:
+        start(thread)
+        hushed.wait()
+
+    monkeypatch.setattr(threading.Thread, "start", begun)  # what was said has been heard before the silence is timed
+    assert stand_by(said(), hung_s=0.01) == ("silent", KNOWN)
+    over.set()
 
 
 class Pair:

@@ -68,9 +68,9 @@ def undecided(still):
     return still
 
 
-def test_every_cause_is_named_whole_with_its_reason(qtbot, undecided):
+def test_every_cause_is_named_whole_with_its_reason(qtbot, undecided, patience):
     page = undecided.page("Loop")
-    qtbot.waitUntil(lambda: page.others.count() == 2)
+    qtbot.waitUntil(lambda: page.others.count() == 2, timeout=patience)
     texts = [page.others.item(n).text() for n in range(2)]
     assert texts == [
         "✓ offset-current (i_eps): named\nit falls",

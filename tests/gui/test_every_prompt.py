@@ -156,10 +156,13 @@ class Asked:
 
     def scan(self, widget):
         """A burst: every key within one instant, Enter at its end."""
+        scanner = self.window.scanner
+        now, scanner._now = scanner._now, lambda: 1e9
         widget.setFocus()
         self.bot.keyClicks(widget, "EM-99")
         self.bot.keyClick(widget, Qt.Key.Key_Return)
-        self.window.scanner.flush()
+        scanner.flush()
+        scanner._now = now
 
     def hold(self, button):
         """The button's own key, held, with the focus elsewhere; the 0.7 s are counted, not waited for."""
@@ -167,7 +170,7 @@ class Asked:
         button._held.setInterval(0)
         self.window.rail.setFocus()
         self.bot.keyPress(self.window, button.key)
-        self.bot.waitUntil(lambda: bool(self.worker.said))
+        self.bot.waitUntil(lambda: bool(self.worker.said), timeout=180_000)
         self.bot.keyRelease(self.window, button.key)
 
     def is_shown(self):

@@ -20,10 +20,10 @@ def by_tab(qtbot, window, wanted, most=120):
 
 
 @pytest.fixture
-def active(qtbot, still):
+def active(qtbot, still, patience):
     still.activateWindow()
     still.rail.findChildren(QAbstractButton)[0].setFocus()
-    qtbot.waitUntil(lambda: QApplication.focusWidget() is not None)
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=patience)
     return still
 
 

@@ -101,14 +101,14 @@ def test_the_names_of_parameters_stand_whole_beside_eleven_methods(still, qtbot)
     assert page.table.columnWidth(0) >= widest
 
 
-def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot):
+def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot, patience):
     still.open_page("Certificate")
     page = still.page("Certificate")
     secret = QLineEdit(page)
     secret.setEchoMode(page.passphrase.echoMode())
     secret.show()
     secret.setFocus()
-    qtbot.waitUntil(secret.hasFocus)
+    qtbot.waitUntil(secret.hasFocus, timeout=patience)
     still.scanner._wait.setInterval(3_600_000)
     qtbot.keyClicks(secret, "correct horse")
     assert secret.text() == "correct horse"

@@ -15,7 +15,7 @@ class Clock:
 
 
 @pytest.fixture
-def keys(still, qtbot):
+def keys(still, qtbot, patience):
     """Type `text` into a widget, `apart_s` between two keys."""
     clock = Clock()
     still.scanner._now = clock
@@ -23,7 +23,7 @@ def keys(still, qtbot):
 
     def struck(widget, text, apart_s, ends_with=None):
         widget.setFocus()
-        qtbot.waitUntil(lambda: QApplication.focusWidget() is widget)
+        qtbot.waitUntil(lambda: QApplication.focusWidget() is widget, timeout=patience)
         for letter in text:
             clock.now_s += apart_s
             qtbot.keyClicks(widget, letter)
