@@ -5,12 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QSizePolicy
+from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy
 
 from labcal.gui.desk import Desk
+from labcal.gui.widgets import button
+from labcal.gui.words import say
 
-LETTERS = 20  # of a run's line are seen where there is no room for all
+LETTERS = 10  # of a run's line are seen where there is no room for all
 USABLE = ("finished", "imported", "stopped", "failed")
+BROKEN = {"stopped": "■", "failed": "✕"}  # runs that did not come to their end are said to be so, first of all
+NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the History page."
 
 
 def run_words(one: dict[str, Any]) -> str:
@@ -23,6 +27,7 @@ class RunChooser(QComboBox):
     """`chosen` carries the run id that a person picked."""
 
     chosen = Signal(str)
+    known = Signal()
 
     def __init__(self, desk: Desk) -> None:
         super().__init__()
@@ -36,7 +41,7 @@ class RunChooser(QComboBox):
         self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
         desk.run.ended.connect(self.refresh)
         desk.store_changed.connect(self.refresh)
-        self._wanted = ""
+        self._wanted, self.none = "", False
 
     def showEvent(self, event: object) -> None:
         """The list as it is now."""
@@ -56,5 +61,21 @@ class RunChooser(QComboBox):
         self.clear()
         for one in runs:
             if one["status"].startswith(USABLE):
-                self.addItem(run_words(one), one["run_id"])
+                self.addItem(marked(one), one["run_id"])
+        self.none = self.count() == 0
         self.setCurrentIndex(self.findData(kept))
+        self.known.emit()
+
+
+def marked(one: dict[str, Any]) -> str:
+    """A run's line, begun with how it ended where it did not come to its end."""
+    status = one["status"].partition(":")[0]
+    return f"{BROKEN[status]} {say(status)} · {run_words(one)}" if status in BROKEN else run_words(one)
+
+
+def to_run(desk: Desk) -> QPushButton:
+    """The way out of a page that has no run yet."""
+    made = button(say("Go to Run"), say("Record a run, or import one on the History page"), primary=True)
+    made.clicked.connect(lambda: desk.went.emit("Run"))
+    made.hide()
+    return made

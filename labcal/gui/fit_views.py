@@ -35,7 +35,7 @@ class FitViews(Card):
         self._theme = theme
         self._look: dict[str, Any] | None = None
         self._said: dict[str, Any] | None = None
-        self.view = chooser(self.tr("The figures of the papers that the methods are from"), self.tr("View"), letters=24)
+        self.view = chooser(self.tr("The figures of the papers that the methods are from"), self.tr("View"))
         self.against = chooser(self.tr("What the residual is drawn against"), self.tr("Against"))
         self.words = shrinking(label("", "caption"))
         self.faces = QStackedWidget()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import hypot
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import (
     QApplication,
     QButtonGroup,
@@ -20,13 +21,22 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from labcal.gui.hold import HOLD_MS, KEYS
+from labcal.gui.key_sheet import KeySheet, explained, shortcuts
 from labcal.gui.lab_vm import LabState, LabViewModel
 from labcal.gui.numbers import field, number
 from labcal.gui.theme import GRID
 from labcal.gui.widgets import Ground, Numbers, label, named, set_state, shrinking
 from labcal.gui.words import say
 
-LIGHT_SHAPES = {"ok": ("✓", "good"), "waiting": ("…", ""), "fault": ("✕", "bad"), "absent": ("○", "")}
+LIGHT_SHAPES = {
+    "ok": ("✓", "good", "answers"),
+    "waiting": ("…", "", "not heard yet"),
+    "fault": ("✕", "bad", "failed"),
+    "absent": ("○", "", "not asked"),
+}
+NARROW_PX = 1200  # a window that is less wide has a narrow rail and side panel
+OFF_KEY = Qt.Key.Key_F12
 UNITS = ("nT", "µT", "mG")
 
 
@@ -44,9 +54,11 @@ class TopBar(Ground):
         for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):
             value.setAccessibleName(caption)
             value.setPlaceholderText(self.tr("needed"))
+            value.editingFinished.connect(partial(value.setCursorPosition, 0))
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
             row.addSpacing(2 * GRID)
+        self._tips = {entry: entry.toolTip() for entry in (self.dut, self.operator)}
         self.dut.returnPressed.connect(self.operator.setFocus)
         row.addWidget(label(self.tr("Bench"), "caption"))
         row.addWidget(self.bench)
@@ -65,6 +77,8 @@ class TopBar(Ground):
         for entry, text in ((self.dut, state.dut_serial), (self.operator, state.operator)):
             if entry.text() != text and not (entry.hasFocus() and entry.isModified()):
                 entry.setText(text)
+                entry.setCursorPosition(0)  # of a long one its beginning is seen
+            entry.setToolTip(f"{text}\n{self._tips[entry]}" if text else self._tips[entry])
         self.bench.setText(state.bench or "–")
         self.simulated.setVisible(state.simulated)
 
@@ -100,6 +114,8 @@ class SidePanel(Ground):
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._lights = QVBoxLayout()
         self._column.addLayout(self._lights)
+        self._nobody = label(self.tr("No bench is open."), "caption", wrap=True)
+        self._column.addWidget(self._nobody)
         self._column.addStretch()
         self._rows: list[QLabel] = []
 
@@ -133,9 +149,10 @@ class SidePanel(Ground):
         while len(self._rows) < len(state.lights):
             self._rows.append(label("", wrap=True))
             self._lights.addWidget(self._rows[-1])
+        self._nobody.setVisible(not state.lights)
         for row, (name, light, words) in zip(self._rows, state.lights, strict=False):
-            shape, colour = LIGHT_SHAPES[light]
-            row.setText(f"{shape} {name}  {words}")
+            shape, colour, plain = LIGHT_SHAPES[light]
+            row.setText(f"{shape} {name}  {words or say(plain)}")
             set_state(row, colour)
         for row in self._rows[len(state.lights) :]:
             row.hide()
@@ -153,7 +170,7 @@ class Frame(QMainWindow):
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
         self.message, self.waiting = shrinking(label()), label()
         self.hearers: list[Callable[[QWidget, QKeyEvent], bool]] = []
-        self._rail_buttons = QButtonGroup(self)
+        self._rail_buttons, self._scale = QButtonGroup(self), 1.0
         self._names = tuple(pages)
         middle = QHBoxLayout()
         middle.setSpacing(0)
@@ -193,11 +210,17 @@ class Frame(QMainWindow):
             entry = named(QPushButton(say(name)), "rail")
             entry.setCheckable(True)
             entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(say(name), index + 1))
-            QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click)
+            words = self.tr("the page {0}").format(say(name))
+            explained(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
             self._rail_buttons.addButton(entry, index)
             column.addWidget(entry)
             self.stack.addWidget(page)
         column.addStretch()
+        self.help = named(QPushButton(self.tr("Keys   F1")), "rail")
+        self.help.setToolTip(self.tr("Which keys there are, and what each does"))
+        self.help.clicked.connect(self.show_keys)
+        explained(QShortcut(QKeySequence("F1"), self, self.show_keys), self.tr("this sheet"))
+        column.addWidget(self.help)
         self._rail_buttons.idClicked.connect(self.stack.setCurrentIndex)
         return rail
 
@@ -215,12 +238,37 @@ class Frame(QMainWindow):
         self._rail_buttons.button(index).setChecked(True)
         self.stack.setCurrentIndex(index)
 
+    def keys(self) -> list[tuple[str, str]]:
+        """Every key with what it does: those that are heard before any other, then the shortcuts that there are."""
+        held = ", ".join(key.name.removeprefix("Key_") for key in KEYS)
+        first = {
+            OFF_KEY.name.removeprefix("Key_"): self.tr("coils off, at any moment"),
+            held: self.tr("held for {0:g} s: the answer on the button of this key").format(HOLD_MS / 1000),
+            "Tab": self.tr("to the next field or button; Shift and Tab goes back, Space presses a button"),
+        }
+        return list((first | shortcuts(self)).items())
+
+    def show_keys(self) -> None:
+        """The sheet with all keys; nothing waits for it."""
+        KeySheet(self, self.keys()).show()
+
     def set_scale(self, scale: float) -> None:
         """Room for texts `scale` times their size."""
-        self.rail.setFixedWidth(int(17 * GRID * scale))
-        self.side.setFixedWidth(int(31 * GRID * scale))
+        self._scale = scale
+        self._give_room()
         for entry in (self.top.dut, self.top.operator):
             entry.setFixedWidth(int(18 * GRID * scale))
+
+    def _give_room(self) -> None:
+        """Rail and side panel, narrow where the window is: the page between them has what is left."""
+        rail, side = (14, 23) if self.width() < NARROW_PX * self._scale else (17, 31)
+        self.rail.setFixedWidth(int(rail * GRID * self._scale))
+        self.side.setFixedWidth(int(side * GRID * self._scale))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width."""
+        super().resizeEvent(event)
+        self._give_room()
 
     def show_state(self, state: LabState) -> None:
         """Write the lab's state into every part of the frame."""
@@ -233,7 +281,7 @@ class Frame(QMainWindow):
         """Take F12 before anything else can, whatever has the focus and whatever card is open; then ask `hearers`."""
         if not isinstance(event, QKeyEvent):
             return False
-        if event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_F12:
+        if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:
             if not event.isAutoRepeat():
                 self.coils_off.emit()
             return True

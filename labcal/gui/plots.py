@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
+from labcal.gui.numbers import MINUS
 from labcal.gui.theme import Theme
 from labcal.gui.words import say
 
@@ -23,6 +24,14 @@ VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and 
 WIDE_GAP = "&nbsp; &nbsp; "
 _stock: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 _making: list[Iterator[None]] = [iter(())]  # the one under way
+
+
+class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
+    """Figures with the minus sign that tables have."""
+
+    def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
+        """As pyqtgraph writes them."""
+        return [text.replace("-", MINUS) for text in super().tickStrings(values, scale, spacing)]
 
 
 class Rest(QObject):
@@ -66,7 +75,7 @@ def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
 
 def _blank() -> Iterator[None]:
     """Put one more into the stock, in three parts."""
-    axes = {side: pg.AxisItem(side) for side in ("left", "bottom", "right", "top")}
+    axes = {side: Axis(side) for side in ("left", "bottom", "right", "top")}
     yield
     item = pg.PlotItem(axisItems=axes, enableMenu=False)
     for side in ("right", "top"):  # axes that are given are shown

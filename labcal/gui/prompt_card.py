@@ -21,6 +21,18 @@ from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
 FILE = "file"  # in a prompt's drawing: the words are the path of one
+ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
+    "body_from_cage": "Mounted",
+    "reference_m": "Placed",
+    "reference_turned": "Placed",
+    "dut_away": "Taken away",
+    "mode": "Switched",
+    "load": "Switched",
+    "motor-off": "Switched off",
+    "motor-on": "Switched on",
+    "warm": "Warmed",
+    "ready": "Hands off: begin",
+}
 WORDS = {
     "done": "Done",
     "yes": "Yes",
@@ -35,6 +47,16 @@ WORDS = {
 def acting(prompt: Prompt, choice: str) -> bool:
     """Whether this answer mounts, energises, moves or switches something."""
     return choice != "no" and (prompt.acts or choice == "retry")
+
+
+def answer_words(prompt: Prompt, choice: str) -> str:
+    """What stands on the button of an answer: what it says has been done, or is to be done."""
+    redo, _, axis = choice.partition(" ")
+    if redo == "redo":
+        return say("Redo axis {0}").format(axis.upper())
+    if choice == "done":
+        return say(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
+    return say(WORDS.get(choice, choice))
 
 
 class PromptCard(Card):
@@ -107,7 +129,7 @@ class PromptCard(Card):
         self.choices, self.send = {}, None
         keys = iter(KEYS)
         for choice in prompt.choices:
-            made = self._button(choice, next(keys, KEYS[-1]) if acting(prompt, choice) else None)
+            made = self._button(answer_words(prompt, choice), next(keys, KEYS[-1]) if acting(prompt, choice) else None)
             named(made, "primary" if choice == prompt.choices[0] else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
@@ -120,7 +142,7 @@ class PromptCard(Card):
 
     def _make_senders(self, prompt: Prompt) -> None:
         """What sends the words; where they say that something was moved, by click or held key alone."""
-        self.send = self._button("send", KEYS[0] if prompt.acts else None)
+        self.send = self._button(say(WORDS["send"]), KEYS[0] if prompt.acts else None)
         named(self.send, "primary").clicked.connect(self._send_text)
         self._buttons.addWidget(self.send)
         if FILE in prompt.drawing:
@@ -128,9 +150,7 @@ class PromptCard(Card):
             self.choices[""].clicked.connect(lambda: self.answered.emit(""))
             self._buttons.addWidget(self.choices[""])
 
-    def _button(self, choice: str, key: Qt.Key | None) -> QPushButton:
-        redo, _, axis = choice.partition(" ")
-        words = self.tr("Redo axis {0}").format(axis.upper()) if redo == "redo" else say(WORDS.get(choice, choice))
+    def _button(self, words: str, key: Qt.Key | None) -> QPushButton:
         if key is None:
             return button(words, self.tr("Answer: {0}").format(words))
         made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)

@@ -51,7 +51,7 @@ class StudyViewModel(QObject):
 
     def open(self, run: str) -> None:
         """Take `run` as the run under study."""
-        if run == self.run and self.look is not None:
+        if run == self.run and (self.look is not None or self.busy):
             return
         self.cancel()
         self._forget(run)
@@ -60,13 +60,13 @@ class StudyViewModel(QObject):
             self._ask("methods", "methods", self._methods_known)
 
     def fit(self, *methods: str) -> None:
-        """Estimate by each of `methods`, in order."""
-        for method in methods:
+        """Estimate by each of `methods` that was not asked for yet, in order."""
+        for method in [one for one in methods if one not in self.fits and one not in self.waiting]:
             self._ask(method, "fit", lambda said, m=method: self.fits.update({m: said}), run=self.run, method=method)
 
     def fit_all(self) -> None:
         """Estimate by every method that was not tried yet."""
-        self.fit(*(method for method in self.methods if method not in self.fits and method not in self.waiting))
+        self.fit(*self.methods)
 
     def close_loop(self) -> None:
         """Trace the residual to its cause."""

@@ -91,8 +91,10 @@ QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px;
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
 QPushButton:disabled { color: $muted; background: $page; }
 QPushButton#primary { background: $accent; color: $on_accent; border-color: $accent; font-weight: 600; }
+QPushButton#primary:focus { border: 2px solid $text; }
 QPushButton#primary:disabled { background: $line; color: $muted; border-color: $line; }
 QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700; padding: 12px 24px; }
+QPushButton#off:focus { border: 3px solid $text; padding: 9px 21px; }
 QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 12px 16px; }
 QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; font-weight: 600; padding-left: 12px; }
 QPushButton#rail:focus { border: 2px solid $accent; padding: 10px 14px; }
@@ -102,14 +104,15 @@ QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { back
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
     selection-color: $on_accent; }
-QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; gridline-color: $line;
+QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; padding: 1px; gridline-color: $line;
     alternate-background-color: $sunken; selection-background-color: $accent; selection-color: $on_accent; }
 QHeaderView::section { background: $page; color: $muted; border: 0; border-bottom: 1px solid $line; padding: 6px 11px; }
 QProgressBar { background: $sunken; border: 1px solid $line; border-radius: 4px; height: 14px; text-align: center; }
 QProgressBar::chunk { background: $accent; border-radius: 3px; }
 QToolTip { background: $surface; color: $text; border: 1px solid $line; padding: 4px; }
-QListWidget { outline: 0; padding: 4px; } QListWidget::item { padding: 4px 6px; border-radius: 4px; }
+QListWidget { outline: 0; } QListWidget::item { padding: 4px 6px; border-radius: 4px; }
 QListWidget::item:selected { background: $accent; color: $on_accent; }
+QTableView:focus, QListView:focus { border: 2px solid $accent; padding: 0; }
 QTableView { outline: 0; } QTableView::item { padding: 0 8px; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
@@ -119,12 +122,13 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QComboBox::drop-down { border: 0; width: 24px; }
 QComboBox::down-arrow { image: none; width: 0; height: 0;
     border-left: 5px solid $sunken; border-right: 5px solid $sunken; border-top: 6px solid $muted; }
-QCheckBox::indicator { width: 16px; height: 16px; border: 1px solid $muted; border-radius: 3px; background: $sunken; }
-QCheckBox::indicator:checked { background: $accent; border: 1px solid $accent; }
 QLabel#ask { font-size: ${ask_pt}pt; font-weight: 600; }
 QLabel#huge { font-size: ${huge_pt}pt; font-weight: 600; }
-QPlainTextEdit#story { background: transparent; border: 0; padding: 0; }
-QCheckBox:focus, QRadioButton:focus { color: $accent; }
+QPlainTextEdit:focus { border: 2px solid $accent; padding: 4px 7px; }
+QPlainTextEdit#story { background: transparent; border: 2px solid transparent; padding: 0; }
+QPlainTextEdit#story:focus { border: 2px solid $accent; }
+QCheckBox { border: 2px solid transparent; border-radius: 4px; padding: 2px; }
+QCheckBox:focus { border: 2px solid $accent; }
 """
 )
 

@@ -20,6 +20,7 @@ from labcal.gui.desk import Desk
 from labcal.gui.dress import bare, dress, wearers
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.frame import Frame
+from labcal.gui.key_sheet import explained
 from labcal.gui.problem import save_problem
 from labcal.gui.scanner import Scanner
 from labcal.gui.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
@@ -163,7 +164,8 @@ class Window(Frame):
         desk.procedure_asked.connect(self._procedure)
         desk.plan_asked.connect(self._plan)
         desk.run.changed.connect(self._lock)
-        QShortcut(QKeySequence("F11"), self, self.toggle_wall)
+        wall = self.tr("letters to be read from two metres, and back")
+        explained(QShortcut(QKeySequence("F11"), self, self.toggle_wall), wall)
         for later in self.later.values():
             later.wanted.connect(partial(self._ahead.start, 0))
 
@@ -289,6 +291,7 @@ def open_window(bench: str | None) -> Window:
     """The window on `bench`, else on the last one."""
     desk = Desk()
     window = Window(desk)
+    window.resize(window.size().boundedTo(window.screen().availableSize()))
     window.show()
     QTimer.singleShot(AHEAD_MS, window, window.build_ahead)
     chosen = bench or str(desk.settings.value("bench", "") or "")

@@ -10,6 +10,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale, QTransl
 from labcal.home import home
 
 HERE = Path(__file__).parent / "translations"
+MORNING, MORNING_CHECKS = "Morning check", ("morning-check", "axes-check")  # the first that is installed
 WORDS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Start"),
     QT_TRANSLATE_NOOP("Words", "Bench"),
@@ -19,6 +20,24 @@ WORDS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Certificate"),
     QT_TRANSLATE_NOOP("Words", "History"),
     QT_TRANSLATE_NOOP("Words", "Done"),
+    QT_TRANSLATE_NOOP("Words", "Mounted"),
+    QT_TRANSLATE_NOOP("Words", "Placed"),
+    QT_TRANSLATE_NOOP("Words", "Taken away"),
+    QT_TRANSLATE_NOOP("Words", "Switched"),
+    QT_TRANSLATE_NOOP("Words", "Switched off"),
+    QT_TRANSLATE_NOOP("Words", "Switched on"),
+    QT_TRANSLATE_NOOP("Words", "Warmed"),
+    QT_TRANSLATE_NOOP("Words", "Hands off: begin"),
+    QT_TRANSLATE_NOOP("Words", "Redo axis {0}"),
+    QT_TRANSLATE_NOOP("Words", "answers"),
+    QT_TRANSLATE_NOOP("Words", "not heard yet"),
+    QT_TRANSLATE_NOOP("Words", "not asked"),
+    QT_TRANSLATE_NOOP("Words", "Open the folder"),
+    QT_TRANSLATE_NOOP("Words", "Show in the file manager what was just written"),
+    QT_TRANSLATE_NOOP("Words", "Go to Run"),
+    QT_TRANSLATE_NOOP("Words", "Record a run, or import one on the History page"),
+    QT_TRANSLATE_NOOP("Words", "No run yet: record one on the Run page, or import a bundle on the History page."),
+    QT_TRANSLATE_NOOP("Words", "Morning check"),
     QT_TRANSLATE_NOOP("Words", "Yes"),
     QT_TRANSLATE_NOOP("Words", "No"),
     QT_TRANSLATE_NOOP("Words", "Stop the run"),
@@ -72,7 +91,7 @@ WORDS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "yes"),
     QT_TRANSLATE_NOOP("Words", "no"),
     QT_TRANSLATE_NOOP("Words", "several, with commas"),
-    QT_TRANSLATE_NOOP("Words", "true"),
+    QT_TRANSLATE_NOOP("Words", "real time"),
     QT_TRANSLATE_NOOP("Words", "20 times"),
     QT_TRANSLATE_NOOP("Words", "100 times"),
     QT_TRANSLATE_NOOP("Words", "at once"),
@@ -111,6 +130,11 @@ WORDS = (  # of tables, headings and functions: lupdate reads them here
 def say(text: str) -> str:
     """One of `WORDS` in the language of the window; what is none of them as it is."""
     return QCoreApplication.translate("Words", text)
+
+
+def procedure_words(name: str) -> str:
+    """A procedure as its page is headed: with the words that lead there, where they are others than its name."""
+    return f"{say(MORNING)} · {name}" if name in MORNING_CHECKS else name
 
 
 def speak(application: QCoreApplication, locale: QLocale, folders: Iterable[Path] | None = None) -> bool:

@@ -73,7 +73,8 @@ class Rehearsal:
             f"DUT kept within {limits[0]:g} to {limits[1]:g} °C" if limits else "no temperature limits are stated",
             f"about {self.seconds / 60:.0f} min, without a person's steps",
         ]
-        return [*said, *(f"a person: {text}" for text in dict.fromkeys(self.person))]
+        asked = [f"– {text.replace(' -', ' −')}" for text in dict.fromkeys(self.person)]
+        return [*said, *(["what a person is asked:", *asked] if asked else [])]
 
 
 def rehearsed(bench: Path, procedure: Found, given: Mapping[str, str], seed: int | None = None) -> Rehearsal:

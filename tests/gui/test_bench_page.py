@@ -35,7 +35,7 @@ def test_the_parts_of_the_field_are_those_that_were_recorded_together(still, ben
     np.testing.assert_allclose(np.add(first, second), third)
     np.testing.assert_allclose(third, FIELD[0])
     last = {bench.table.text(row, 1): bench.table.text(row, 4) for row in range(bench.table.rowCount())}
-    assert (last["supply_x"], last["dut"]) == ("+0.000 A", "+1.0  +2.0  +3.0")
+    assert (last["supply_x"], last["dut"]) == ("+0.000 A", "+1.0  +2.0  +3.0 count")
     assert "applied" in bench.cage_words.text()
 
 

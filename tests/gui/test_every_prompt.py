@@ -193,6 +193,9 @@ class Asked:
             return {"45.0": self.card.send}
         for choice in self.prompt.choices:
             assert choice in WORDS or choice.startswith("redo "), f"the button {choice!r} has no words"
+            assert not self.card.choices[choice].text().startswith("Done"), (
+                f"{self.prompt.text} is not answered by Done"
+            )
         return self.card.choices
 
     def ready(self):

@@ -177,7 +177,11 @@ class BenchPage(QWidget):
                 words, age = f"{number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
             elif said is not None:
                 silent = run.silent_s(self.table.text(row, 1))
-                words, age = reading_words(role, said[1]), self.tr("{0:.1f} s before the newest of all").format(silent)
+                unit = f" {self._desk.facts['dut']['unit']}" if role == "dut" else ""
+                words, age = (
+                    reading_words(role, said[1]) + unit,
+                    self.tr("{0:.1f} s before the newest of all").format(silent),
+                )
             self.table.set_cell(row, 4, words, tip=f"{words}   ({age})")
         self._show_cage()
 

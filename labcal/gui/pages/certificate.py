@@ -6,54 +6,21 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
 from labcal.gui.desk import Desk
+from labcal.gui.drop import Drop
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Table, decimals_for
 from labcal.gui.numbers import number
+from labcal.gui.outside import FolderButton, open_outside
 from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, Ground, button, label, set_state
+from labcal.gui.widgets import Card, button, label, set_state
 from labcal.gui.wire import Fault
 from labcal.gui.words import say
 
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
-
-
-class Drop(Ground):
-    """Where a calibration file is dropped, or chosen with Enter, to be verified."""
-
-    dropped = Signal(str)
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setAcceptDrops(True)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
-        self.words = label(self.tr("Drop a calibration file here to verify it"), wrap=True)
-        choose = button(self.tr("Choose a file …"), self.tr("A calibration .json with its .sshsig beside it"))
-        choose.clicked.connect(self._choose)
-        row.addWidget(self.words, 1)
-        row.addWidget(choose)
-
-    def _choose(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("Verify a calibration"), "", "*.json")
-        if path:
-            self.dropped.emit(path)
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take files."""
-        if event.mimeData().hasUrls():
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Verify the first file; a signature stands for its calibration."""
-        path = event.mimeData().urls()[0].toLocalFile()
-        if path.endswith(".sshsig"):
-            path = path.removesuffix(".sshsig").removesuffix(".2")
-        self.dropped.emit(path)
 
 
 class CertificatePage(QWidget):
@@ -149,10 +116,15 @@ class CertificatePage(QWidget):
         self.signer.setToolTip(self.tr("Whose key; a name without a key here can be given a new one"))
         self.signer.currentTextChanged.connect(self._enable)
         self.passphrase = QLineEdit()
-        self.passphrase.setEchoMode(QLineEdit.EchoMode.Password)
         self.passphrase.setPlaceholderText(self.tr("Passphrase"))
         self.passphrase.setToolTip(self.tr("Asked each time, never kept"))
-        self.passphrase.textChanged.connect(self._enable)
+        self.again = QLineEdit()
+        self.again.setPlaceholderText(self.tr("The same once more"))
+        self.again.setToolTip(self.tr("A new key's passphrase is typed twice: nothing can bring it back"))
+        for entry in (self.passphrase, self.again):
+            entry.setAccessibleName(entry.placeholderText())
+            entry.setEchoMode(QLineEdit.EchoMode.Password)
+            entry.textChanged.connect(self._enable)
         self.sign = button(
             self.tr("Sign"), self.tr("Sign these exact bytes. A signed file can no longer be changed."), primary=True
         )
@@ -165,11 +137,12 @@ class CertificatePage(QWidget):
         row.addWidget(label(self.tr("2"), "title"))
         row.addWidget(self.signer, 1)
         row.addWidget(self.passphrase, 1)
+        row.addWidget(self.again, 1)
         row.addWidget(self.new_key)
         row.addWidget(self.sign)
         return row
 
-    def _paper_row(self) -> QHBoxLayout:
+    def _paper_row(self) -> QVBoxLayout:
         self.report = button(
             self.tr("Report …"), self.tr("For people as .html or .pdf, for machines as a DCC (.xml, PTB's schema)")
         )
@@ -183,12 +156,16 @@ class CertificatePage(QWidget):
             self.tr("Apply to readings …"), self.tr("Add the field, its uncertainty and flags to a .csv of readings")
         )
         self.apply.clicked.connect(self._apply)
-        self.said = label("", "caption", wrap=True)
-        row = QHBoxLayout()
-        row.addWidget(self.said, 1)
+        self.said, self.folder = label("", "caption", wrap=True), FolderButton()
+        row, where, both = QHBoxLayout(), QHBoxLayout(), QVBoxLayout()
+        where.addWidget(self.said, 1)
+        where.addWidget(self.folder)
+        row.addStretch()
         for widget in (self.apply, self.export, self.report):
             row.addWidget(widget)
-        return row
+        both.addLayout(where)
+        both.addLayout(row)
+        return both
 
     def chosen(self) -> dict[str, Any] | None:
         """The calibration that is chosen."""
@@ -263,15 +240,20 @@ class CertificatePage(QWidget):
     def _enable(self) -> None:
         one, name = self.chosen(), self.signer.currentText().strip()
         known = name in [self.signer.itemText(n) for n in range(self.signer.count())]
-        words = bool(self.passphrase.text())
+        words, twice = bool(self.passphrase.text()), self.passphrase.text() == self.again.text()
+        new = bool(name) and not known
+        for widget, shown in ((self.again, new), (self.new_key, new), (self.sign, not new)):
+            widget.setVisible(shown)
         self.approve.setEnabled(one is not None and not one["signatures"] and bool(self.approver.currentText().strip()))
         self.sign.setEnabled(one is not None and known and words)
-        self.new_key.setEnabled(bool(name) and not known and words)
+        self.new_key.setEnabled(new and words and twice)
         for widget in (self.report, self.export, self.apply):
             widget.setEnabled(one is not None)
         step = next_step(one, self._desk.lab.state.operator) if one else ""
-        if name and not known:
-            step = self.tr("{0} has no key here: New key makes one under the passphrase that you type.").format(name)
+        if new and self.again.text() and not twice:
+            step = self.tr("The two passphrases differ.")
+        elif new:
+            step = self.tr("{0} has no key here: type a passphrase twice, and New key makes one under it.").format(name)
         elif known and not words and one is not None and not one["signatures"]:
             step = self.tr("{0} To sign as {1}, type the passphrase.").format(step, name)
         self.next.setText(step)
@@ -309,6 +291,7 @@ class CertificatePage(QWidget):
         name = self.signer.currentText().strip()
         made = self.tr("{0} has a key now, under this passphrase.").format(name)
         self._ask("new_key", self.signer, lambda: self.said.setText(made), name=name, passphrase=self.passphrase.text())
+        self.again.clear()
 
     def _report(self) -> None:
         one = self.chosen()
@@ -320,9 +303,16 @@ class CertificatePage(QWidget):
             self.write_report(one["path"], out)
 
     def write_report(self, source: str, out: str) -> None:
-        """Write the report of a calibration to `out`."""
+        """Write the report of a calibration to `out`; what people read is opened."""
         written = self.tr("Written: {0}").format(out)
-        self._tell("report", lambda _: written, source=source, out=out)
+
+        def said(_: object) -> str:
+            self.folder.show_folder(out)
+            if not out.endswith(".xml"):
+                open_outside(out)
+            return written
+
+        self._tell("report", said, source=source, out=out)
         self.said.setText(self.tr("Writing the report …"))
 
     def _hand_out(self) -> None:
@@ -332,8 +322,13 @@ class CertificatePage(QWidget):
     def hand_out(self, folder: str) -> None:
         """Copy the chosen calibration, its signatures and the public keys to `folder`."""
         if (one := self.chosen()) is not None:
-            said = self.tr("Copied to {0}").format(folder)
-            self._tell("hand_out", lambda _: said, path=one["path"], folder=folder)
+            words = self.tr("Copied to {0}").format(folder)
+
+            def said(_: object) -> str:
+                self.folder.show_folder(folder)
+                return words
+
+            self._tell("hand_out", said, path=one["path"], folder=folder)
 
     def _apply(self) -> None:
         source, _ = QFileDialog.getOpenFileName(self, self.tr("Readings of this DUT"), "", "CSV (*.csv)")
@@ -357,6 +352,7 @@ class CertificatePage(QWidget):
             self.fault.show_fault(fault)
 
         self.fault.show_fault(None)
+        self.folder.show_folder("")
         self._desk.clerk.ask(do, lambda said: self.said.setText(words(said)), failed, **what)
 
     def verify(self, path: str) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSplitter, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import RunChooser
+from labcal.gui.chooser import NO_RUNS, RunChooser, to_run
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.fit_views import FitViews
@@ -65,6 +65,7 @@ class FitPage(QWidget):
     def _head(self) -> QHBoxLayout:
         self.chooser = RunChooser(self._desk)
         self.chooser.chosen.connect(self.open_run)
+        self.chooser.known.connect(self._say_empty)
         self.fit = button(self.tr("Fit"), self.tr("Estimate by maximum likelihood, the default method"), primary=True)
         self.fit.clicked.connect(lambda: self._study.fit("ml"))
         self.all = button(self.tr("All methods"), self.tr("Estimate by every method, to see whether they agree"))
@@ -76,6 +77,7 @@ class FitPage(QWidget):
         self.trace = button(self.tr("Trace the residual"), self.tr("Find what causes what is left over: the Loop page"))
         self.trace.clicked.connect(self._trace)
         row = QHBoxLayout()
+        row.setSpacing(GRID)
         row.addWidget(self.chooser, 1)
         for widget in (self.cancel, self.fit, self.all, self.draft, self.trace):
             row.addWidget(widget)
@@ -83,13 +85,15 @@ class FitPage(QWidget):
 
     def _table_card(self) -> Card:
         card = Card(self.tr("Methods side by side"), self.tr("value ± U, k=2; choose a column to see its pictures"))
-        self.empty = label(self.tr("Choose a run above, then Fit."), "ask", wrap=True)
+        self.empty = label("", "ask", wrap=True)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.table = Table((self.tr("parameter"),))
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
+        self.to_run = to_run(self._desk)
         card.body.addWidget(self.empty, 1)
+        card.body.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         card.body.addWidget(self.table, 1)
         self.why = label("", "caption", wrap=True)
         card.body.addWidget(self.why)
@@ -135,9 +139,15 @@ class FitPage(QWidget):
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
         self._turns.add(self._show_fits, self._show_pictures)
-        if study.run and not study.fits:
-            ready = self.tr("Fit estimates K and k; All methods compares eleven ways.")
-            self.empty.setText(self.tr("The first method takes some seconds.") if study.busy else ready)
+        self._say_empty()
+
+    def _say_empty(self) -> None:
+        """What to do where there is no fit yet."""
+        study, none = self._study, self.chooser.none and not self._study.run
+        ready = self.tr("Fit estimates K and k; All methods compares eleven ways.")
+        waits = self.tr("The first method takes some seconds.") if study.busy else ready
+        self.empty.setText(say(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit."))
+        self.to_run.setVisible(none)
 
     def _show_fits(self) -> None:
         fits = self._study.fits

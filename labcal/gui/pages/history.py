@@ -14,10 +14,11 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog,
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.measurement_table import Table
+from labcal.gui.outside import FolderButton
 from labcal.gui.plots import ink, name_above, plot
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label
+from labcal.gui.widgets import Card, button, label, shrinking
 from labcal.gui.words import say
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
@@ -92,13 +93,18 @@ class HistoryPage(QWidget):
         row.addWidget(self.search, 1)
         for widget in (self.open, self.export, self.correct, take):
             row.addWidget(widget)
+        self.said, self.folder = shrinking(label("", "caption")), FolderButton()
         self.table = Table(HEADINGS, stretch=6)
         self.table.itemSelectionChanged.connect(self._chosen)
         self.table.doubleClicked.connect(self._open)
         self.empty = label(
             self.tr("No such run. A run from the Run page, or an imported bundle, comes up here."), "caption"
         )
+        where = QHBoxLayout()
+        where.addWidget(self.said, 1)
+        where.addWidget(self.folder)
         card.body.addLayout(row)
+        card.body.addLayout(where)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
         return card
@@ -193,9 +199,18 @@ class HistoryPage(QWidget):
         start = str(Path.home() / one["run_id"])
         out, kind = QFileDialog.getSaveFileName(self, self.tr("Export the run"), start, ";;".join(FORMATS))
         if out:
-            said = self.tr("Exported: {0}").format(out)
-            self._desk.clerk.ask("export", lambda _: self._desk.lab.update(message=said), self.fault.show_fault,
-                                 run=one["run_id"], format=FORMATS[kind], out=out)  # fmt: skip
+            self.export_to(one["run_id"], FORMATS[kind], out)
+
+    def export_to(self, run: str, kind: str, out: str) -> None:
+        """Write `run` to `out`, then say where it lies."""
+        words = self.tr("Exported: {0}").format(out)
+
+        def known(_: object) -> None:
+            self.said.setText(words)
+            self.folder.show_folder(out)
+            self._desk.lab.update(message=words)
+
+        self._desk.clerk.ask("export", known, self.fault.show_fault, run=run, format=kind, out=out)
 
     def _import(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("Import a run bundle"), "", "*.zip")

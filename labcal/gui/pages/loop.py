@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QPlainTextEdit, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import RunChooser
+from labcal.gui.chooser import NO_RUNS, RunChooser, to_run
 from labcal.gui.desk import Desk
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.numbers import number
@@ -72,9 +72,10 @@ class LoopPage(QWidget):
         self.fault = FaultCard()
         self.fault.report_asked.connect(desk.report_asked)
         column.addWidget(self.fault)
-        self.empty = label(self.tr("Choose a run above, then let its residual be traced to a cause."), "ask", wrap=True)
+        self.empty, self.to_run = label("", "ask", wrap=True), to_run(desk)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         column.addWidget(self.empty, 1)
+        column.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         self.story = self._story()
         column.addWidget(self.story, 1)
         self._turns = Turns(self)
@@ -85,6 +86,7 @@ class LoopPage(QWidget):
     def _head(self) -> QHBoxLayout:
         self.chooser = RunChooser(self._desk)
         self.chooser.chosen.connect(self._study.open)
+        self.chooser.known.connect(self._say_empty)
         self.close_loop = button(
             self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
         )
@@ -206,7 +208,6 @@ class LoopPage(QWidget):
         if study.run and self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
         self.fault.show_fault(study.fault)
-        working = "loop" in study.waiting
         self._tell()
         self.cancel.setVisible(study.busy)
         self.close_loop.setVisible(not study.busy)
@@ -216,12 +217,20 @@ class LoopPage(QWidget):
         set_primary(self.sign, study.loop is not None)
         self.story.setVisible(study.loop is not None)
         self.empty.setVisible(study.loop is None)
-        if working:
-            self.empty.setText(self.tr("Looking at the residual; a whole preflight takes about a minute."))
-        elif study.run:
-            self.empty.setText(self.tr("Trace the residual of this run to its cause."))
+        self._say_empty()
         if study.loop is not None:
             self._show_loop(study.loop["loop"], study.loop["remarks"])
+
+    def _say_empty(self) -> None:
+        """What to do where nothing is traced yet."""
+        study, none = self._study, self.chooser.none and not self._study.run
+        words = self.tr("Choose a run above, then let its residual be traced to a cause.")
+        if "loop" in study.waiting:
+            words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
+        elif study.run:
+            words = self.tr("Trace the residual of this run to its cause.")
+        self.empty.setText(say(NO_RUNS) if none else words)
+        self.to_run.setVisible(none)
 
     def _tell(self) -> None:
         """How far the work is."""
@@ -354,8 +363,11 @@ class LoopPage(QWidget):
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
         both = (unpack(one["before"]), unpack(one["after"]))
         rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
-        self.change_words.setText(" → ".join(rms) + " nT")
-        return self.change_words.setToolTip(self.tr("Rms over all rows, before and after"))
+        self.change_words.setText(self.tr("all rows: {0} nT").format(" → ".join(rms)))
+        tip = self.tr(
+            "Rms over all rows, before and after; the figures at the top are of rows that the fit did not see"
+        )
+        return self.change_words.setToolTip(tip)
 
     def _show_change(self) -> None:
         one, said, theme, name = self._one(), self._study.loop, self._theme, self.against.currentText()

@@ -14,7 +14,9 @@ from labcal.gui.pace import PACES
 from labcal.gui.theme import GRID
 from labcal.gui.turns import Turns
 from labcal.gui.widgets import Card, button, label
-from labcal.gui.words import say
+from labcal.gui.words import procedure_words, say
+
+PACE_WORDS = {"true": "real time"}
 
 
 class Choose(QWidget):
@@ -63,10 +65,10 @@ class Choose(QWidget):
         self.objection = label("", "caption")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
         for pace in PACES:
-            self.pace.addItem(say(pace), pace)
+            self.pace.addItem(say(PACE_WORDS.get(pace, pace)), pace)
         self.pace.setCurrentIndex(self.pace.findData(str(self._desk.settings.value("pace", "20 times"))))
         self.pace.setToolTip(
-            self.tr("How fast simulated time passes: true speed, faster, or as fast as the computer goes")
+            self.tr("How fast simulated time passes: as in the lab, faster, or as fast as the computer goes")
         )
         self.pace.currentIndexChanged.connect(lambda _: self._desk.settings.setValue("pace", self.pace.currentData()))
         tip = self.tr("Asks every instrument who it is, then begins. Nothing is energised before you are asked.")
@@ -104,7 +106,8 @@ class Choose(QWidget):
                 self._check()
 
         def planned(lines: list[str]) -> None:
-            say("\n".join([*lines, *self._what_for()]))
+            self.needs.setText(needs_words(self._procedures[name] | {"lasts_min": 0}))  # the plan says it better
+            say("\n".join([*lines[1:], *self._what_for()]))  # the first line stands above as heading
 
         self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
         self.plan.show()
@@ -128,6 +131,7 @@ class Choose(QWidget):
             self._rehearsed = self._planned = None
             self.plan.clear()
             self.plan.hide()
+            self.needs.setText(needs_words(self._procedures[self.list.currentItem().text()]))
         self._check()
 
     def _known(self, procedures: list[dict[str, Any]]) -> None:
@@ -147,7 +151,7 @@ class Choose(QWidget):
 
     def _chosen(self, name: str) -> None:
         one = self._procedures[name]
-        self._heading.setText(name)
+        self._heading.setText(procedure_words(name))
         self.title.setText(one["title"])
         self.needs.setText(needs_words(one))
         self.form = Form([spec_of(p) for p in one["parameters"]])

@@ -28,7 +28,7 @@ from labcal.gui.prompt_card import PromptCard
 from labcal.gui.theme import GRID, Theme
 from labcal.gui.widgets import Card, button, label, laid_out_later, set_primary, shrinking
 from labcal.gui.wire import Fault
-from labcal.gui.words import say
+from labcal.gui.words import procedure_words, say
 
 FRAME_MS = 40
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
@@ -77,7 +77,7 @@ class Live(QWidget):
 
     def _left(self) -> QWidget:
         card = Card()
-        card.setMinimumWidth(32 * GRID)
+        card.setMinimumWidth(22 * GRID)
         self.title = label("", "title", wrap=True)
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)
@@ -112,7 +112,7 @@ class Live(QWidget):
         self.close_run = button(self.tr("Close"), self.tr("Back to the procedures; the run is in the History"))
         self.close_run.clicked.connect(self.put_away)
         self.fit = button(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
-        self.fit.clicked.connect(lambda: self._desk.study_asked.emit(self._run.run_id))
+        self.fit.clicked.connect(self._fit)
         row = QHBoxLayout()
         for widget in (self.pause, self.stop, self.close_run, self.fit):
             row.addWidget(widget)
@@ -162,6 +162,11 @@ class Live(QWidget):
         card.body.addWidget(self.table)
         return card
 
+    def _fit(self) -> None:
+        """To the Fit page, which begins at once: it was asked for."""
+        self._desk.study_asked.emit(self._run.run_id)
+        self._desk.study_vm.fit("ml")
+
     def _note(self) -> None:
         self._run.note(self.note.text())
         self.note.clear()
@@ -186,7 +191,7 @@ class Live(QWidget):
     def _show(self) -> None:
         run = self._run
         ended = run.state == "ended"
-        self.title.setText(run.order.procedure if run.order else "")
+        self.title.setText(procedure_words(run.order.procedure) if run.order else "")
         self._show_steps()
         self.pause.setText(self.tr("Go on") if run.state == "paused" else self.tr("Pause"))
         self.pause.setEnabled(run.state in ("running", "asking", "paused"))

@@ -14,10 +14,10 @@ from labcal.gui.desk import Desk
 from labcal.gui.numbers import number
 from labcal.gui.theme import GRID, STATES, Theme
 from labcal.gui.widgets import Card, button, flat, label, set_state, shrinking
+from labcal.gui.words import MORNING, MORNING_CHECKS, say
 
 DUE_DAYS = 365
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
-MORNING = ("morning-check", "axes-check")  # the first that is installed
 
 
 class StartPage(QWidget):
@@ -68,8 +68,8 @@ class StartPage(QWidget):
         today = QLocale().toString(QDate.currentDate(), "dddd, d MMMM")
         self.date, self.question = shrinking(label(today, "large")), label("", wrap=True)
         self.morning = button(
-            self.tr("Morning check"),
-            self.tr("Zero and axes, about 3 minutes; you are asked before anything is energised"),
+            say(MORNING),
+            self.tr("Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time"),
             primary=True,
         )
         self.morning.clicked.connect(self._morning)
@@ -105,7 +105,7 @@ class StartPage(QWidget):
         beside.setText(detail)
 
     def _morning(self) -> None:
-        self._desk.procedure_asked.emit("|".join(MORNING))
+        self._desk.procedure_asked.emit("|".join(MORNING_CHECKS))
 
     def _enable(self) -> None:
         objection = self._desk.objection()

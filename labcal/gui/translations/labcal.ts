@@ -198,6 +198,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The same once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new key&apos;s passphrase is typed twice: nothing can bring it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Sign</source>
         <translation type="unfinished"></translation>
     </message>
@@ -270,7 +278,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} has no key here: New key makes one under the passphrase that you type.</source>
+        <source>The two passphrases differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has no key here: type a passphrase twice, and New key makes one under it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -329,7 +341,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How fast simulated time passes: true speed, faster, or as fast as the computer goes</source>
+        <source>How fast simulated time passes: as in the lab, faster, or as fast as the computer goes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -640,6 +652,34 @@
         <source>{0} (Ctrl+{1})</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the page {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys   F1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which keys there are, and what each does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils off, at any moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held for {0:g} s: the answer on the button of this key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>HistoryPage</name>
@@ -733,6 +773,25 @@
     </message>
     <message>
         <source>Calibrations of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark or light is as the system has it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put this sheet away (Esc)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -978,7 +1037,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rms over all rows, before and after</source>
+        <source>all rows: {0} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rms over all rows, before and after; the figures at the top are of rows that the fit did not see</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1033,10 +1096,6 @@
     </message>
     <message>
         <source>Go on without a file; the record says so</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Redo axis {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1117,6 +1176,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No bench is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✓ all at zero</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1145,14 +1208,6 @@
     </message>
     <message>
         <source>Last runs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Morning check</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zero and axes, about 3 minutes; you are asked before anything is energised</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1209,6 +1264,10 @@
     </message>
     <message>
         <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1280,6 +1339,13 @@
     </message>
 </context>
 <context>
+    <name>Table</name>
+    <message>
+        <source>in a table: its chosen rows to the clipboard, or all</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>TopBar</name>
     <message>
         <source>Serial number of the device under test: type it, or scan it at any moment</source>
@@ -1321,6 +1387,10 @@
 <context>
     <name>Window</name>
     <message>
+        <source>letters to be read from two metres, and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Save a problem report</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1357,6 +1427,78 @@
     </message>
     <message>
         <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mounted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hands off: begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo axis {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not heard yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show in the file manager what was just written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record a run, or import one on the History page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No run yet: record one on the Run page, or import a bundle on the History page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Morning check</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1572,7 +1714,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>true</source>
+        <source>real time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
