@@ -109,6 +109,10 @@ class CageView(QWidget):
             for n, (title, eye) in enumerate(FLAT):
                 area = QRectF(space + n * flat, 0, flat, self.height())
                 self._view(painter, area, say(title), seen_from(*eye), 0.34)
+            if self.hasFocus():
+                painter.setPen(QPen(QColor(self._theme.accent), 2))
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+                painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
 
     def _view(self, painter: QPainter, area: QRectF, title: str, eye: Array, share: float) -> None:
         centre = QPointF(area.center().x(), area.center().y() + (10 if title else 0))
