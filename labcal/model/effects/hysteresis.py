@@ -14,9 +14,8 @@ field points anywhere.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
@@ -37,15 +36,22 @@ TO_AND_FRO = 2.0**1.5  # standard deviations that a sine is wide
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
 
 
-def stop(drive: Array, threshold: float, *, at_rest: bool = True) -> Array:
-    """The stop operator along rows of drive (n, k) [nT]: within ± threshold, at rest in the first row or at drive 0."""
-    return clipped(np.diff(drive, axis=0, prepend=drive[:1] * at_rest), threshold)
+def stop(drive: Array, threshold: Array | float, starts: Sequence[int] = (0,), *, at_rest: bool = True) -> Array:
+    """The stop operator along rows of drive (n, k) [nT]: within ± threshold (one, or k).
+
+    It starts anew in each row of `starts`, at rest in the field there or at drive 0.
+    """
+    steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
+    steps[first] = 0.0 if at_rest else drive[first]
+    return clipped(steps, threshold, first)
 
 
-def dahl(drive: Array, width: float) -> Array:
-    """Dahl's loop along rows of drive (n, k), within ± 1: dz = (sign(dx) − z) |dx| / width, starting at rest."""
-    steps = np.diff(drive, axis=0, prepend=drive[:1])
+def dahl(drive: Array, width: float, starts: Sequence[int] = (0,)) -> Array:
+    """Dahl's loop along rows of drive (n, k), within ± 1: dz = (sign(dx) − z) |dx| / width; at rest in `starts`."""
+    steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
+    steps[first] = 0.0
     keep = np.exp(-np.abs(steps) / width)
+    keep[first] = 0.0
     return affine(keep, np.sign(steps) * (1 - keep), 0.0)
 
 
@@ -58,17 +64,17 @@ def kernel(form: Form, scene: Scene) -> Array:
     s = driving(form, scene if scene.rig is None else replace(scene, quiet_nT=scene.rig.prediction_nT))
     names = {shape.name for shape in form.shape}
     if "w_nT" in names:
-        loops = [_by_segment(scene, s, partial(dahl, width=form.at("w_nT")))]
+        loops = [dahl(s, form.at("w_nT"), _starts(scene))]
     elif "s_nT" in names:
-        play = s - _by_segment(scene, s, partial(stop, threshold=form.at("r_nT")))
+        play = s - stop(s, form.at("r_nT"), _starts(scene))
         level = form.at("s_nT")
         loops = [np.tanh(play / level) - np.tanh(s / level), bend(s / level), *(s**k for k in BENDS)]
     elif "lon_deg" in names:
         along = s @ _direction(form.at("lon_deg"), form.at("lat_deg"))
-        loops = [_stopped(form, scene, along[:, None], r) for r in _thresholds(form)]
+        loops = _stopped(form, scene, along[:, None])
         return np.concatenate([on_each_axis(loop[:, 0]) for loop in loops], axis=2)
     else:
-        loops = [_stopped(form, scene, s, r) for r in _thresholds(form)]
+        loops = _stopped(form, scene, s)
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
 
 
@@ -77,15 +83,17 @@ def _direction(lon_deg: float, lat_deg: float) -> Array:
     return np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
 
 
-def _stopped(form: Form, scene: Scene, s: Array, threshold: float) -> Array:
+def _stopped(form: Form, scene: Scene, s: Array) -> list[Array]:
+    """The stop of each threshold (n, k), all in one pass."""
     kept = next((shape.value for shape in form.shape if shape.name == "kept"), None)
-    if kept == 1:
-        return stop(s, threshold, at_rest=False)
-    return _by_segment(scene, s, partial(stop, threshold=threshold, at_rest=kept is None))
+    thresholds, k = _thresholds(form), s.shape[1]
+    starts = [0] if kept == 1 else _starts(scene)
+    side_by_side = np.tile(s, len(thresholds)), np.repeat(thresholds, k)
+    return np.split(stop(*side_by_side, starts, at_rest=kept is None), len(thresholds), axis=1)
 
 
-def _by_segment(scene: Scene, s: Array, loop: Callable[[Array], Array]) -> Array:
-    return np.concatenate([loop(s[rows]) for rows in stretches(scene.segment)])
+def _starts(scene: Scene) -> list[int]:
+    return [rows.start for rows in stretches(scene.segment)]
 
 
 def _thresholds(form: Form) -> list[float]:

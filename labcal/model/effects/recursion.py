@@ -23,14 +23,18 @@ def affine(keep: Array, add: Array, start: Array | float) -> Array:
     return np.asarray(keep * start + add)
 
 
-def clipped(step: Array, limit: float) -> Array:
-    """z_i = min(max(z_{i−1} + step_i, −limit), limit) along rows (n, ...), from z = 0 before the first row."""
-    add, low, high = step.copy(), np.full_like(step, -limit), np.full_like(step, limit)
-    reach = 1
-    while reach < len(step):
-        low[reach:], high[reach:] = (
-            np.clip(bound[:-reach] + add[reach:], low[reach:], high[reach:]) for bound in (low, high)
-        )
+def clipped(step: Array, limit: Array | float, anew: NDArray[np.intp]) -> Array:
+    """z_i = min(max(z_{i−1} + step_i, −limit), limit) along rows (n, k), from z = 0 before each row of `anew` (starts).
+
+    `limit` is one for all columns, or (k,). The first row is one of `anew`.
+    """
+    add, bounds = step.copy(), np.empty((2, *step.shape))
+    bounds[0], bounds[1] = -limit, limit
+    bounds[:, anew] = np.clip(step[anew], -limit, limit)
+    longest, reach = int(np.diff(anew, append=len(step)).max(initial=0)), 1
+    while reach < longest:
+        low, high = bounds[:, reach:]
+        bounds[:, reach:] = np.minimum(np.maximum(bounds[:, :-reach] + add[reach:], low), high)
         add[reach:] = add[reach:] + add[:-reach]
         reach *= 2
-    return np.asarray(np.clip(add, low, high))
+    return np.asarray(np.minimum(np.maximum(add, bounds[0]), bounds[1]))
