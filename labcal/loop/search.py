@@ -370,11 +370,13 @@ class Search:
 def new_to(columns: Array, part: Array) -> Array:
     """Combinations of `part` (n, q, p) of which more than SEEN of the square is new to `columns` (n, q, b)."""
     n, q, _ = part.shape
-    X, own = (a.reshape(n * q, -1) / np.maximum(np.sqrt(np.sum(a**2, axis=(0, 1))), 1e-300) for a in (columns, part))
-    cross = X.T @ own
-    left = own.T @ own - cross.T @ np.linalg.pinv(X.T @ X, rcond=NOTHING, hermitian=True) @ cross
+    X, own = columns.reshape(n * q, -1), part.reshape(n * q, -1)
+    gram, cross, left = X.T @ X, X.T @ own, own.T @ own
+    size, length = (np.maximum(np.sqrt(np.diag(g)), 1e-300) for g in (gram, left))
+    gram, cross, left = gram / np.outer(size, size), cross / np.outer(size, length), left / np.outer(length, length)
+    left = left - cross.T @ np.linalg.pinv(gram, rcond=NOTHING, hermitian=True) @ cross
     values, vectors = np.linalg.eigh(left)
-    return np.asarray((own @ vectors[:, values > SEEN]).reshape(n, q, -1))
+    return np.asarray((own @ (vectors[:, values > SEEN] / length[:, None])).reshape(n, q, -1))
 
 
 def minimise(A: Array, y: Array, base: int, seen: float = SEEN) -> Array:

@@ -76,8 +76,7 @@ def spectrum_of(moved: Array, y: Array) -> tuple[Bands, Array]:
 
 def weighted_gram(moved: Array, bands: Bands, weight: Array) -> Array:
     """Σ_k weight_k G_k (b, b) over the bands, for transformed columns (n, q, b)."""
-    parts = [moved[a:b].reshape(-1, moved.shape[2]) for a, b in itertools.pairwise(bands.edges)]
-    return np.asarray(sum(w * part.T @ part for w, part in zip(weight, parts, strict=True)))
+    return np.asarray(np.tensordot(weight, _grams(moved, bands), axes=1))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -102,24 +101,24 @@ class Stage:
     right: Array  # (n q, b + 1) both
     bands: Bands
     lowest: float
-    inverse: Array  # (tried, b, b) of the weighted Gram matrices, columns at unit length
-    solved: Array  # (tried, b) coefficients of y
+    half: Array  # (tried, b, b) lower L of the weighted Gram matrices L Lᵀ, columns at unit length
+    pulled: Array  # (tried, b) L⁻¹ times their products with y
     rss: Array  # (tried,)
     null: Likelihood
 
     @classmethod
     def of(cls, columns: Array, y: Array, bands: Bands, lowest: float) -> Stage:
         """Eliminate `columns` (n, q, b), whatever their lengths."""
-        columns = columns / np.maximum(np.sqrt(np.sum(columns**2, axis=(0, 1))), 1e-300)
         both = np.concatenate([columns, y], axis=2)
-        total = _weighted(columns, both, bands)
-        A, b = total[:, :, :-1], total[:, :, -1]
-        inverse = np.linalg.inv(A + RIDGE * np.eye(A.shape[1]) * np.trace(A, axis1=1, axis2=2)[:, None, None])
-        solved = np.einsum("tij,tj->ti", inverse, b)
-        yy = _weighted(y, y, bands)[:, 0, 0]
-        rss = np.maximum(yy - np.sum(solved * b, axis=1), 1e-300)
+        columns = both[:, :, :-1]
+        columns /= np.maximum(np.sqrt(np.einsum("nqb,nqb->b", columns, columns)), 1e-300)
+        total = np.tensordot(1.0 / bands.spectra, _grams(both, bands), axes=1)
+        A, b, yy = total[:, :-1, :-1], total[:, :-1, -1:], total[:, -1, -1]
+        half = np.linalg.cholesky(A + RIDGE * np.eye(A.shape[1]) * np.trace(A, axis1=1, axis2=2)[:, None, None])
+        pulled = _divided(half, b)[:, 0]
+        rss = np.maximum(yy - np.sum(pulled**2, axis=1), 1e-300)
         null = _best(rss[:, None], y.size, y.shape[1], bands, lowest)[0]
-        return cls(columns, y, both.reshape(-1, both.shape[2]), bands, lowest, inverse, solved, rss, null)
+        return cls(columns, y, both.reshape(-1, both.shape[2]), bands, lowest, half, pulled, rss, null)
 
     def beside(self, X: Array) -> tuple[Likelihood, int]:
         """The likelihood with the transformed columns X (n, q, p) too, and how many directions they add."""
@@ -131,8 +130,9 @@ class Stage:
         `ground` are their Gram matrices with the first of the columns here and with y, where they are known.
         """
         own, cross, pull = self._totals(X, ground)
-        schur = own - np.swapaxes(cross, 2, 3) @ _split(self.inverse @ _joined(cross), X.shape[2])
-        pull = pull - _split(self.solved[:, None, :] @ _joined(cross), X.shape[2])[:, :, 0]
+        stood = _divided(self.half, cross).reshape(*pull.shape, -1)
+        schur = own - stood @ np.swapaxes(stood, 2, 3)
+        pull = pull - (stood @ self.pulled[:, None, :, None])[..., 0]
         values, vectors = np.linalg.eigh(schur[0])
         new = values > least * np.trace(own[0], axis1=1, axis2=2)[:, None] / X.shape[3]
         drop = _explained(np.swapaxes(vectors, 1, 2) @ schur @ vectors, (pull[:, :, None, :] @ vectors)[:, :, 0], new)
@@ -143,7 +143,7 @@ class Stage:
     def _totals(self, X: Array, ground: Grams | None) -> tuple[Array, Array, Array]:
         """Gram matrices of X at unit length under every spectrum.
 
-        With itself (tried, c, p, p), with the columns here (tried, c, b, p), and with y (tried, c, p).
+        With itself (tried, c, p, p), with the columns here (tried, b, c p), and with y (tried, c, p).
         """
         if ground is None:
             found = Grams.of(X, self.right, self.bands)
@@ -152,8 +152,8 @@ class Stage:
         length = np.sqrt(np.maximum(np.einsum("kcpp->cp", found.own), 1e-300))
         weight = 1.0 / self.bands.spectra
         own = np.tensordot(weight, found.own, axes=1) / (length[:, :, None] * length[:, None, :])
-        cross = _split(np.tensordot(weight, found.cross, axes=1) / length.ravel(), X.shape[2])
-        return own, cross[:, :, :-1], cross[:, :, -1]
+        cross = np.tensordot(weight, found.cross, axes=1) / length.ravel()
+        return own, cross[:, :-1], cross[:, -1].reshape(len(weight), *length.shape)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -189,14 +189,11 @@ def _crossed(X: Array, right: Array, bands: Bands) -> Array:
     return out
 
 
-def _joined(parts: Array) -> Array:
-    """(tried, c, b, p) side by side, (tried, b, c p)."""
-    return np.asarray(np.swapaxes(parts, 1, 2).reshape(len(parts), parts.shape[2], -1))
+def _divided(half: Array, columns: Array) -> Array:
+    """(L⁻¹ columns)ᵀ (tried, m, b) for each lower L of `half` (tried, b, b) and columns (tried, b, m)."""
+    from scipy.linalg.blas import dtrsm
 
-
-def _split(joined: Array, c: int) -> Array:
-    """The reverse."""
-    return np.asarray(np.swapaxes(joined.reshape(*joined.shape[:2], c, -1), 1, 2))
+    return np.stack([dtrsm(1.0, lower.T, right.T, side=1) for lower, right in zip(half, columns, strict=True)])
 
 
 def _explained(schur: Array, pull: Array, new: NDArray[np.bool_]) -> Array:
@@ -210,19 +207,10 @@ def _explained(schur: Array, pull: Array, new: NDArray[np.bool_]) -> Array:
 RIDGE = 1e-12
 
 
-def _weighted(left: Array, right: Array, bands: Bands) -> Array:
-    """Gram matrices (tried, p, r) under every spectrum."""
-    return np.asarray(np.tensordot(1.0 / bands.spectra, _grams(left, right, bands), axes=1))
-
-
-def _grams(left: Array, right: Array, bands: Bands) -> Array:
-    """Gram matrices (bands, p, r)."""
-    return np.stack(
-        [
-            left[a:b].reshape(-1, left.shape[2]).T @ right[a:b].reshape(-1, right.shape[2])
-            for a, b in itertools.pairwise(bands.edges)
-        ]
-    )
+def _grams(columns: Array, bands: Bands) -> Array:
+    """Gram matrices (bands, p, p) of columns (n, q, p)."""
+    parts = (columns[a:b].reshape(-1, columns.shape[2]) for a, b in itertools.pairwise(bands.edges))
+    return np.stack([part.T @ part for part in parts])
 
 
 def _best(rss: Array, size: int, q: int, bands: Bands, lowest: float) -> list[Likelihood]:
