@@ -7,6 +7,7 @@ another name.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import partial
@@ -29,6 +30,7 @@ MATERIAL = 0.03  # of the noise's square: a smaller drop of the mean square is n
 SHARE = 0.01  # of all that was explained: a smaller part is a detail of the first effect's shape
 SHARE_OF_REST = 0.08  # of what still lies above the noise, beside all looks of the first: this is more than a detail
 SECANTS = 6  # rounds of a lag's own
+DIRECTIONS = 3  # in which columns are compared
 COMPANION = 0.7  # of the drop of the heaviest
 OWN_PART = 0.03  # of the drop of a cause that extends another: what is its own has to bring as much,
 OWN_PART_OF_NOISE = 0.25  # or this part of the noise's square
@@ -158,17 +160,38 @@ def _spanned(search: Search, chosen: Candidate, ids: Collection[str]) -> list[Ar
     kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
 
     def made() -> Array:
-        return spanning(np.concatenate([search.moved(c) for c in kin], axis=2))
+        distinct = search.once(
+            ("distinct", *(id(c.form) for c in kin)), (), lambda: _distinct(search, kin), everywhere=True
+        )
+        parts = [search.moved(c)[:, :, places] for c, places, _ in distinct]
+        return spanning(np.concatenate(parts, axis=2), np.concatenate([times for _, _, times in distinct]))
 
     return [search.once(("spanned", *(id(c.form) for c in kin)), (), made)] if kin else []
 
 
-def spanning(columns: Array, least: float = 1e-4) -> Array:
-    """A few columns (n, q, few) that span the given ones to a part `least` of their norms."""
+def _distinct(search: Search, kin: Sequence[Candidate]) -> list[tuple[Candidate, NDArray[np.intp], Array]]:
+    """Where columns that the looks have in common stand first, and how often each comes: a curve's are in every loop's.
+
+    Columns are the same where they are, at unit length, in a few directions drawn at random.
+    """
+    some = np.concatenate([search.columns(c) for c in kin], axis=2)
+    some = some.reshape(-1, some.shape[2])
+    drawn = np.random.default_rng(0).normal(size=(DIRECTIONS, len(some))) @ some
+    some = np.round(drawn / np.maximum(np.sqrt(np.einsum("nc,nc->c", some, some)), 1e-300), 9)
+    _, first, times = np.unique(some, axis=1, return_index=True, return_counts=True)
+    order, ends = np.argsort(first), np.cumsum([0, *(len(c.form.parameters) for c in kin)])
+    first, times = first[order], times[order].astype(float)
+    inside = [(first >= a) & (first < b) for a, b in itertools.pairwise(ends)]
+    found = zip(kin, ends[:-1].tolist(), inside, strict=True)
+    return [(c, first[here] - start, times[here]) for c, start, here in found if here.any()]
+
+
+def spanning(columns: Array, times: Array | float = 1.0, least: float = 1e-4) -> Array:
+    """A few columns (n, q, few) that span the given ones, each there so many `times`, to a part `least` of norms."""
     n, q, p = columns.shape
     flat = columns.reshape(n * q, p)
     gram = flat.T @ flat
-    size = np.maximum(np.sqrt(np.diag(gram)), 1e-150)
+    size = np.maximum(np.sqrt(np.diag(gram)), 1e-150) / np.sqrt(times)
     values, vectors = np.linalg.eigh(gram / np.outer(size, size))
     kept = values > least**2 * values[-1]
     few = flat @ (vectors[:, kept] / size[:, None] / np.sqrt(values[kept]))
