@@ -252,15 +252,17 @@ def search_of(problem: Problem, lowest: float) -> Search:
 def without_outliers(search: Search) -> Search:
     """The search on the rows that do not lie, once the effects that the others show are taken off."""
     segment = search.whole.scene.segment
-    here = search.without(outliers(search.whole.y, segment))
+    tried = [search, search.without(outliers(search.whole.y, segment))]
     for _ in range(2):
-        accepted = [] if here.good.all() else forward(here)[0]
+        here = tried[-1]
+        accepted = [] if here.good.all() else _chosen(here)[0]
         left, added = here.everywhere(accepted)
-        there = here.without(outliers(left, segment, added))
-        if there is here:
+        lying = outliers(left, segment, added)
+        known = [one for one in tried if bool((one.good == ~lying).all())]
+        tried.append(known[-1] if known else here.without(lying))
+        if tried[-1] is here:
             break
-        here = there
-    return here
+    return tried[-1]
 
 
 def _always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
