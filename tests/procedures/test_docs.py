@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
+from labcal.cli import _run
 from labcal.runner import procedures
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -18,12 +18,23 @@ TEXT = (ROOT / "docs" / "procedures.md").read_text(encoding="utf-8")
 OWN, FROM_PYTHON = re.findall(r"```python\n(.*?)```", TEXT, re.DOTALL)
 
 
-def labcal(*words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-c", "from labcal.cli import main; main()", *words]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+Labcal = Callable[..., SimpleNamespace]
 
 
-def test_ones_own_procedure_in_twenty_lines_runs_and_its_last_line_is_the_run_id(tmp_path: Path) -> None:
+@pytest.fixture
+def labcal(capsys: pytest.CaptureFixture[str]) -> Labcal:
+    """Runs a command; its exit code, and what it said."""
+
+    def run(*words: str) -> SimpleNamespace:
+        code, said = _run(list(words)), capsys.readouterr()
+        return SimpleNamespace(returncode=code, stdout=said.out, stderr=said.err)
+
+    return run
+
+
+def test_ones_own_procedure_in_twenty_lines_runs_and_its_last_line_is_the_run_id(
+    labcal: Labcal, tmp_path: Path
+) -> None:
     path = tmp_path / "my_test.py"
     path.write_text(OWN, encoding="utf-8")
     bench = str(ROOT / "examples" / "simulated.toml")
@@ -65,7 +76,7 @@ def test_every_installed_procedure_is_in_the_table() -> None:
     ],
 )
 def test_a_file_that_is_no_procedure_is_refused_in_a_sentence(
-    tmp_path: Path, bench_file: Callable[..., Path], text: str | None, says: str
+    labcal: Labcal, tmp_path: Path, bench_file: Callable[..., Path], text: str | None, says: str
 ) -> None:
     path = tmp_path / "my_test.py"
     if text is not None:
