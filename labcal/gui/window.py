@@ -21,12 +21,10 @@ from labcal.gui.dress import bare, dress, wearers
 from labcal.gui.fault_card import FaultCard
 from labcal.gui.frame import Frame
 from labcal.gui.key_sheet import explained
-from labcal.gui.problem import save_problem
 from labcal.gui.scanner import Scanner
 from labcal.gui.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.turns import AT_MOST_S, Turns
 from labcal.gui.wire import Fault
-from labcal.store.items import prepare
 
 if TYPE_CHECKING:
     from labcal.gui.pages.run import RunPage
@@ -99,6 +97,8 @@ class Later(QWidget):
 
 def import_pages() -> None:
     """What the pages are made of takes a second to import: in a thread of its own, the window is alive meanwhile."""
+    from labcal.store.items import prepare
+
     for name in PAGES:
         import_module(f"labcal.gui.pages.{name.lower()}")
     prepare()
@@ -261,6 +261,8 @@ class Window(Frame):
         self._procedure(name).choose.rehearse()
 
     def _save_problem(self, fault: Fault | None) -> None:
+        from labcal.gui.problem import save_problem
+
         start = str(Path.home() / "labcal-problem.zip")
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")
         if out:

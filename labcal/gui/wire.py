@@ -1,4 +1,7 @@
-"""What goes between the window and its workers: one JSON object a line; items of the timeline in compact form."""
+"""What goes between the window and its workers: one JSON object a line; items of the timeline in compact form.
+
+The store, which knows the form, is imported with the first item: the window is up before it is needed.
+"""
 
 from __future__ import annotations
 
@@ -13,17 +16,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record.stream import Item
-from labcal.store.items import Row, from_row, to_row
 
 
 def item_to_json(item: Item) -> list[Any]:
     """An item as the store writes it, samples in base64; the raw frames stay behind."""
+    from labcal.store.items import to_row
+
     row = to_row(item)
     return [row.kind, row.t_s, row.content, *(b64encode(part or b"").decode() for part in (row.stamps, row.samples))]
 
 
 def item_from_json(said: list[Any]) -> Item:
     """The item that `item_to_json` wrote."""
+    from labcal.store.items import Row, from_row
+
     kind, t_s, content, stamps, samples = said
     return from_row(Row(kind, t_s, content, b64decode(stamps), b64decode(samples)))
 
