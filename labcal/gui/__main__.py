@@ -28,6 +28,7 @@ def main() -> int:
     QLocale.setDefault(QLocale(QLocale.Language.English))
     speak(application, QLocale.system())
     window = open_window(given.bench)
+    sys.excepthook = window.desk.broke
     code = application.exec()
     window.desk.close()
     return code

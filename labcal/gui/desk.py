@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
+from traceback import format_exception
+from types import TracebackType
 from typing import Any
 
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
@@ -13,7 +17,7 @@ from labcal.gui.client import Client
 from labcal.gui.lab_vm import LabViewModel, Light
 from labcal.gui.run_vm import Order, RunViewModel
 from labcal.gui.study_vm import StudyViewModel
-from labcal.gui.wire import Fault
+from labcal.gui.wire import Fault, fault_of
 from labcal.home import home
 
 SILENT_S = 2.0
@@ -57,14 +61,18 @@ class Desk(QObject):
         self.clerk.ask(do, then, self.fault.emit, **what)
 
     def open_bench(self, bench: str) -> None:
-        """Take `bench` as the bench from here on."""
-        self.bench = str(Path(bench).resolve())
-        self.settings.setValue("bench", self.bench)
-        self.ask("bench", self._bench_known, bench=self.bench)
+        """Take `bench` as the bench from here on, unless a run goes on or it cannot be read."""
+        if self.run.alive:
+            return self.fault.emit(Fault("input", self.tr("A run goes on; open another bench after it.")))
+        path = str(Path(bench).resolve())
+        self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
+        return self.ask("bench", partial(self._bench_known, path), bench=path)
 
-    def _bench_known(self, facts: dict[str, Any]) -> None:
-        self.facts, self.answered = facts, {}
+    def _bench_known(self, path: str, facts: dict[str, Any]) -> None:
+        self.bench, self.facts, self.answered = path, facts, {}
+        self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts["dut"]["nominal_nT_per_unit"]
+        self.run.links = {name: one["link"] for name, one in facts["instruments"].items()}
         lights: tuple[tuple[str, Light, str], ...] = tuple((name, "absent", "") for name in facts["instruments"])
         serial = self.lab.state.dut_serial or facts["dut"]["serial"]
         self.lab.update(bench=facts["name"], simulated=facts["simulated"], dut_serial=serial, lights=lights)
@@ -132,6 +140,8 @@ class Desk(QObject):
             self._force.start()
         elif self.bench:
             self._switch_off()
+        else:
+            self.lab.update(message=self.tr("Coils off: no bench is open, this window drives no coil."))
 
     def _off_by_force(self) -> None:
         if self.run.alive:
@@ -210,6 +220,12 @@ class Desk(QObject):
             return name, "ok", ""
 
         return tuple(light(name, one["role"]) for name, one in self.facts.get("instruments", {}).items())
+
+    def broke(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        """What broke in the window itself is a card as well; the window goes on."""
+        details = "".join(format_exception(kind, error, trace))
+        print(details, file=sys.stderr)
+        self.fault.emit(fault_of(error, details))
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero."""

@@ -29,7 +29,7 @@ class FaultCard(Card):
     def __init__(self, closable: bool = True) -> None:
         super().__init__(" ")
         self.fault: Fault | None = None
-        self.text, self.remedy = label("", wrap=True), label("", wrap=True)
+        self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
         self.details = QPlainTextEdit()
         self.details.setReadOnly(True)
         self.details.hide()
@@ -50,7 +50,7 @@ class FaultCard(Card):
             row.addWidget(widget)
         row.addStretch()
         row.addWidget(close)
-        for part in (self.text, self.remedy, self.details):
+        for part in (self.text, self.coils, self.remedy, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -68,6 +68,7 @@ class FaultCard(Card):
         self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
         self.save.setVisible(not stopped)
         self.text.setText(fault.text)
+        self.coils.hide()
         self.remedy.setText(fault.remedy)
         self.remedy.setVisible(bool(fault.remedy))
         self.details.setPlainText(fault.details)
@@ -75,6 +76,11 @@ class FaultCard(Card):
         self.fold.setChecked(False)
         self.details.hide()
         return self.show()  # whole at once: what is folded widens no window
+
+    def say_coils(self, words: str) -> None:
+        """How the coils are left, below what happened."""
+        self.coils.setText(words)
+        self.coils.show()
 
     def _close(self) -> None:
         self.hide()

@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from labcal.gui.client import Works
 from labcal.gui.numbers import step_words
 from labcal.gui.ring import Ring
-from labcal.gui.wire import Fault, item_from_json
+from labcal.gui.wire import Fault, item_from_json, with_names
 from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
@@ -59,6 +59,7 @@ class RunViewModel(QObject):
         self._worker = worker
         worker.items.connect(self._take)
         self.nominal_nT_per_unit = nominal_nT_per_unit
+        self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: Order | None = None
         self.dut, self.reference = Ring(3), Ring(3)
         self._forget()
@@ -283,14 +284,18 @@ class RunViewModel(QObject):
 
     def _done(self, result: dict[str, Any]) -> None:
         self.run_id, self.status = result["run_id"], result["status"]
-        self.fault = Fault(**result["fault"]) if result["fault"] else None
+        self.fault = with_names(Fault(**result["fault"]), self.links) if result["fault"] else None
         self._over()
 
+    def _last_words(self) -> str:
+        return self.tr("Run {0}: {1}").format(self.run_id, self.status) if self.run_id else self.status
+
     def _failed(self, fault: Fault) -> None:
-        self.fault, self.status = fault, f"failed: {fault.text}"
+        self.fault = with_names(fault, self.links)
+        self.status = f"failed: {self.fault.text}"
         self._over()
 
     def _over(self) -> None:
-        self.prompt, self.segment, self.message = None, None, self.tr("Run {0}: {1}").format(self.run_id, self.status)
+        self.prompt, self.segment, self.message = None, None, self._last_words()
         self._be("ended")
         self.ended.emit(self.run_id, self.status)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from base64 import b64decode, b64encode
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +54,23 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
         return Fault(
             kind, str(error).replace(str(error.file), Path(str(error.file)).name, 1), "", details or str(error)
         )
+    if isinstance(error, OSError) and error.errno is not None:  # the disk, or a file: nothing in labcal broke
+        return Fault("input", _of_files(error), "", details)
     return Fault(kind, str(error) or type(error).__name__, "", details)
+
+
+def _of_files(error: OSError) -> str:
+    place = f"{error.filename}: " if error.filename else ""
+    return f"{place}{error.strerror or error}"
+
+
+def with_names(fault: Fault, links: Mapping[str, str]) -> Fault:
+    """`fault` with the instrument's name before its link; `links` by name."""
+    for link in sorted({*links.values()}, key=len, reverse=True):
+        if link in fault.text:
+            names = ", ".join(name for name, its in links.items() if its == link)
+            return replace(fault, text=fault.text.replace(link, f"{names} ({link})", 1))
+    return fault
 
 
 def pack(values: ArrayLike) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from labcal.bench.links.deny import DenyList
 from labcal.errors import InstrumentError
 
 ASK_STEP_S = 0.001
+SHOWN = 40  # bytes of a reply that never ended, in what is said of it
 QUIET_S, BABBLE_S = 0.3, 5.0
 
 
@@ -59,7 +60,7 @@ def read_reply(link: _Readable, clock: Clock, *, end: bytes | int, timeout_s: fl
     reply, deadline, stamp, looked = b"", clock.now() + timeout_s, clock.now(), False
     while (length := _complete(reply, end)) is None:
         if looked:
-            got = f"only {reply!r}" if reply else "nothing"
+            got = f"only {reply[:SHOWN]!r}{' …' * (len(reply) > SHOWN)}" if reply else "nothing"
             wait_for_quiet(link, clock, QUIET_S)  # so that a late reply does not answer the next question
             raise InstrumentError(
                 f"{link.url}: no reply in {timeout_s:g} s, {got} came.",

@@ -224,11 +224,24 @@ class Live(QWidget):
     def _show_fault(self, fault: Fault | None) -> None:
         self.fault.show_fault(fault)
         if fault is None:
-            self.fault.hide()
-        elif fault.kind == "stopped":
-            zero = self.tr("All coils are at zero.") if self._run.coils_at_zero else ""
-            kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
-            self.fault.text.setText(f"{zero} {kept}".strip())
+            return self.fault.hide()
+        if fault.kind != "stopped":
+            return self.fault.say_coils(self._coils_left(fault))
+        zero = self.tr("All coils are at zero.") if self._run.coils_at_zero else ""
+        kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
+        return self.fault.text.setText(f"{zero} {kept}".strip())
+
+    def _coils_left(self, fault: Fault) -> str:
+        """How the coils are after a run that failed."""
+        if self._run.coils_at_zero:
+            return self.tr("All coils are at zero.")
+        if fault.kind == "crash":
+            return self.tr("The coils are switched off by another process; the line at the bottom says how they are.")
+        if self._run.coil_A is None:
+            return self.tr("It failed before any coil was energised.")
+        return self.tr(
+            "The coils are NOT confirmed at zero: press COILS OFF (F12), or switch the supplies off at their mains."
+        )
 
     def _ask(self) -> None:
         prompt = self._run.prompt

@@ -1,0 +1,96 @@
+"""What goes wrong as a technician meets it: what happened, how the coils are, what to do; the window goes on."""
+
+import errno
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+
+from labcal.errors import InstrumentError
+from labcal.gui.run_vm import Order
+from labcal.gui.wire import Fault, fault_of, item_to_json, with_names
+from labcal.record.stream import Event, Prompt
+
+LINKS = {"reference": "serial:///dev/ttyUSB9", "supply_x": "modbus-rtu:///dev/ttyUSB1"}
+LOST = Fault("instrument", "serial:///dev/ttyUSB9: the link is lost.", "Plug it in.")
+ON = Event(1.0, "set-point", "on", {"read_back_A": [1.0, 0.0, 0.0]})
+ZERO = Event(2.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]})
+UNSURE = Event(2.0, "read-back", "NOT at zero", {"current_A": [1.0, 0.0, 0.0], "faults": ["x: silent"]})
+
+
+def fail(window, fault, *items):
+    run = window.desk.run
+    run.start(Order("preflight", "bench.toml"))
+    window.desk.bench_worker.items.emit([item_to_json(item) for item in items])
+    (_, _, failed, _) = window.desk.bench_worker.asked[-1]
+    failed(fault)
+    return window.page("Run").live.fault
+
+
+@pytest.mark.parametrize(
+    ("items", "words"),
+    [
+        ((), "It failed before any coil was energised."),
+        ((ON, ZERO), "All coils are at zero."),
+        ((ON, UNSURE), "The coils are NOT confirmed at zero: press COILS OFF (F12)"),
+        ((ON,), "The coils are NOT confirmed at zero: press COILS OFF (F12)"),
+    ],
+)
+def test_a_run_that_fails_says_how_it_left_the_coils(still, items, words):
+    card = fail(still, LOST, *items)
+    assert card.coils.isVisible()
+    assert card.coils.text().startswith(words)
+
+
+def test_a_fault_names_the_instrument_and_not_its_link_alone(still):
+    still.desk.run.links = LINKS
+    card = fail(still, LOST)
+    assert card.text.text() == "reference (serial:///dev/ttyUSB9): the link is lost."
+    assert ("reference", "fault", "failed") in still.desk.lab.state.lights
+    assert with_names(Fault("instrument", "dut: silent"), LINKS).text == "dut: silent"
+
+
+def test_a_full_disk_is_said_as_such_and_is_no_fault_of_labcal_s():
+    full = fault_of(OSError(errno.ENOSPC, "No space left on device", "/lab/runs.sqlite"))
+    assert (full.kind, full.text) == ("input", "/lab/runs.sqlite: No space left on device")
+    assert fault_of(InstrumentError("ref is silent", remedy="Look.")).kind == "instrument"
+    assert fault_of(KeyError("x")).kind == "crash"
+
+
+def test_a_bench_that_cannot_be_read_leaves_the_one_that_is_open(still, tmp_path):
+    before = still.desk.bench
+    still.desk.open_bench(str(tmp_path / "broken.toml"))
+    (_, _, failed, _) = still.desk.clerk.asked[-1]
+    failed(Fault("input", "broken.toml, line 1: is not TOML"))
+    assert still.fault.isVisible()
+    assert still.desk.bench == before == str(still.desk.settings.value("bench"))
+
+
+def test_no_other_bench_is_opened_while_a_run_goes_on(still, tmp_path):
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    asked = len(still.desk.clerk.asked)
+    still.desk.open_bench(str(tmp_path / "other.toml"))
+    assert len(still.desk.clerk.asked) == asked
+    assert "A run goes on" in still.fault.text.text()
+
+
+def test_coils_off_without_a_bench_says_so(qtbot, still, monkeypatch):
+    monkeypatch.setattr(still.desk, "bench", "")
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    assert still.desk.lab.state.message == "Coils off: no bench is open, this window drives no coil."
+    assert not [one for one in still.desk.switch.asked if one[0] == "off"]
+
+
+def test_what_breaks_in_the_window_itself_is_a_card(still, capsys):
+    error = ZeroDivisionError("division by zero")
+    still.desk.broke(ZeroDivisionError, error, None)
+    assert still.fault.isVisible()
+    assert still.fault.fault.kind == "crash"
+    assert "division by zero" in capsys.readouterr().err
+
+
+def test_the_words_of_a_question_go_when_the_run_fails_under_it(still):
+    card = fail(still, LOST, Prompt(1.0, "mount-x", "Mount it.", ("done",), True))
+    assert card.isVisible()
+    assert not still.page("Run").live.prompt.isVisible()
+    assert Path(still.desk.bench).name == "simulated.toml"
