@@ -13,7 +13,7 @@ import numpy as np
 
 from labcal import session
 from labcal.loop.close import prepared, searched
-from labcal.loop.evidence import Evidence, repeated, weighed
+from labcal.loop.evidence import Evidence, from_the_base, repeated, weighed
 from labcal.loop.holdout import held_out, plan
 
 BLOCK_S = 20.0
@@ -37,7 +37,7 @@ def main(folder: str, picture: Path | None, seeds: range) -> None:
 def _drawn(found: Evidence, seed: int) -> tuple[float, float]:
     search = found.search.among(found.search.candidates)
     blocks = plan(search.problem, found.blocks.guard_s, BLOCK_S, seed)
-    honest = held_out(search, blocks, repeated(found.level, blocks))
+    honest = from_the_base(found.bare, search, blocks, held_out(search, blocks, repeated(found.level, blocks)))
     return honest.before, honest.after
 
 

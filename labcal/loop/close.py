@@ -12,16 +12,17 @@ from labcal.fit.observations import SCALAR
 from labcal.loop import working_range
 from labcal.loop.correlation import follows_itself
 from labcal.loop.decide import Cause
-from labcal.loop.evidence import AT_FLOOR, Contender, Evidence, search_of, weighed, without_outliers
+from labcal.loop.evidence import Evidence, search_of, weighed, without_outliers
 from labcal.loop.findings import findings
 from labcal.loop.floor import Floor, floor
 from labcal.loop.gaps import untold
-from labcal.loop.holdout import HeldOut, held_out, plan, rms
+from labcal.loop.holdout import HeldOut, always, held_out, plan, rms
 from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
 from labcal.loop.proposal import next_experiment, twins
 from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
+from labcal.loop.rivals import AT_FLOOR, Contender
 from labcal.loop.search import NAMED, Search
 from labcal.loop.setaside import at_rail
 from labcal.loop.shape import describe
@@ -81,8 +82,8 @@ def doubted(run: Run, problem: Problem, level: Floor, stuck: int, finding: Findi
     rows = np.ones(len(problem), dtype=bool)
     search = Search(problem, [], rows, _lowest(run), rows)
     blocks = plan(problem, 0.0)
-    honest = held_out(search, blocks, lambda part: ())
-    found = Evidence(search, (), (), (), honest, (), level, blocks, np.zeros(1), 0.0)
+    honest = held_out(search, blocks, always(()))
+    found = Evidence(search, search, (), (), (), honest, (), level, blocks, np.zeros(1), 0.0)
     base = refit(problem, [])
     return replace(_result(run, found, base, base, {"outliers": 0, "saturation": stuck}), **in_doubt(finding))
 
@@ -166,7 +167,7 @@ def _shipped(found: Evidence, after: Refit, unsupported: Collection[int]) -> tup
     rows = found.search.good
     fitted = refit(found.search.whole, [c.form for c in kept], rows)
     left = rms(fitted.problem.length_nT(fitted.problem.residual_nT)[rows])
-    return fitted, Errors(left, max(held_out(found.search, found.blocks, lambda part: kept).after, left))
+    return fitted, Errors(left, max(held_out(found.search, found.blocks, always(kept)).after, left))
 
 
 def pictured(before: Problem, after: Problem) -> Pictures:

@@ -10,18 +10,18 @@ from numpy.typing import NDArray
 
 from labcal.loop.bins import binned
 from labcal.loop.correlation import correlation_s
-from labcal.loop.decide import MATERIAL, MOST, Cause, earned, forward, looks, neighbourhood, reexamined, refined
+from labcal.loop.decide import MATERIAL, MOST, Cause, forward, looks, reexamined, refined
 from labcal.loop.floor import Floor
-from labcal.loop.holdout import HeldOut, Plan, held_out, plan
+from labcal.loop.holdout import HeldOut, Plan, always, held_out, plan
 from labcal.loop.problem import Problem
 from labcal.loop.refit import refit
-from labcal.loop.search import NAMED, Candidate, Search, Weighed, expand
+from labcal.loop.rivals import AS_GOOD, AT_FLOOR, Contender, as_good, as_well, rivals_of
+from labcal.loop.search import Candidate, Search, Weighed, expand
 from labcal.loop.setaside import farness, outliers
 from labcal.loop.surrogates import by_chance
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
-AT_FLOOR = 1.15  # held-out rms over the floor up to which nothing is left to explain
 SHARE_OF_EXCESS = 0.75  # of the mean square above the noise that the effects together have to carry,
 SHARE_WITH_CHANNELS = 0.5  # and where each of them follows a channel
 REMAINS = 0.03  # of what all effects took away: as much left is an unnamed process, not a drift, a step or a mode,
@@ -29,19 +29,8 @@ HARMONICS = 0.1  # and as much is no line with its harmonics
 REST = 1 / 3  # and as much of what a later cause took away shows that it took misfit of an earlier one's form
 SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
 SECOND_OF_NOISE = 0.25  # or this part of the noise's square
-AS_GOOD = 1.03  # times the held-out rms of the effect that a rival stands in for
 NEAREST = 2  # causes of other physics that a doubtful one is held against
-CONTENDERS = 4  # rivals that are tried on held-out data
-RIVAL = 8.0  # nats: what comes closer does as well
 REFUSALS = 6  # causes refused on held-out data before the loop gives up
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Contender:
-    """A cause in the place of an accepted one, and the held-out rms that it reaches."""
-
-    weighed: Weighed
-    after_nT: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,6 +48,7 @@ class Evidence:
     """All that the verdict rests on."""
 
     search: Search
+    bare: Search  # about the base's own map
     accepted: tuple[Candidate, ...]
     rankings: tuple[list[Weighed], ...]
     rivals: tuple[tuple[Contender, ...], ...]  # of each accepted effect, itself first
@@ -80,13 +70,24 @@ def weighed(search: Search, level: Floor) -> Evidence:
         if not accepted or _carries(honest, level, accepted):
             break
         accepted = accepted[:-1]
-    if search is not bare and bool((search.good == bare.good).all()):
-        honest = replace(honest, before_nT=held_out(bare, blocks, _always(())).before_nT)
+    honest = from_the_base(bare, search, blocks, honest)
     steps = choice.steps[: len(accepted)]
-    rivals = tuple(tuple(_as_good(search, blocks, accepted, one)) for one in accepted)
+    rivals = tuple(tuple(as_good(search, blocks, accepted, one)) for one in accepted)
     far = farness(search.everywhere(accepted)[0], search.good)
     chance = by_chance(search, accepted)
-    return Evidence(search, accepted, choice.rankings, rivals, honest, steps, level, blocks, chance, far)
+    return Evidence(search, bare, accepted, choice.rankings, rivals, honest, steps, level, blocks, chance, far)
+
+
+def from_the_base(bare: Search, search: Search, blocks: Plan, honest: HeldOut) -> HeldOut:
+    """The same held-out error, before which stands the base's own on the same rows, about its own map.
+
+    About the map that goes with the effects the base would seem better than it is.
+    """
+    if search is bare or len(search.problem) != len(bare.problem):
+        return honest
+    own, before = held_out(bare.without(~search.good), blocks, always(())), np.zeros(len(honest.rows))
+    before[own.rows] = own.before_nT
+    return replace(honest, before_nT=before[honest.rows])
 
 
 def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int = MOST) -> Choice:
@@ -150,10 +151,10 @@ def _bends(search: Search, accepted: Sequence[Candidate]) -> bool:
 def _proof(search: Search, blocks: Plan, accepted: Sequence[Candidate], place: int) -> HeldOut:
     """Held out without and with one effect, those before it in; the next one too where only both together help."""
     before, also = list(accepted[:place]), list(accepted[place + 1 : place + 2])
-    step = held_out(search, blocks, _always([*before, accepted[place]]), before)
+    step = held_out(search, blocks, always([*before, accepted[place]]), before)
     if _helps(step) or not also:
         return step
-    return held_out(search, blocks, _always([*before, accepted[place], *also]), [*before, *also])
+    return held_out(search, blocks, always([*before, accepted[place], *also]), [*before, *also])
 
 
 def _idle(search: Search, accepted: Sequence[Candidate], steps: Sequence[HeldOut], level: Floor) -> int | None:
@@ -184,7 +185,7 @@ def _in_doubt(
     for i, chosen in enumerate(accepted):
         for other in _other_physics(search, accepted, chosen):
             swapped = [other if c is chosen else c for c in accepted]
-            if held_out(search, blocks, _always(swapped)).after ** 2 - steps[-1].after ** 2 < missed:
+            if held_out(search, blocks, always(swapped)).after ** 2 - steps[-1].after ** 2 < missed:
                 return i
     return None
 
@@ -195,7 +196,7 @@ def _other_physics(search: Search, accepted: Sequence[Candidate], chosen: Candid
     Its rivals are none of them: they are named beside it.
     """
     others = [c for c in accepted if c is not chosen]
-    named = {o.cause for o in others} | {w.candidate.cause for w in _rivals(search, accepted, chosen)}
+    named = {o.cause for o in others} | {w.candidate.cause for w in rivals_of(search, accepted, chosen)}
     kin = (chosen.family.id, *chosen.family.extends, *chosen.family.akin)
     strange = [
         c
@@ -265,42 +266,19 @@ def without_outliers(search: Search) -> Search:
     return tried[-1]
 
 
-def _always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
-    return lambda part: accepted
-
-
-def _as_good(search: Search, blocks: Plan, accepted: Sequence[Candidate], chosen: Candidate) -> list[Contender]:
-    """`chosen`, and the causes that in its place do as well on held-out data too."""
-    out: list[Contender] = []
-    for w in _rivals(search, accepted, chosen)[: CONTENDERS + 1]:
-        mine = chosen if w.candidate.cause == chosen.cause else w.candidate
-        swapped = [mine if c is chosen else c for c in accepted]
-        if chosen.family.id in mine.family.extends:
-            swapped = [*accepted, mine]
-        either = held_out(search, blocks, _always(swapped), accepted)
-        if not out or _as_well(either):
-            out.append(Contender(w, either.after))
-    return out
-
-
-def _as_well(either: HeldOut) -> bool:
-    """Whether what stands after does as well as what stood before, or better on some draws of the blocks."""
-    return either.after <= AS_GOOD * either.before or either.improvement()[1] > 0
-
-
 def _preferred(search: Search, blocks: Plan, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
     """Of causes that do as well, held out too, the one that can be computed from readings alone.
 
     A channel without physics goes last.
     """
     for place, one in enumerate(accepted):
-        equals = [w.candidate for w in _rivals(search, accepted, one) if w.candidate.cause not in refused]
+        equals = [w.candidate for w in rivals_of(search, accepted, one) if w.candidate.cause not in refused]
         for other in sorted(equals, key=_standing):
             if _standing(other) >= _standing(one):
                 break
             others = [c for c in accepted if c is not one]
             swapped = [*accepted[:place], refined(search, other, others), *accepted[place + 1 :]]
-            if _as_well(held_out(search, blocks, _always(swapped), accepted)):
+            if as_well(held_out(search, blocks, always(swapped), accepted)):
                 accepted = swapped
                 break
     return accepted
@@ -312,7 +290,7 @@ def _plainer(search: Search, blocks: Plan, accepted: list[Candidate]) -> list[Ca
         others = [c for c in accepted if c is not chosen]
         for look in _simpler(search, chosen, others):
             simple = [*accepted[:place], look, *accepted[place + 1 :]]
-            richer = held_out(search, blocks, _always(accepted), simple)
+            richer = held_out(search, blocks, always(accepted), simple)
             if richer.before <= AS_GOOD * richer.after:
                 accepted = simple
                 break
@@ -336,57 +314,3 @@ def _standing(candidate: Candidate) -> tuple[int, bool]:
     elif candidate.family.belongs_to == "rig":
         kind = 2
     return kind, candidate.family.second_order
-
-
-def _rivals(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
-    """Other causes that would do as well in the place of `chosen`, it first."""
-    about = [c.form for c in (chosen, *accepted)]
-    return search.once("rivals", about, lambda: _as_heavy(search, accepted, chosen))
-
-
-def _as_heavy(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
-    others = [c for c in accepted if c is not chosen]
-    open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
-    kin = _alike(open_to, chosen)
-    misfit = bool(kin) and float(np.mean(search.residual(accepted)[search.rows] ** 2)) > AT_FLOOR**2
-    always = {c.cause for c in kin if misfit}
-    near = _near(search.rank([*open_to, *kin, chosen], others), chosen, always)
-    if search.problem.whole is not None and len(near) > 1:
-        near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen, always)
-    earning = [w for w in near[1:] if earned(search, others, w)]
-    return [near[0], *earning, *_larger(search, accepted, chosen)]
-
-
-def _larger(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
-    """Causes that extend `chosen` and whose own part is more likely at work than not: a sure one is no mere detail."""
-    larger = [c for c in search.candidates if chosen.family.id in c.family.extends]
-    causes = {c.cause for c in accepted}
-    beside = search.rank(larger, accepted, neighbourhood(search, accepted)) if larger else []
-    open_to = [w for w in beside if w.candidate.cause not in causes]
-    return [w for w in open_to if w.weight > 0 and (w.weight < NAMED or w.drop >= MATERIAL)]
-
-
-def _alike(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
-    """Of a current or its square that acts slowly, the other one at the same refined shape."""
-    shape = {s.name: s.value for s in chosen.form.shape}
-    kin = [c for c in candidates if c.family.id in chosen.family.akin and c.form.channels == chosen.form.channels]
-    alike = {len(c.form.parameters): c for c in kin if shape and {s.name for s in c.form.shape} == shape.keys()}
-    return [replace(c, form=c.form.reshaped(**shape)) for c in alike.values()]
-
-
-def _near(ranking: Sequence[Weighed], chosen: Candidate, always: Collection[Cause]) -> list[Weighed]:
-    """`chosen`, what weighs nearly as much, and causes that are near whatever they weigh."""
-    own = next(w for w in ranking if w.candidate.cause == chosen.cause)
-    others = (w for w in ranking if w.candidate.cause != chosen.cause)
-    return [own, *(w for w in others if _odds(w) > _odds(own) - RIVAL or w.candidate.cause in always)]
-
-
-def _odds(w: Weighed) -> float:
-    """Its gain less the price that parameters of unlike number have beside each other [nats].
-
-    The weight's price, one row's information for each, would give a weak effect to the smaller of two models that do
-    as well. A g-prior at its likeliest g (Liang et al., JASA 103, 410, 2008, section 2.4) asks by the effect's size.
-    """
-    size = w.rank + w.candidate.size - len(w.candidate.form.parameters)
-    each = max(2 * w.gain / max(size, 1), 1.0)
-    return float(w.gain - 0.5 * size * (1 + np.log(each)) - np.log(w.candidate.looks))

@@ -72,6 +72,7 @@ class HeldOut:
     block: NDArray[np.intp]
     before_nT: Array  # (n,)
     after_nT: Array  # (n,)
+    rows: NDArray[np.bool_]  # (N,) which of the whole problem's they are
 
     @property
     def before(self) -> float:
@@ -121,7 +122,12 @@ def held_out(
             A = np.concatenate([whole.T[test], *(_of(c, known, search)[test] for c in effects)], axis=2)
             out[which, test] = lengths(whole, whole.y[test] - A @ part.solved(effects), test)
     seen = np.isfinite(out).all(axis=0)
-    return HeldOut(block[seen], out[0, seen], out[1, seen])
+    return HeldOut(block[seen], out[0, seen], out[1, seen], seen)
+
+
+def always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
+    """The same effects whatever the training rows."""
+    return lambda part: accepted
 
 
 def _at_a_step(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDArray[np.bool_]:

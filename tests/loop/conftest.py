@@ -17,6 +17,7 @@ import pytest
 from labcal import session
 from labcal.loop.close import prepared
 from labcal.loop.evidence import search_of
+from labcal.loop.problem import Problem
 from labcal.loop.search import Search
 
 Rows = dict[str, np.ndarray]
@@ -97,6 +98,18 @@ def closed_loop(capsys: pytest.CaptureFixture[str]) -> Callable[[Path], tuple[in
         return code, json.loads(said.out) if said.out else {}, said.err
 
     return run
+
+
+@pytest.fixture
+def started(making: ModuleType, tmp_path: Path) -> Callable[..., Problem]:
+    """The base fitted to a plain run with something added to its readings."""
+
+    def make(added: Callable[[Rows], np.ndarray] = lambda rows: np.zeros(3), seconds: float = 45.0) -> Problem:
+        rows, segments = making.recorded(seconds=seconds)
+        rows["dut"] = rows["dut"] + added(rows)
+        return prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
+
+    return make
 
 
 @pytest.fixture
