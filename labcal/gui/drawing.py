@@ -32,7 +32,7 @@ class Mounting(QWidget):
         super().__init__()
         self._theme = theme
         self._drawing: dict[str, Any] = {}
-        self.setMinimumSize(QSize(144, 200))
+        self.setMinimumSize(QSize(128, 200))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def set_theme(self, theme: Theme) -> None:

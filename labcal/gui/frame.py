@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from labcal.gui.hold import HOLD_MS, KEYS
 from labcal.gui.key_sheet import KeySheet, explained, shortcuts
 from labcal.gui.lab_vm import LabState, LabViewModel
-from labcal.gui.numbers import field, number
+from labcal.gui.numbers import field, number, step_words
 from labcal.gui.theme import GRID
 from labcal.gui.widgets import Ground, Numbers, label, named, set_state, shrinking
 from labcal.gui.words import say
@@ -114,8 +114,8 @@ class SidePanel(Ground):
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
         self._lights = QVBoxLayout()
         self._column.addLayout(self._lights)
-        self._nobody = label(self.tr("No bench is open."), "caption", wrap=True)
-        self._column.addWidget(self._nobody)
+        self._legend = label("", "caption", wrap=True)
+        self._column.addWidget(self._legend)
         self._column.addStretch()
         self._rows: list[QLabel] = []
 
@@ -149,10 +149,14 @@ class SidePanel(Ground):
         while len(self._rows) < len(state.lights):
             self._rows.append(label("", wrap=True))
             self._lights.addWidget(self._rows[-1])
-        self._nobody.setVisible(not state.lights)
+        wordless = {light for _, light, words in state.lights if not words}
+        legend = "   ".join(
+            f"{shape} {say(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
+        )
+        self._legend.setText(legend if state.lights else self.tr("No bench is open."))
         for row, (name, light, words) in zip(self._rows, state.lights, strict=False):
-            shape, colour, plain = LIGHT_SHAPES[light]
-            row.setText(f"{shape} {name}  {words or say(plain)}")
+            shape, colour, _ = LIGHT_SHAPES[light]
+            row.setText(f"{shape} {name}  {words}")
             set_state(row, colour)
         for row in self._rows[len(state.lights) :]:
             row.hide()
@@ -250,7 +254,13 @@ class Frame(QMainWindow):
 
     def show_keys(self) -> None:
         """The sheet with all keys; nothing waits for it."""
-        KeySheet(self, self.keys()).show()
+        sheet = KeySheet(self, self.keys())
+        sheet.setStyleSheet(self.sheet())
+        sheet.show()
+
+    def sheet(self) -> str:
+        """The style sheet of every part."""
+        return ""
 
     def set_scale(self, scale: float) -> None:
         """Room for texts `scale` times their size."""
@@ -261,7 +271,7 @@ class Frame(QMainWindow):
 
     def _give_room(self) -> None:
         """Rail and side panel, narrow where the window is: the page between them has what is left."""
-        rail, side = (14, 23) if self.width() < NARROW_PX * self._scale else (17, 31)
+        rail, side = (15, 23) if self.width() < NARROW_PX * self._scale else (17, 31)
         self.rail.setFixedWidth(int(rail * GRID * self._scale))
         self.side.setFixedWidth(int(side * GRID * self._scale))
 
@@ -274,7 +284,7 @@ class Frame(QMainWindow):
         """Write the lab's state into every part of the frame."""
         self.top.show_state(state)
         self.side.show_state(state)
-        self.message.setText(state.message)
+        self.message.setText(step_words(state.message))
         self.waiting.setText(state.waiting)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

@@ -25,10 +25,8 @@ def take_away(parent: QWidget, picture: Callable[[], QWidget]) -> tuple[QPushBut
             save(picture(), out)
 
     title = say("Save the picture")
-    saver = button(say("Save picture …"), say("Write this picture to a .png file, as it is shown"))
-    copier = button(
-        say("Copy numbers"), say("Every point that is drawn to the clipboard, as columns x and y of each curve")
-    )
+    saver = button(say("Save …"), say("Write this picture to a .png file, as it is shown"))
+    copier = button(say("Copy"), say("Every point that is drawn to the clipboard, as columns x and y of each curve"))
     saver.clicked.connect(save_as)
     copier.clicked.connect(lambda: QApplication.clipboard().setText(numbers(picture())))
     return saver, copier

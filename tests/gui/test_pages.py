@@ -124,7 +124,7 @@ def test_a_picture_is_saved_and_its_numbers_are_copied(qtbot, lab, tmp_path, fac
     views = lab.page("Fit").views
     views.view.setCurrentIndex(FACES.index(face))
     views.view.activated.emit(FACES.index(face))
-    copier = next(b for b in views.findChildren(QPushButton) if b.text() == "Copy numbers")
+    copier = next(b for b in views.findChildren(QPushButton) if b.text() == "Copy")
     qtbot.mouseClick(copier, Qt.MouseButton.LeftButton)
     rows = [row.split("\t") for row in QApplication.clipboard().text().splitlines()]
     assert {len(row) for row in rows} == {columns}

@@ -143,7 +143,7 @@ def test_what_happens_can_be_read_from_the_cage(still):
     t = np.array([6.0])
     send(still, Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.ones((1, 3))))
     live._draw()
-    assert live.headline.text() == "Hands off · x +20 µT nominal · 14 s"
+    assert live.headline.text() == "Hands off · 14 s · x +20 µT nominal"
     assert still.desk.lab.state.waiting == "hands off, measuring"
 
 

@@ -65,6 +65,7 @@ class CertificatePage(QWidget):
         card = Card(self.tr("Calibrations"))
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Calibrations, the newest first"))
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.currentRowChanged.connect(self._show)
         self.empty = label(self.tr("None yet. Fit a run, then trace its residual: that writes a draft."), wrap=True)
         to_fit = button(self.tr("Go to Fit"), self.tr("Estimate a calibration"), primary=True)

@@ -94,6 +94,7 @@ class HistoryPage(QWidget):
         for widget in (self.open, self.export, self.correct, take):
             row.addWidget(widget)
         self.said, self.folder = shrinking(label("", "caption")), FolderButton()
+        self.said.hide()
         self.table = Table(HEADINGS, stretch=6)
         self.table.itemSelectionChanged.connect(self._chosen)
         self.table.doubleClicked.connect(self._open)
@@ -207,6 +208,7 @@ class HistoryPage(QWidget):
 
         def known(_: object) -> None:
             self.said.setText(words)
+            self.said.show()
             self.folder.show_folder(out)
             self._desk.lab.update(message=words)
 

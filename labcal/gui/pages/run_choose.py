@@ -43,6 +43,8 @@ class Choose(QWidget):
         card = Card(self.tr("Procedures"))
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Procedures"))
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.setMinimumWidth(20 * GRID)
         self.list.currentTextChanged.connect(self._chosen)
         card.body.addWidget(self.list)
         return card

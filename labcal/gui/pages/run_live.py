@@ -77,7 +77,7 @@ class Live(QWidget):
 
     def _left(self) -> QWidget:
         card = Card()
-        card.setMinimumWidth(22 * GRID)
+        card.setMinimumWidth(24 * GRID)
         self.title = label("", "title", wrap=True)
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)
@@ -301,7 +301,7 @@ class Live(QWidget):
         doing = step_words(run.segment) if run.segment else step_words(run.step.name) if run.step else ""
         left = run.step_left_s()
         wait = "" if left is None else f"{left:.0f} s"
-        return " · ".join(part for part in (self.tr("Hands off"), doing, wait) if part)
+        return " · ".join(part for part in (self.tr("Hands off"), wait, doing) if part)
 
     def _show_left(self) -> None:
         run, left = self._run, self._run.left_s()

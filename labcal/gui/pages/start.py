@@ -183,7 +183,7 @@ class StartPage(QWidget):
 
     def _runs_known(self, runs: list[dict[str, Any]]) -> None:
         if runs:
-            lines = [run_words(one) for one in runs[:5]]
+            lines = [run_words(one) for one in runs[:3]]
             self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
         else:
             words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")

@@ -1782,15 +1782,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save picture …</source>
+        <source>Save …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write this picture to a .png file, as it is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy numbers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
