@@ -79,7 +79,6 @@ class Form(QWidget):
         field = self._field(spec)
         field.setToolTip(f"{spec.help or spec.name}: {spec.expected}")
         field.setAccessibleName(spec.help or spec.name)
-        field.setFixedWidth(24 * GRID)
         name.setBuddy(field)
         complaint = named(QLabel(), "caption")
         complaint.setWordWrap(True)

@@ -39,7 +39,7 @@ class KeySheet(QDialog):
         grid.setHorizontalSpacing(3 * GRID)
         grid.setVerticalSpacing(GRID)
         for row, (key, words) in enumerate(keys):
-            grid.addWidget(label(key, "title"), row, 0)
+            grid.addWidget(label(key), row, 0)
             grid.addWidget(label(words), row, 1)
         column.addLayout(grid)
         column.addWidget(label(self.tr("Dark or light is as the system has it.")))

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QBrush, QColor, QKeySequence, QShortcut
+from PySide6.QtGui import QBrush, QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableWidget, QTableWidgetItem
 
 from labcal.gui.key_sheet import explained
 from labcal.gui.numbers import number, step_words
-from labcal.gui.theme import STATES, Theme
+from labcal.gui.theme import GRID, STATES, Theme
 from labcal.gui.widgets import tabular
 from labcal.gui.words import say
 from labcal.record.stream import Measurement
 
+NAME_PX = 18 * GRID
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -101,6 +102,16 @@ class Measurements(Table):
         self.right_heading(1, 2, 4)
         self._theme = theme
         self._shown: tuple[int, int] = (0, 0)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where there is no room for all columns, names keep some of it and the verdict is scrolled to."""
+        super().resizeEvent(event)
+        header, mode = self.horizontalHeader(), QHeaderView.ResizeMode
+        others = sum(header.sectionSize(column) for column in range(1, self.columnCount()))
+        narrow = self.viewport().width() - others < NAME_PX
+        header.setSectionResizeMode(0, mode.Interactive if narrow else mode.Stretch)
+        if narrow:
+            header.resizeSection(0, NAME_PX)
 
     def set_theme(self, theme: Theme) -> None:
         """What is shown next has the theme's colours."""

@@ -139,7 +139,7 @@ class LoopPage(QWidget):
         return card
 
     def _left_card(self) -> Card:
-        card = Card(self.tr("1  What is left over"), self.tr("band: noise, k=2"))
+        card = Card(self.tr("1  What is left over"), self.tr("noise, k=2"))
         self.left = Residuals(self._theme)
         card.body.addWidget(self.left)
         return card
@@ -363,7 +363,7 @@ class LoopPage(QWidget):
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
         both = (unpack(one["before"]), unpack(one["after"]))
         rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
-        self.change_words.setText(self.tr("all rows: {0} nT").format(" → ".join(rms)))
+        self.change_words.setText(self.tr("all rows {0} nT").format(" → ".join(rms)))
         tip = self.tr(
             "Rms over all rows, before and after; the figures at the top are of rows that the fit did not see"
         )

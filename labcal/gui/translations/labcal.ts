@@ -677,7 +677,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>to the next field or button; Shift and Tab goes back, Space presses a button</source>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -929,10 +929,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>band: noise, k=2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -989,6 +985,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>noise, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>2  Who could it be</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1037,7 +1037,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>all rows: {0} nT</source>
+        <source>all rows {0} nT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
