@@ -1,0 +1,191 @@
+"""A whole preflight by keys alone: from an empty home to a signed, reported, verified and exported run."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt, QTimer
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
+from shiboken6 import isValid
+
+from labcal.gui.desk import Desk
+from labcal.gui.theme import LIGHT
+from labcal.gui.window import Window
+
+SHORT = {"magnitudes_nT": "20000", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}
+MOST = 150
+
+
+class Hands:
+    """Ten fingers, and eyes: whatever is struck goes to what has the focus; nothing of the window is called."""
+
+    def __init__(self, window, bot, patience):
+        self.window, self.bot, self.patience = window, bot, patience
+
+    def until(self, seen):
+        self.bot.waitUntil(seen, timeout=self.patience)
+
+    def strike(self, *keys, modifier=Qt.KeyboardModifier.NoModifier):
+        """One key after another, each too late to be of the same burst as the one before."""
+        for key in keys:
+            self.bot.keyClick(QApplication.focusWidget() or self.window, key, modifier)
+            self.window.scanner.flush()
+
+    def write(self, text):
+        """Over whatever stands there."""
+        self.strike(Qt.Key.Key_A, modifier=Qt.KeyboardModifier.ControlModifier)
+        self.strike(*text)
+
+    def to(self, wanted):
+        """Tab until `wanted`, which may be pressed or written into, has the focus."""
+        self.until(lambda: wanted.isVisible() and wanted.isEnabled())
+        for _ in range(MOST):
+            if QApplication.focusWidget() is wanted:
+                return
+            self.strike(Qt.Key.Key_Tab)
+        raise AssertionError(f"Tab never comes to {wanted.objectName() or wanted}")
+
+    def press(self, button):
+        self.to(button)
+        self.strike(Qt.Key.Key_Space)
+
+    def enter(self, field, text):
+        self.to(field)
+        self.write(text)
+
+    def page(self, number):
+        self.strike(Qt.Key(Qt.Key.Key_0 + number), modifier=Qt.KeyboardModifier.ControlModifier)
+
+    def choose(self, row, of):
+        """In a list or a chooser, by Home and Down."""
+        self.to(of)
+        self.strike(Qt.Key.Key_Home, *[Qt.Key.Key_Down] * row)
+
+    def name_a_file(self, button, path):
+        """Press what asks for a file, and write its name into what comes up."""
+        named = []
+
+        def write():
+            box = QApplication.activeModalWidget()
+            if not isinstance(box, QFileDialog) or not box.isAncestorOf(QApplication.focusWidget() or self.window):
+                return QTimer.singleShot(20, write)
+            named.append(type(QApplication.focusWidget()))
+            self.write(str(path))
+            self.strike(Qt.Key.Key_Return)
+            return box.reject() if isValid(box) and box.isVisible() else None  # it does not wait for ever
+
+        QTimer.singleShot(0, write)
+        self.press(button)
+        self.until(lambda: bool(named) and QApplication.activeModalWidget() is None)
+        assert named == [QLineEdit]
+        self.window.activateWindow()  # as every desktop does, where there is one
+        self.until(lambda: QApplication.focusWidget() is not None)
+
+    def answer(self, run):
+        """The first answer of every question by its own key, held, until the run has ended."""
+        while True:
+            self.until(lambda: run.state in ("asking", "ended"))
+            if run.state == "ended":
+                return
+            asked = run.prompt
+            self.bot.keyPress(QApplication.focusWidget() or self.window, Qt.Key.Key_F8)
+            self.until(lambda before=asked: run.prompt is not before)
+            self.bot.keyRelease(QApplication.focusWidget() or self.window, Qt.Key.Key_F8)
+
+
+@pytest.fixture
+def hands(qtbot, tmp_path, monkeypatch, patience, kept_windows):
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
+    window = Window(Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    kept_windows.append(window)
+    window.show()
+    window.activateWindow()
+    yield Hands(window, qtbot, patience)
+    window.close()
+
+
+@pytest.mark.slow
+def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tmp_path, monkeypatch):
+    opened = []
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
+    measured(hands)
+    fitted_and_traced(hands)
+    signed(hands)
+    page = hands.window.page("Certificate")
+    hands.name_a_file(page.report, tmp_path / "report.html")
+    hands.until(lambda: opened == [str(tmp_path / "report.html")])
+    assert "EM-07" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    choose = next(one for one in page.drop.children() if hasattr(one, "text") and one.text() == "Choose a file …")
+    hands.name_a_file(choose, page.chosen()["path"])
+    hands.until(lambda: page.drop.words.text().startswith("✓"))
+    assert "VALID: signed by jdoe@lab, a.smith." in page.drop.words.text()
+    hands.page(7)
+    history = hands.window.page("History")
+    hands.until(lambda: history.table.rowCount() == 1)
+    hands.to(history.table)
+    hands.strike(Qt.Key.Key_Space)
+    hands.name_a_file(history.export, tmp_path / "run.zip")
+    hands.until((tmp_path / "run.zip").is_file)
+
+
+def measured(hands):
+    """Serial, operator, bench, procedure, form, Start, and every question."""
+    window, start = hands.window, hands.window.page("Start")
+    hands.press(start.simulated)
+    hands.until(lambda: bool(window.desk.facts))
+    hands.enter(window.top.dut, "EM-07")
+    hands.strike(Qt.Key.Key_Return)
+    hands.write("J. Doe")
+    assert (window.desk.lab.state.dut_serial, window.desk.lab.state.operator) == ("EM-07", "J. Doe")
+    hands.page(3)
+    choose = window.page("Run").choose
+    hands.until(lambda: choose.list.count() > 0)
+    names = [choose.list.item(row).text() for row in range(choose.list.count())]
+    hands.choose(names.index("preflight"), choose.list)
+    for name, text in SHORT.items():
+        hands.enter(choose.form._fields[name], text)
+    hands.press(choose.form._fields["reverse"])
+    assert choose.form.given() == SHORT | {"reverse": "no"}
+    hands.choose(3, choose.pace)
+    assert choose.pace.currentData() == "at once"
+    hands.press(choose.start)
+    hands.answer(window.desk.run)
+    assert window.desk.run.status == "finished", window.desk.run.fault
+
+
+def fitted_and_traced(hands):
+    """Fit, another view of it, the loop, and one of its causes picked."""
+    window, study = hands.window, hands.window.desk.study_vm
+    hands.press(window.page("Run").live.fit)
+    hands.until(lambda: "ml" in study.fits and not study.busy)
+    fit = window.page("Fit")
+    hands.choose(1, fit.views.view)
+    assert fit.views.shown() == "residual"
+    hands.press(fit.trace)
+    hands.until(lambda: study.loop is not None or study.fault is not None)
+    assert study.fault is None
+    loop = window.page("Loop")
+    hands.until(lambda: loop.others.count() > 0)
+    hands.choose(1, loop.others)
+    hands.until(lambda: loop.picked() is not None)
+    hands.until(lambda: not study.busy)
+    hands.press(loop.sign)
+
+
+def signed(hands):
+    """Approved by another person, then signed by both, each under a new key."""
+    page = hands.window.page("Certificate")
+    hands.until(lambda: page.list.count() == 1)
+    hands.enter(page.approver, "j.doe")
+    hands.press(page.approve)
+    hands.until(lambda: "is the operator" in page.fault.text.text())
+    hands.enter(page.approver, "a.smith")
+    hands.press(page.approve)
+    hands.until(lambda: "approved by a.smith" in page.standing.text())
+    for name in ("jdoe@lab", "a.smith"):
+        hands.enter(page.signer, name)
+        for entry in (page.passphrase, page.again):
+            hands.enter(entry, f"passphrase of {name}")
+        hands.press(page.new_key)
+        hands.until(lambda n=name: n in page.said.text() and page.sign.isVisible())
+        hands.press(page.sign)
+        hands.until(lambda n=name: n in (page.chosen() or {}).get("signers", ()))
+    assert "PROVISIONAL" not in page.standing.text()
