@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout
 
 from labcal.gui.run_vm import RunViewModel
 from labcal.gui.theme import GRID, STATES, Theme
-from labcal.gui.widgets import Ground, label, set_state, shrinking
+from labcal.gui.widgets import Ground, label, set_state
 from labcal.gui.words import say
 
 NOT_YET = ("○", "")
@@ -25,7 +25,7 @@ class AxisLights(Ground):
         self.worst: dict[str, QLabel] = {}
         self.looks: dict[str, QLabel] = {}
         for axis in "xyz":
-            self.worst[axis], self.looks[axis] = shrinking(label("", "title")), label("", "caption")
+            self.worst[axis], self.looks[axis] = label("", "title", wrap=True), label("", "caption")
             self.looks[axis].setTextFormat(Qt.TextFormat.RichText)
             column = QVBoxLayout()
             column.setSpacing(0)
@@ -44,7 +44,6 @@ class AxisLights(Ground):
             going_on = run.alive and not looks["closure"] and verdict == "PASS"  # good so far is not yet good
             shape, state = ("…", "") if going_on else STATES.get(verdict, NOT_YET)
             worst.setText(f"{axis.upper()}  {shape} {'' if going_on else verdict}".strip())
-            worst.setToolTip(worst.text())
             set_state(worst, state)
             said = [self._look(say(look), found) for look, found in looks.items()]
             self.looks[axis].setText("<br>".join("&nbsp; ".join(said[n : n + 2]) for n in range(0, len(said), 2)))

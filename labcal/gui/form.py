@@ -52,6 +52,11 @@ def title_of(spec: ParameterSpec) -> str:
     return words[:1].upper() + words[1:]
 
 
+def ticked(on: bool) -> str:
+    """A box with its tick and its word: in letters, which are as large and as dark as all others."""
+    return f"{'☑' if on else '☐'}  {say('yes' if on else 'no')}"
+
+
 class Form(QWidget):
     """Entries for `specs`; `given()` says only what differs from the defaults."""
 
@@ -92,8 +97,8 @@ class Form(QWidget):
         if spec.kind == "switch":
             box = QCheckBox()
             box.setChecked(bool(spec.default))
-            box.setText(say("yes" if spec.default else "no"))
-            box.toggled.connect(lambda on: box.setText(say("yes" if on else "no")))
+            box.setText(ticked(bool(spec.default)))
+            box.toggled.connect(lambda on: box.setText(ticked(on)))
             box.toggled.connect(self._check)
             return box
         if spec.kind == "choice" and not spec.many:

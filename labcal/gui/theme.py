@@ -127,7 +127,8 @@ QLabel#huge { font-size: ${huge_pt}pt; font-weight: 600; }
 QPlainTextEdit:focus { border: 2px solid $accent; padding: 4px 7px; }
 QPlainTextEdit#story { background: transparent; border: 2px solid transparent; padding: 0; }
 QPlainTextEdit#story:focus { border: 2px solid $accent; }
-QCheckBox { border: 2px solid transparent; border-radius: 4px; padding: 2px; }
+QCheckBox { border: 2px solid transparent; border-radius: 4px; padding: 2px; spacing: 0; }
+QCheckBox::indicator { width: 0; height: 0; border: 0; }
 QCheckBox:focus { border: 2px solid $accent; }
 """
 )
