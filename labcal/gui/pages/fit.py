@@ -148,6 +148,7 @@ class FitPage(QWidget):
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
         self.empty.setText(say(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit."))
         self.to_run.setVisible(none)
+        self.views.setVisible(bool(study.run))
 
     def _show_fits(self) -> None:
         fits = self._study.fits

@@ -73,7 +73,6 @@ class LoopPage(QWidget):
         self.fault.report_asked.connect(desk.report_asked)
         column.addWidget(self.fault)
         self.empty, self.to_run = label("", "ask", wrap=True), to_run(desk)
-        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         column.addWidget(self.empty, 1)
         column.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         self.story = self._story()
@@ -231,6 +230,8 @@ class LoopPage(QWidget):
             words = self.tr("Trace the residual of this run to its cause.")
         self.empty.setText(say(NO_RUNS) if none else words)
         self.to_run.setVisible(none)
+        height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter
+        self.empty.setAlignment(height | Qt.AlignmentFlag.AlignHCenter)
 
     def _tell(self) -> None:
         """How far the work is."""
