@@ -228,7 +228,9 @@ class Desk(QObject):
         self.fault.emit(fault_of(error, details))
 
     def close(self) -> None:
-        """Hang up everywhere: a run aborts, its coils go to zero."""
+        """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
+        for timer in (self._force, self._pulse):
+            timer.stop()
         self.bench_worker.hang_up(8000)
         for worker in (self.clerk, self.study, self.switch):
             worker.hang_up(500)

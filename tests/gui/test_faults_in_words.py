@@ -42,6 +42,13 @@ def test_a_run_that_fails_says_how_it_left_the_coils(still, items, words):
     assert card.coils.text().startswith(words)
 
 
+def test_the_card_of_a_run_learns_that_its_coils_were_switched_off_after_it(qtbot, still):
+    card = fail(still, LOST, ON)
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    still.desk.switch.answer("off", [{"axis": a, "current_A": 0.0, "words": "zero", "ok": True} for a in "xyz"])
+    assert card.coils.text() == "All coils are at zero."
+
+
 def test_a_fault_names_the_instrument_and_not_its_link_alone(still):
     still.desk.run.links = LINKS
     card = fail(still, LOST)

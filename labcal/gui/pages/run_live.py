@@ -68,6 +68,7 @@ class Live(QWidget):
         self._frame = QTimer(self, interval=FRAME_MS)
         self._frame.timeout.connect(self._draw)
         self._run.changed.connect(self._show)
+        desk.lab.changed.connect(self._coils_known)
         self._show()
 
     def set_theme(self, theme: Theme) -> None:
@@ -231,9 +232,15 @@ class Live(QWidget):
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
         return self.fault.text.setText(f"{zero} {kept}".strip())
 
+    def _coils_known(self) -> None:
+        """They were switched off after a run that failed: its card knows."""
+        fault = self._run.fault
+        if fault is not None and fault.kind != "stopped":
+            self.fault.say_coils(self._coils_left(fault))
+
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
-        if self._run.coils_at_zero:
+        if self._desk.lab.state.coils_at_zero:
             return self.tr("All coils are at zero.")
         if fault.kind == "crash":
             return self.tr("The coils are switched off by another process; the line at the bottom says how they are.")

@@ -1,0 +1,78 @@
+"""Stop, and the window closed, in each state of a run on real lines: the emulated supplies read zero afterwards."""
+
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from served_lab import Served, at_zero, example, guardians, until
+
+from labcal import session
+from labcal.gui.desk import Desk
+from labcal.gui.theme import LIGHT
+from labcal.gui.window import Window
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform == "win32", reason="needs ptys, which Windows lacks"),
+]
+ON_A = 0.3
+
+
+@pytest.fixture
+def lab(tmp_path, monkeypatch):
+    served = Served(tmp_path, monkeypatch, example())
+    yield served
+    served.close()
+
+
+@pytest.fixture
+def shown(tmp_path, kept_windows, lab, qtbot, patience):
+    desk = Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat))
+    window = Window(desk, LIGHT)
+    kept_windows.append(window)
+    window.show()
+    window.page("Run")
+    desk.open_bench(str(lab.file))
+    desk.who(operator="J. Doe", dut="EM-07")
+    qtbot.waitUntil(lambda: bool(desk.facts), timeout=patience)
+    yield window
+    window.close()
+
+
+def bring(qtbot, window, lab, patience, state):
+    """The run into `state`: asking, energised, or stopping with the coils still on their way."""
+    run = window.desk.run
+    window.desk.start("field-hold", {"duration_s": "600"})
+    qtbot.waitUntil(lambda: run.state in ("asking", "ended"), timeout=patience)
+    assert run.state == "asking", run.fault
+    if state == "asking":
+        return
+    run.answer(run.prompt.choices[0])
+    qtbot.waitUntil(lambda: max(lab.currents().values()) > ON_A, timeout=patience)
+    if state == "stopping":
+        run.stop()
+
+
+@pytest.mark.parametrize("state", ["starting", "asking", "energised", "stopping"])
+def test_a_window_that_is_closed_leaves_the_coils_at_zero(qtbot, shown, lab, patience, state):
+    if state == "starting":
+        shown.desk.start("field-hold", {"duration_s": "600"})
+    else:
+        bring(qtbot, shown, lab, patience, state)
+    shown.close()
+    until(lambda: at_zero(lab))
+    until(lambda: not guardians())
+    assert at_zero(lab)
+    assert all(one.status != "running" for one in session.runs())
+
+
+@pytest.mark.parametrize("state", ["asking", "energised"])
+def test_stop_leaves_the_coils_at_zero(qtbot, shown, lab, patience, state):
+    bring(qtbot, shown, lab, patience, state)
+    run, live = shown.desk.run, shown.page("Run").live
+    qtbot.mouseClick(live.stop, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: run.state == "ended", timeout=patience)
+    assert (run.status, run.coils_at_zero) == ("stopped", True)
+    assert at_zero(lab)
+    assert Path(shown.desk.bench) == lab.file

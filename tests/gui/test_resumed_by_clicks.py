@@ -1,0 +1,97 @@
+"""The window is killed in the middle of a turn: started again, it offers the run, goes on with it, and fits it."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QPushButton
+
+from labcal import session
+from labcal.gui.desk import Desk
+from labcal.gui.theme import LIGHT
+from labcal.gui.window import Window
+
+BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
+BEGUN = """
+import sys
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtWidgets import QApplication
+from labcal.gui.desk import Desk
+from labcal.gui.window import Window
+
+SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}
+app = QApplication([])
+settings = QSettings(sys.argv[2], QSettings.Format.IniFormat)
+settings.setValue("pace", "20 times")
+settings.setValue("seed", 3)
+desk = Desk(settings)
+window = Window(desk)
+window.show()
+desk.open_bench(sys.argv[1])
+desk.who(operator="J. Doe", dut="EM-07")
+begun, turned = [], set()
+
+def look():
+    if desk.facts and not begun:
+        begun.append(True)
+        desk.start("preflight", SHORT)
+    turned.add(desk.run.segment)
+    if len(turned) > 2 and desk.run.segment:  # the second turn: one is finished
+        print("measuring", flush=True)
+    elif desk.run.state == "asking":
+        desk.run.answer(desk.run.prompt.choices[0])
+
+timer = QTimer()
+timer.timeout.connect(look)
+timer.start(5)
+app.exec()
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL, which Windows lacks")
+def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_path, monkeypatch, patience, kept_windows):
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
+    command = [sys.executable, "-c", BEGUN, str(BENCH), str(tmp_path / "w.ini")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as killed:
+        assert killed.stdout.readline() == "measuring\n"
+        os.kill(killed.pid, signal.SIGKILL)
+    qtbot.waitUntil(lambda: [one.status for one in session.runs()] == ["interrupted"], timeout=patience)
+
+    settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
+    settings.setValue("pace", "at once")
+    window = Window(Desk(settings), LIGHT)
+    kept_windows.append(window)
+    desk, run = window.desk, window.desk.run
+    try:
+        window.show()
+        desk.open_bench(str(settings.value("bench")))  # as `labcal gui` does
+        start, live = window.page("Start"), window.page("Run").live
+        qtbot.waitUntil(lambda: start.interrupted.isVisible() and bool(desk.facts), timeout=patience)
+        start.refresh()
+        qtbot.waitUntil(lambda: not desk.clerk.busy, timeout=patience)
+        again = start.interrupted.findChildren(QPushButton)[-1]
+        assert again.text().startswith("Go on with")
+        qtbot.mouseClick(again, Qt.MouseButton.LeftButton)
+        asked = []
+        while run.state != "ended":
+            qtbot.waitUntil(lambda: run.state in ("asking", "ended"), timeout=patience)
+            if run.state == "asking":
+                asked.append(run.prompt.key)
+                qtbot.mouseClick(live.prompt.choices[run.prompt.choices[0]], Qt.MouseButton.LeftButton)
+        assert (run.status, run.fault) == ("finished", None)
+        assert run.measurements["closure z"].verdict == "PASS"
+        assert desk.lab.state.coils_at_zero
+        assert [one.status for one in session.runs()] == ["finished"]
+        qtbot.mouseClick(live.fit, Qt.MouseButton.LeftButton)
+        study, fit = desk.study_vm, window.page("Fit")
+        qtbot.waitUntil(lambda: study.look is not None and bool(study.methods) and not study.busy, timeout=patience)
+        qtbot.mouseClick(fit.fit, Qt.MouseButton.LeftButton)
+        qtbot.waitUntil(lambda: "ml" in study.fits, timeout=patience)
+        assert study.fits["ml"]["fit"]["ok"]
+    finally:
+        window.close()
