@@ -14,24 +14,29 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dpotrf
 
-from labcal.fit.scalar_check import MISSING, PERFECT, SYMMETRIC, noise_mean, noise_variance
+from labcal.fit.scalar_check import MISSING, PERFECT, PLACE, SYMMETRIC, noise_mean, noise_variance
 
 Array = NDArray[np.float64]
 
 
 def _covariance() -> Array:
-    """Cov((L, 1), (L, 1)) (10, 10) as a map (1000, 9) of (L, 1) and of the noise: the rows' slopes hold B and 1."""
+    """Cov((L, 1), (L, 1)) (10, 10) as a map (9, 1000) of the noise and of (L, 1): the rows' slopes hold B and 1."""
     slopes = np.zeros((10, 3, 4))  # ∂(L, 1)/∂B = slopes @ (1, B)
     slopes[:3, :, 0], slopes[3:9, :, 1:] = 2 * np.eye(3), -2 * SYMMETRIC
     of_rows = np.zeros((4, 4, 10))  # (1, B)(1, B)ᵀ = of_rows @ (L, 1)
     of_rows[0, 0, 9] = 1.0
     of_rows[0, 1:, :3] = of_rows[1:, 0, :3] = np.eye(3) / 2
     of_rows[1:, 1:, 3:9] = -SYMMETRIC.transpose(1, 2, 0) / np.where(np.eye(3), 1, 2)[:, :, None]
-    by_noise = np.einsum("iap,jbq,pqk->ijkab", slopes, slopes, of_rows, optimize=True)
-    return np.asarray(by_noise.reshape(1000, 9))
+    by_noise = np.einsum("iap,jbq,pqk->abijk", slopes, slopes, of_rows, optimize=True)
+    return np.asarray(by_noise.reshape(9, 1000))
 
 
 COVARIANCE = _covariance()
+# Where the products (10, 10) of (L, 1) with itself stand among those (8, 10) of (−S, 1, |H|²) with it, and times what:
+# those of 2B with 2B are −4 or −2 times those of −S with 1.
+WHERE, TIMES = np.arange(-30, 70).reshape(10, 10), np.ones((10, 10))
+WHERE[:3], TIMES[:3, :3] = WHERE[:, :3].T, -2 - 2 * np.eye(3)
+WHERE[:3, :3] = WHERE[9, 3:9].take(PLACE)
 
 
 class Sums(NamedTuple):
@@ -67,18 +72,20 @@ class Moments(NamedTuple):
         return np.asarray(-self.noise_information @ PERFECT)
 
 
-def weighted(of_row: Array, rows: Array, square: Array, covariance: Array) -> Sums:
-    """Sums of rows over their variances and of the rows themselves (10, n); `square` (n,) is |H|² + μ.
+def weighted(of_row: Array, rows: Array, mean: float, covariance: Array) -> Sums:
+    """Sums of the rows (L, 1, |H|²) (11, n), of which `of_row` is the last eight over their variances; `mean` is μ.
 
     `covariance` (100, 10) is that of the rows, as `row_covariance` gives it.
     """
-    products = of_row.dot(rows.T)
-    return Sums(products, covariance.dot(products[9]).reshape(10, 10), -of_row.dot(square))
+    lower = of_row.dot(rows[:10].T)
+    products = lower.take(WHERE)
+    products *= TIMES
+    return Sums(products, covariance.dot(lower[6]).reshape(10, 10), -lower[7] - mean * lower[6])
 
 
 def row_covariance(noise: Array) -> Array:
     """Cov((L, 1), (L, 1)) by the reading's noise (3, 3), as a map (100, 10) of (L, 1), which holds B and BBᵀ."""
-    return np.asarray(COVARIANCE.dot(noise.ravel()).reshape(100, 10))
+    return np.asarray(noise.ravel().dot(COVARIANCE).reshape(100, 10))
 
 
 def moments(rows: Array, square: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Moments:

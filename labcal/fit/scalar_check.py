@@ -28,8 +28,8 @@ PLACE = np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])  # where a matrix' elements 
 PERFECT = np.repeat([0.0, 1.0, 0.0], 3)  # c and M = I + E of a perfect sensor
 OF_M = 3 + PLACE  # where M stands in (c, M)
 C_AND_M = np.column_stack([[0, 1, 2], OF_M])  # where c and M stand side by side
-FORM = np.array([1, 2, 3, 5, 10, 15, 6, 7, 11, 0])  # 4 (−1, B)ᵀ Q (−1, B) is these elements of Q
-FACTOR = np.repeat([-4.0, 4.0], [9, 1])  # times these, by (L, 1)
+FORM = np.array([1, 2, 3, 5, 10, 15, 6, 7, 11, 0])  # −4 (−1, B)ᵀ Q (−1, B) is these elements of Q
+FACTOR = np.repeat([4.0, -4.0], [9, 1])  # times these, by (L, 1)
 SYMMETRIC = np.eye(6)[:, PLACE]  # (6, 3, 3): the symmetric matrices of the six unit vectors
 
 
@@ -65,6 +65,16 @@ class Estimate:
 
         return Estimate(self.bias * unit, self.D, spread)
 
+    def moved(self, by: Array) -> Estimate:
+        """The same where all readings are larger by `by` (3,): b grows by (I + D) `by`."""
+
+        def spread() -> Array:
+            slope = np.eye(9)  # ∂(b, D) after over before
+            slope[:3, 3:] = (SYMMETRIC @ by).T
+            return slope @ self.covariance @ slope.T
+
+        return Estimate(self.bias + by + self.D.dot(by), self.D, spread)
+
     def wider(self, factor: float) -> Estimate:
         """The same with all of its covariance times `factor`."""
         return Estimate(self.bias, self.D, lambda: self.covariance * factor)
@@ -80,9 +90,11 @@ def unstacked(six: Array) -> Array:
     return six.take(PLACE)
 
 
-def regressors(B: Array) -> Array:
+def regressors(B: Array, out: Array | None = None) -> Array:
     """L = [2 Bᵀ, −S], (2c) and (4a), and 1, one below the other (10, n), for readings (3, n)."""
-    out, minus = np.empty((10, B.shape[1])), -B
+    minus = -B
+    if out is None:
+        out = np.empty((10, B.shape[1]))
     np.add(B, B, out=out[:3])
     np.multiply(B, minus, out=out[3:6])
     np.multiply(out[0], minus[1:], out=out[6:8])
@@ -91,12 +103,22 @@ def regressors(B: Array) -> Array:
     return out
 
 
+def lifted(c_E: Array) -> Array:
+    """(c, I + E, −|b|²) (10,): minus its product with a row (L, 1) is |(I + D) B − b|²."""
+    return np.append(c_E + PERFECT, -bias_square(c_E)[0])
+
+
 def noise_mean(c_E: Array, noise: Array) -> float:
     """Mean of v for the covariance `noise` (3, 3) of the reading: +Tr Σ.
 
     (5a) prints −Tr Σ; by (1) the reading contains the noise, so v = 2 hᵀε + |ε|².
     """
-    return float(np.vdot(noise, (c_E + PERFECT).take(OF_M)))
+    return mean_at(c_E + PERFECT, noise)
+
+
+def mean_at(x: Array, noise: Array) -> float:
+    """The same at x = (c, I + E) or `lifted`."""
+    return float(np.vdot(noise, x.take(OF_M)))
 
 
 def noise_variance(rows: Array, square: Array, c_E: Array, noise: Array, reference_noise: float = 0.0) -> Array:
@@ -105,12 +127,15 @@ def noise_variance(rows: Array, square: Array, c_E: Array, noise: Array, referen
     `reference_noise`, the standard deviation of |H|, is not in (5b). The direction of h comes from the reading, its
     length from |H|: weights that share the reading's noise would bias the estimate.
     """
-    c_M = c_E + PERFECT
-    K = c_M.take(C_AND_M)  # u = K (−1, B)
+    return variance_at(rows, square, lifted(c_E), noise, reference_noise)
+
+
+def variance_at(rows: Array, square: Array, x: Array, noise: Array, reference_noise: float) -> Array:
+    """The same at the `lifted` x (10,)."""
+    K = x.take(C_AND_M)  # u = K (−1, B)
     form = K.T.dot(noise.dot(K))
-    variance = (FACTOR * form.take(FORM)).dot(rows)  # 4 uᵀSu
-    variance /= bias_square(c_E)[0] - c_M.dot(rows[:9])  # over |(I + D) B − b|²
-    variance += 4 * reference_noise**2
+    variance = (FACTOR * form.take(FORM) + 4 * reference_noise**2 * x).dot(rows)  # −4 uᵀSu, and what |H| adds
+    variance /= x.dot(rows)  # over −|(I + D) B − b|²
     variance *= square
     variance += 2 * float(np.vdot(noise, form[1:, 1:]))
     return np.asarray(variance)
@@ -128,20 +153,6 @@ def to_b_D(c_E: Array) -> tuple[Array, Array]:
         raise ArithmeticError(f"I + E is not positive definite, so no real scale factors belong to it: {MISSING}")
     root = np.sqrt(values)
     return vectors.dot(c_E[:3].dot(vectors) / root), (vectors * (root - 1)).dot(vectors.T)
-
-
-def moved(c_E: Array, by: Array) -> Array:
-    """θ' where all readings are larger by `by` (3,): b grows by (I + D) `by`, so c by (I + E) `by`."""
-    out = c_E.copy()
-    out[:3] += (c_E + PERFECT).take(OF_M).dot(by)
-    return out
-
-
-def moving(by: Array) -> Array:
-    """∂(b, D) after the move `by` (3,) over that before it, (9, 9); for θ' it is the same matrix."""
-    slope = np.eye(9)
-    slope[:3, 3:] = (SYMMETRIC @ by).T
-    return slope
 
 
 def jacobian(bias: Array, D: Array) -> Array:
@@ -173,18 +184,22 @@ def lazily(c_E: Array, covariance: Callable[[], Array]) -> Estimate:
     return Estimate(bias, D, carried)
 
 
-def bias_square(c_E: Array) -> tuple[float, Array]:
+def bias_square(c_E: Array) -> tuple[float, list[float]]:
     """|b|² = cᵀ (I + E)⁻¹ c and its gradient (9,), (27a) and (27b)."""
-    c0, c1, c2, *_ = numbers = c_E.tolist()
+    return bias_square_at(c_E + PERFECT)
+
+
+def bias_square_at(x: Array) -> tuple[float, list[float]]:
+    """The same at x = (c, I + E) (9,)."""
+    c0, c1, c2, *_ = numbers = x.tolist()
     i0, i1, i2 = inner(numbers)
     slope = [2 * i0, 2 * i1, 2 * i2, -i0 * i0, -i1 * i1, -i2 * i2, -2 * i0 * i1, -2 * i0 * i2, -2 * i1 * i2]
-    return i0 * c0 + i1 * c1 + i2 * c2, np.array(slope)
+    return i0 * c0 + i1 * c1 + i2 * c2, slope
 
 
-def inner(c_E: list[float]) -> tuple[float, float, float]:
-    """(I + E)⁻¹ c by cofactors: in plain floats, because the filters need it at every reading."""
-    c0, c1, c2, m00, m11, m22, m01, m02, m12 = c_E
-    m00, m11, m22 = 1 + m00, 1 + m11, 1 + m22
+def inner(x: list[float]) -> tuple[float, float, float]:
+    """(I + E)⁻¹ c of x = (c, I + E) by cofactors: in plain floats, because the filters need it at every reading."""
+    c0, c1, c2, m00, m11, m22, m01, m02, m12 = x
     a00, a01, a02 = m11 * m22 - m12 * m12, m02 * m12 - m01 * m22, m01 * m12 - m02 * m11
     a11, a12, a22 = m00 * m22 - m02 * m02, m01 * m02 - m00 * m12, m00 * m11 - m01 * m01
     determinant = m00 * a00 + m01 * a01 + m02 * a02

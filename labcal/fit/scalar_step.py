@@ -42,10 +42,10 @@ class Terms(NamedTuple):
 def terms(x: Array, reading: Array, magnitude: float, noise: Array, reference_noise: float) -> Terms:
     """Terms of `reading` (3,) at the state `x` (9,); `noise` (3, 3) is its covariance, one unit throughout."""
     b0, b1, b2 = b = reading.tolist()
-    c0, c1, c2, m00, m11, m22, m01, m02, m12 = state = x.tolist()
+    c0, c1, c2, m00, m11, m22, m01, m02, m12 = x.tolist()
     m00, m11, m22 = 1 + m00, 1 + m11, 1 + m22
     (s00, s01, s02), (_, s11, s12), (_, _, s22) = noise.tolist()
-    i0, i1, i2 = inner(state)
+    i0, i1, i2 = inner([c0, c1, c2, m00, m11, m22, m01, m02, m12])
     u0 = m00 * b0 + m01 * b1 + m02 * b2 - c0
     u1 = m01 * b0 + m11 * b1 + m12 * b2 - c1
     u2 = m02 * b0 + m12 * b1 + m22 * b2 - c2

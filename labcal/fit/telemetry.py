@@ -19,7 +19,7 @@ from labcal.fit import scalar_check, twostep
 from labcal.fit.correlation import variance_inflation
 from labcal.fit.moments import determined, row_covariance, weighted
 from labcal.fit.result import Fit
-from labcal.fit.scalar_check import COLUMN, MISSING, ROW, TWICE, Estimate
+from labcal.fit.scalar_check import COLUMN, MISSING, PERFECT, ROW, TWICE, Estimate
 from labcal.fit.scalar_run import ROUNDS, Scalars, as_fit, scalars, usable
 from labcal.model import EffectRecord, Parameter
 from labcal.model.effects.regressors import middle, per_axis
@@ -185,13 +185,12 @@ def symmetric(a: Array, b: Array) -> Array:
 def first_guess(rows: Rows) -> Array:
     """B and D (9,) without the currents: where TWOSTEP starts, or a perfect sensor."""
     try:
-        L = scalar_check.regressors(rows.reading.T)
-        perfect, square = np.zeros(9), rows.magnitude**2
+        L, perfect, square = scalar_check.regressors(rows.reading.T), np.zeros(9), rows.magnitude**2
         variance = scalar_check.noise_variance(L, square, perfect, rows.noise, rows.reference_noise)
         mean = scalar_check.noise_mean(perfect, rows.noise)
-        found = weighted(L / variance, L, square + mean, row_covariance(rows.noise))
-        c_E = twostep.start(found, perfect[:3])
-        bias, D = scalar_check.to_b_D(c_E)
+        L_and_square = np.vstack([L, square])
+        found = weighted(L_and_square[3:] / variance, L_and_square, mean, row_covariance(rows.noise))
+        bias, D = scalar_check.to_b_D(twostep.start(found, perfect[:3]) - PERFECT)
     except (ArithmeticError, np.linalg.LinAlgError):
         return np.zeros(9)
     return np.concatenate([bias, scalar_check.stacked(D)])

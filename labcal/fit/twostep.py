@@ -24,7 +24,9 @@ from labcal.record import Run
 Array = NDArray[np.float64]
 STEPS, SETTLED = 50, 1e-5  # steps; their size at the end, in standard uncertainties
 ROUNDING = 1e-10  # of a step, relative to the answer
+NEAR = 1e-4  # of |H|²: what the rough step may leave of |b|²
 RIDGE = 10.0  # of the start, in units of what the noise alone seems to tell
+UNSETTLED = f"Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {MISSING}"
 NINE_OF_TEN = np.eye(10, 9)
 
 
@@ -46,27 +48,49 @@ def estimate(
 
     Raises ArithmeticError where the iteration finds no minimum.
     """
-    B, square = np.array(reading.T, order="C"), magnitude * magnitude
-    centre = np.add.reduce(B, axis=1) / len(square)
-    B -= centre[:, None]  # products of readings far from nought would lose digits
-    rows, covariance = scalar_check.regressors(B), row_covariance(noise)
-    c_E = rough(rows, square, covariance, noise, -centre) if near is None else scalar_check.moved(near.c_E, -centre)
-    of_row = rows * (1 / scalar_check.noise_variance(rows, square, c_E, noise, reference_noise))  # (5b)
-    found = weighted(of_row, rows, square + scalar_check.noise_mean(c_E, noise), covariance)
+    rows, centre = about_mean(reading, magnitude)
+    covariance = row_covariance(noise)
+    if near is None:
+        c_M, along = rough(rows, covariance, noise, -centre)
+    else:
+        c_M = near.moved(-centre).c_E + PERFECT
+        along = slopes(c_M)
+    x = along.dot(c_M)
+    weight = 1 / scalar_check.variance_at(rows[:10], rows[10], x, noise, reference_noise)  # (5b)
+    found = weighted(rows[3:] * weight, rows, scalar_check.mean_at(x, noise), covariance)
     share = found.noise if unbiased else np.zeros((10, 10))
-    c_E, signal = descend(found, c_E, share)
+    c_M, signal = descend(found, along, share)
     if unbiased:
         determined(signal, share[:9, :9])
-    return scalar_check.lazily(
-        scalar_check.moved(c_E, centre), lambda: sandwich(signal, share[:9, :9], scalar_check.moving(centre))
-    )
+    return scalar_check.lazily(c_M - PERFECT, lambda: sandwich(signal, share[:9, :9])).moved(centre)
 
 
-def rough(rows: Array, square: Array, covariance: Array, noise: Array, bias: Array) -> Array:
-    """(c, E) (9,) near enough to weigh the rows by: a step from about `bias` (3,), with all weights alike."""
-    alike = weighted(rows, rows, square + noise.trace(), covariance)
-    c_M, *_ = step(alike.products - alike.noise, alike.pull, slopes(start(alike, bias)))
-    return np.asarray(c_M - PERFECT)
+def about_mean(reading: Array, magnitude: Array) -> tuple[Array, Array]:
+    """The rows (L, 1, |H|²) (11, n) of the readings less their mean, and that mean (3,).
+
+    Products of readings far from nought would lose digits.
+    """
+    rows = np.empty((11, len(reading)))
+    np.multiply(magnitude, magnitude, out=rows[10])
+    rows[9] = 1 / len(reading)
+    centre = rows[9].dot(reading)
+    scalar_check.regressors(np.subtract(reading.T, centre[:, None], order="C"), out=rows[:10])
+    return rows, centre
+
+
+def rough(rows: Array, covariance: Array, noise: Array, bias: Array) -> tuple[Array, Array]:
+    """(c, M) (9,) near enough to weigh the rows by, from about `bias` (3,) with all weights alike, and its `slopes`.
+
+    One step is enough unless it leaves of |b|² what counts beside |H|². Raises ArithmeticError as `descend` does.
+    """
+    alike = weighted(rows[3:], rows, noise.trace(), covariance)
+    signal, along = alike.products - alike.noise, slopes(start(alike, bias))
+    for _ in range(STEPS):
+        c_M, *_ = step(signal, alike.pull, along)
+        expected, along = along[9].dot(c_M), slopes(c_M)
+        if abs(along[9].dot(c_M) - expected) * signal[9, 9] < -NEAR * alike.pull[9]:
+            return c_M, along
+    raise ArithmeticError(UNSETTLED)
 
 
 def start(found: Sums, bias: Array) -> Array:
@@ -79,29 +103,30 @@ def start(found: Sums, bias: Array) -> Array:
     *_, free, singular = dgesv(found.products + ridge, found.pull + ridge[:, :9].dot(perfect))
     if singular:
         raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")
-    return np.asarray(free[:9] - PERFECT)
+    return np.asarray(free[:9])
 
 
-def descend(found: Sums, c_E: Array, share: Array) -> tuple[Array, Array]:
-    """(c, E) (9,) at the minimum of the full loss and its curvature (9, 9), the noise's `share` (10, 10) taken off.
+def descend(found: Sums, along: Array, share: Array) -> tuple[Array, Array]:
+    """(c, M) (9,) at the minimum of the full loss and its curvature (9, 9), the noise's `share` (10, 10) taken off.
 
     Raises ArithmeticError where the iteration does not settle.
     """
-    signal, pull, along = found.products - share, found.pull, slopes(c_E)
+    signal, pull = found.products - share, found.pull
     for _ in range(STEPS):
         c_M, curvature, solve = step(signal, pull, along)
-        along = slopes(c_M - PERFECT)
+        along = slopes(c_M)
         gradient = along.T.dot(pull - signal.dot(along.dot(c_M)))
         last = solve(gradient)
-        if abs(gradient.dot(last)) < max(SETTLED**2, ROUNDING**2 * c_M.dot(curvature).dot(c_M)):
-            return c_M + last - PERFECT, curvature
-    raise ArithmeticError(f"Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {MISSING}")
+        size = abs(gradient.dot(last))
+        if size < SETTLED**2 or size < ROUNDING**2 * c_M.dot(curvature).dot(c_M):
+            return c_M + last, curvature
+    raise ArithmeticError(UNSETTLED)
 
 
-def slopes(c_E: Array) -> Array:
+def slopes(c_M: Array) -> Array:
     """The slopes (10, 9) of (c, M, −|b|²), by which the sums' rows (L, 1) become the regressors of a step."""
     out = NINE_OF_TEN.copy()
-    out[9] = -scalar_check.bias_square(c_E)[1]
+    out[9] = [-slope for slope in scalar_check.bias_square_at(c_M)[1]]
     return out
 
 
@@ -114,7 +139,7 @@ def step(signal: Array, pull: Array, along: Array) -> tuple[Array, Array, Callab
     return c_M, curvature, lambda right: dgetrs(factors, pivots, right)[0]
 
 
-def sandwich(signal: Array, share: Array, slope: Array) -> Array:
-    """Covariance (9, 9) of `slope` (9, 9) times the (c, E) at the minimum: the noise's `share` between the signal's."""
-    back = slope @ np.linalg.inv(signal)
+def sandwich(signal: Array, share: Array) -> Array:
+    """Covariance (9, 9) of the (c, E) at the minimum: the noise's `share` (9, 9) between the signal's."""
+    back = np.linalg.inv(signal)
     return np.asarray(back @ (signal + share) @ back.T)

@@ -7,6 +7,7 @@ from scipy.signal import lfilter
 
 from labcal.fit import centered, fit, scalar_check, twostep
 from labcal.fit.moments import centred
+from labcal.geometry import unit
 
 B, D = np.array([0.1, -0.06, 0.12]), np.array([[0.05, 0.03, -0.04], [0.03, 0.1, 0.02], [-0.04, 0.02, -0.03]])
 TRUTH = np.concatenate([lab.BIAS, scalar_check.stacked(lab.D)])
@@ -156,6 +157,21 @@ def test_the_answer_moves_with_the_readings_however_far(times):
     u = np.sqrt(np.diag(covariance))
     np.testing.assert_allclose((found.theta - moved) / u, 0, atol=1e-6)
     np.testing.assert_allclose((found.covariance - covariance) / np.outer(u, u), 0, atol=1e-6)
+
+
+@pytest.mark.parametrize("times", [10, 30])
+def test_twostep_starts_well_beside_a_bias_many_times_the_field(times):
+    worst = []
+    for seed in range(60):
+        random = np.random.default_rng(seed)
+        field = unit(random.standard_normal((200, 3))) + random.uniform(0.5, 1.3) * np.array([1.0, 0.5, 0.3])
+        field = unit(field) * random.uniform(0.7, 1.3, (200, 1))
+        bias = times * unit(random.standard_normal(3))
+        reading = np.linalg.solve(np.eye(3) + D, (field + bias).T).T + 0.01 * random.standard_normal((200, 3))
+        found = twostep.estimate(reading, np.linalg.norm(field, axis=1), 0.01**2 * np.eye(3))
+        error = found.theta - np.concatenate([bias, scalar_check.stacked(D)])
+        worst.append(np.sqrt(error @ np.linalg.solve(found.covariance, error)))
+    assert max(worst) < 9  # of chi with nine degrees of freedom: chance 1e-13
 
 
 def test_counts_give_the_map_in_nanotesla_per_count():
