@@ -176,7 +176,7 @@ class Sessions:
         for child in self._started:
             child.kill()
             child.communicate()
-        until(lambda: not guardians())
+        all_gone(self._lab.file)
 
 
 def until(true: Callable[[], bool]) -> None:
@@ -202,6 +202,29 @@ def alive(pid: int) -> bool:
         return b"labcal.bench.guardian" in Path(f"/proc/{pid}/cmdline").read_bytes()
     except OSError:
         return False
+
+
+def all_gone(bench: Path) -> None:
+    """Wait until no guardian of this bench is left, nor one that stands by; the last means is to kill them.
+
+    One whose supplies have gone would try for ever, and hold the pty that the next test is given.
+    """
+    try:
+        until(lambda: not of_bench(bench))
+    finally:
+        for pid in of_bench(bench):
+            os.kill(pid, signal.SIGKILL)
+
+
+def of_bench(bench: Path) -> list[int]:
+    """The guardians of this bench file, with those that stand by."""
+    found = list[int]()
+    for place in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            words = (place / "cmdline").read_bytes().split(b"\0")
+            if b"labcal.bench.guardian" in words and os.fsencode(bench.resolve()) in words:
+                found.append(int(place.name))
+    return found
 
 
 def children_of(parent: int) -> list[int]:

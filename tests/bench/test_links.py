@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 from pymodbus.client import ModbusTcpClient
 from pymodbus.framer import FramerType
+from served_lab import all_gone
 
 from labcal.bench import open_bench
 from labcal.bench.clock import RealClock, VirtualClock
@@ -41,6 +42,7 @@ def served(tmp_path: Path) -> Iterator[Path]:
             assert process.stdout is not None
             assert process.stdout.readline() == "ready\n"
             yield out
+            all_gone(out)  # while there is something that answers them
         finally:
             process.terminate()
 
