@@ -158,7 +158,9 @@ class BenchPage(QWidget):
         fault = answered["fault"] if answered else None
         for column, text in enumerate((one["role"], name, one["link"])):
             self.table.set_cell(row, column, text, tip=f"{text}   ({one['driver']})")
-        self.table.set_cell(row, 3, (answered or {}).get("identity") or "–")
+        identity = (answered or {}).get("identity") or "–"
+        simulated = answered is not None and one["role"] == "dut" and self._desk.facts["simulated"]
+        self.table.set_cell(row, 3, self.tr("{0}, simulated").format(identity) if simulated else identity)
         if answered is None:
             self.table.set_cell(row, 5, self.tr("○ not asked"), colour=self._theme.muted)
         elif fault:

@@ -48,6 +48,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}, simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>○ not asked</source>
         <translation type="unfinished"></translation>
     </message>
@@ -383,6 +387,10 @@
 <context>
     <name>Desk</name>
     <message>
+        <source>A run goes on; open another bench after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Scanned {0}; a run goes on, its DUT stays.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -400,6 +408,10 @@
     </message>
     <message>
         <source>Type the operator&apos;s name at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coils off: no bench is open, this window drives no coil.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -883,6 +895,18 @@
     </message>
     <message>
         <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils are switched off by another process; the line at the bottom says how they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It failed before any coil was energised.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils are NOT confirmed at zero: press COILS OFF (F12), or switch the supplies off at their mains.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
