@@ -33,6 +33,7 @@ lint: $(VENV)/.dev
 bench: $(VENV)/.dev
 	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 $(BIN)/python benchmarks/window_budget.py
 	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 $(BIN)/python benchmarks/window_events.py
+	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 $(BIN)/python benchmarks/window_start.py
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -q -s benchmarks/test_loop_speed.py
 	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 $(BIN)/python benchmarks/million_samples.py
 

@@ -149,13 +149,14 @@ class Desk(QObject):
             self._switch_off()
 
     def _ended(self, run_id: str, status: str) -> None:
-        """Where the worker died, its coils are whatever they were: to zero with them. What was wanted is added."""
+        """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
         self._force.stop()  # the next run is not to pay for this one
         order = self.run.order
         if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
             self.study_vm.add(order.procedure, run_id)
             self.went.emit("Loop")
-        if self.run.fault is not None and self.run.fault.kind == "crash":
+        fault = self.run.fault
+        if fault is not None and (fault.kind == "crash" or self.run.coils_at_zero is False):
             self._switch_off()
 
     def _switch_off(self) -> None:

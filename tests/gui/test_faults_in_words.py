@@ -40,6 +40,8 @@ def test_a_run_that_fails_says_how_it_left_the_coils(still, items, words):
     card = fail(still, LOST, *items)
     assert card.coils.isVisible()
     assert card.coils.text().startswith(words)
+    asked_for_zero = any(one[0] == "off" for one in still.desk.switch.asked)
+    assert asked_for_zero == ("NOT" in words)  # by another worker, without being told to
 
 
 def test_the_card_of_a_run_learns_that_its_coils_were_switched_off_after_it(qtbot, still):
