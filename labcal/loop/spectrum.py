@@ -114,7 +114,9 @@ class Stage:
         columns /= np.maximum(np.sqrt(np.einsum("nqb,nqb->b", columns, columns)), 1e-300)
         total = np.tensordot(1.0 / bands.spectra, _grams(both, bands), axes=1)
         A, b, yy = total[:, :-1, :-1], total[:, :-1, -1:], total[:, -1, -1]
-        half = np.linalg.cholesky(A + RIDGE * np.eye(A.shape[1]) * np.trace(A, axis1=1, axis2=2)[:, None, None])
+        diagonal = np.einsum("tii->ti", A)
+        diagonal += RIDGE * diagonal.sum(axis=1, keepdims=True)
+        half = np.linalg.cholesky(A)
         pulled = _divided(half, b)[:, 0]
         rss = np.maximum(yy - np.sum(pulled**2, axis=1), 1e-300)
         null = _best(rss[:, None], y.size, y.shape[1], bands, lowest)[0]
