@@ -116,7 +116,7 @@ class Stage:
         A, b, yy = total[:, :-1, :-1], total[:, :-1, -1:], total[:, -1, -1]
         diagonal = np.einsum("tii->ti", A)
         diagonal += RIDGE * diagonal.sum(axis=1, keepdims=True)
-        half = np.linalg.cholesky(A)
+        half = np.asarray(np.linalg.cholesky(A), dtype=np.float64)
         pulled = _divided(half, b)[:, 0]
         rss = np.maximum(yy - np.sum(pulled**2, axis=1), 1e-300)
         null = _best(rss[:, None], y.size, y.shape[1], bands, lowest)[0]
