@@ -30,7 +30,7 @@ def fail(window, fault, *items):
 @pytest.mark.parametrize(
     ("items", "words"),
     [
-        ((), "It failed before any coil was energised."),
+        ((), "This run energised no coil."),
         ((ON, ZERO), "All coils are at zero."),
         ((ON, UNSURE), "The coils are NOT confirmed at zero: press COILS OFF (F12)"),
         ((ON,), "The coils are NOT confirmed at zero: press COILS OFF (F12)"),

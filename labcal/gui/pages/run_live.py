@@ -245,7 +245,7 @@ class Live(QWidget):
         if fault.kind == "crash":
             return self.tr("The coils are switched off by another process; the line at the bottom says how they are.")
         if self._run.coil_A is None:
-            return self.tr("It failed before any coil was energised.")
+            return self.tr("This run energised no coil.")
         return self.tr(
             "The coils are NOT confirmed at zero: press COILS OFF (F12), or switch the supplies off at their mains."
         )

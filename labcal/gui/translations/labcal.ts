@@ -902,7 +902,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It failed before any coil was energised.</source>
+        <source>This run energised no coil.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
