@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 from pymodbus.client import ModbusTcpClient
 from pymodbus.framer import FramerType
-from served_lab import all_gone
+from served_lab import all_gone, example
 
 from labcal.bench import open_bench
 from labcal.bench.clock import RealClock, VirtualClock
@@ -27,7 +27,6 @@ from labcal.bench.links import EmulatedLink, Nobody, open_link
 from labcal.bench.links.modbus import ModbusLink, modbus_link
 from labcal.errors import InputError, InstrumentError
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]
 LONG_S = 60.0  # a busy machine answers within it
 
@@ -35,8 +34,9 @@ LONG_S = 60.0  # a busy machine answers within it
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[Path]:
     """The example bench on real lines."""
-    out = tmp_path / "served.toml"
-    command = [*LABCAL, "bench", "serve", str(EXAMPLE), "--out", str(out)]
+    bench, out = tmp_path / "bench.toml", tmp_path / "served.toml"
+    bench.write_text(example(), encoding="utf-8")
+    command = [*LABCAL, "bench", "serve", str(bench), "--out", str(out)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         try:
             assert process.stdout is not None

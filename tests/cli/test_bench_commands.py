@@ -95,7 +95,7 @@ def test_another_instrument_and_a_wrong_baud_rate_are_told_with_3(
 def test_a_wrong_port_and_one_that_is_in_use_are_told_with_3(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("COLUMNS", "400")
+    monkeypatch.setenv("COLUMNS", "4000")
     with socket.create_server(("127.0.0.1", 0)) as server:
         link = f"tcp://127.0.0.1:{server.getsockname()[1]}"
         path = changed(tmp_path, 'link = "emulated://"', f'link = "{link}"')
