@@ -368,10 +368,13 @@ def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
     qtbot.waitUntil(lambda: DARK.surface in lab.page("History").table.styleSheet(), timeout=LONG_MS)
     assert pages == {name: lab.page(name) for name in lab.later}  # in place: what is chosen stays chosen
     assert lab.page("Fit").table.horizontalHeaderItem(1).text() == "ml"
+    size = lab.size()
+    lab.resize(2400, 1400)  # wide at either size of its words
     before, words = lab.rail.width(), lab.top.off.fontMetrics().height()
     lab.toggle_wall()
     assert lab.rail.width() > 1.5 * before
     qtbot.waitUntil(lambda: lab.top.off.fontMetrics().height() > 1.5 * words, timeout=LONG_MS)
+    lab.resize(size)
 
 
 @pytest.mark.parametrize("name", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])
