@@ -1,5 +1,7 @@
 """A whole preflight by keys alone: from an empty home to a signed, reported, verified and exported run."""
 
+from functools import partial
+
 import pytest
 from PySide6.QtCore import QSettings, Qt, QTimer
 from PySide6.QtGui import QDesktopServices
@@ -69,8 +71,7 @@ class Hands:
                 return QTimer.singleShot(20, write)
             named.append(type(QApplication.focusWidget()))
             self.write(str(path))
-            self.strike(Qt.Key.Key_Return)
-            return box.reject() if isValid(box) and box.isVisible() else None  # it does not wait for ever
+            return self.confirm(box)
 
         QTimer.singleShot(0, write)
         self.press(button)
@@ -78,6 +79,12 @@ class Hands:
         assert named == [QLineEdit]
         self.window.activateWindow()  # as every desktop does, where there is one
         self.until(lambda: QApplication.focusWidget() is not None)
+
+    def confirm(self, box, times=100):
+        """Return, again where the box was still reading the folder; one that takes no name is put away."""
+        self.strike(Qt.Key.Key_Return)
+        if isValid(box) and box.isVisible():
+            QTimer.singleShot(50, partial(self.confirm, box, times - 1) if times else box.reject)
 
     def answer(self, run):
         """The first answer of every question by its own key, held, until the run has ended."""
