@@ -59,19 +59,20 @@ def _expected(problem: Problem) -> float:
 def _angle_step(problem: Problem) -> float:
     """Variance [nT²] of the field across the axis from the angle's rounding.
 
-    The smallest difference of two angles is the rounding only where the motion between rows is several times that.
+    Rounding lets the motion between rows change by whole steps within a segment; the smallest such change is the step
+    where the motion itself is several times that.
     """
     rig, angle = problem.scene.rig, problem.run.angle_deg
     if rig is None or angle is None or not np.isfinite(rig.angle_rad).any():
         return 0.0
     turning = np.isfinite(rig.angle_rad)
-    steps = np.diff(np.unique(np.round(angle[turning], 9)))
-    step = np.radians(float(steps.min())) if len(steps) else 0.0
-    moves = np.abs(np.diff(np.unwrap(rig.angle_rad[turning])))
-    if step * SEVERAL > np.median(moves):
+    segment, turned = problem.scene.segment[turning], np.unwrap(angle[turning], period=360.0)
+    changes = np.abs(np.round(np.diff(turned, 2)[segment[2:] == segment[:-2]], 6))
+    step = float(changes[changes > 0].min(initial=np.inf))
+    if not np.isfinite(step) or step * SEVERAL > np.median(np.abs(np.diff(turned))):
         return 0.0
     across = np.cross(np.nan_to_num(rig.axis_body), rig.prediction_nT)
-    return float(np.mean(np.sum(across**2, axis=1)) * step**2 / 12)
+    return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / 12)
 
 
 def _differences(y: Array, segment: NDArray[np.intp]) -> float:

@@ -1,0 +1,40 @@
+"""What noise alone would leave: the angle's rounding is part of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.loop.close import prepared
+
+STEP_deg = 0.7
+
+
+def in_halves(angle_deg: np.ndarray) -> np.ndarray:
+    """No rounding: the second half of the run was started elsewhere."""
+    return angle_deg + 0.6 * (np.arange(len(angle_deg)) >= len(angle_deg) // 2)
+
+
+def rounded(angle_deg: np.ndarray) -> np.ndarray:
+    """As an encoder of coarse steps tells it."""
+    return STEP_deg * np.round(angle_deg / STEP_deg)
+
+
+@pytest.mark.parametrize(("told", "step_deg"), [(in_halves, 0.0), (rounded, STEP_deg)])
+def test_the_angles_rounding_is_seen_where_the_motion_changes_by_its_steps(
+    making: ModuleType, tmp_path: Path, told: Callable[[np.ndarray], np.ndarray], step_deg: float
+) -> None:
+    rows, segments = making.recorded()
+    axes = np.repeat(np.tile(np.eye(3), (2, 1)), len(rows["t_s"]) // 6, axis=0)
+    across = np.cross(axes, rows["ref"])
+    rows["angle"] = np.radians(told(np.degrees(rows["angle"])))
+    for segment in segments:  # where it was started is not known
+        del segment["body_from_cage"]
+    found = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[1]
+    rounding = np.mean(np.sum(across**2, axis=1)) * np.radians(step_deg) ** 2 / 12
+    assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT / 1.05) ** 2 + rounding), rel=0.02)
