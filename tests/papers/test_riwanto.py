@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import riwanto
-from riwanto import MODELS, TRUTH, campaign, errors, over_bound, simulate, table_ii
+from riwanto import MODELS, TRUTH, bound, campaign, errors, over_bound, simulate, table_ii
 
 from labcal.fit.ml import estimate
 
@@ -61,3 +61,15 @@ def test_table_ii(model):
     if model is MODEL_5:
         assert errors(found.ml)[0] < 0.5 * errors(found.published)[0]
         assert errors(found.ml)[1] < 0.5 * errors(found.published)[1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("model", MODELS, ids=lambda m: f"model-{m.number}")
+def test_maximum_likelihood_is_at_the_bound_and_its_intervals_hold_over_500_seeds(model):
+    found = [estimate(simulate(model, seed), white_in="field") for seed in range(500)]
+    error = np.array([one.affine.parameters for one in found]) - TRUTH
+    assert np.mean((error / bound(model)) ** 2) == pytest.approx(1, abs=0.05)
+    holds = np.abs(error) < 1.96 * np.sqrt([np.diag(one.covariance) for one in found])
+    assert 0.93 < holds.mean() < 0.97
+    assert holds.mean(axis=0).min() >= 0.916
+    assert holds.mean(axis=0).max() <= 0.978
