@@ -70,7 +70,9 @@ class Hands:
             if not isinstance(box, QFileDialog) or not box.isAncestorOf(QApplication.focusWidget() or self.window):
                 return QTimer.singleShot(20, write)
             named.append(type(QApplication.focusWidget()))
-            self.write(str(path))
+            QApplication.clipboard().setText(str(path))  # typed, it would bring up Qt's list of names like it
+            for key in (Qt.Key.Key_A, Qt.Key.Key_V):
+                self.strike(key, modifier=Qt.KeyboardModifier.ControlModifier)
             return self.confirm(box)
 
         QTimer.singleShot(0, write)
