@@ -6,6 +6,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Iterator
+from multiprocessing.util import get_temp_dir
 from pathlib import Path
 
 import pytest
@@ -37,6 +38,7 @@ def shared() -> Path:
 def runtime_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Locks and sockets lie where no other labcal on this machine looks; a socket's path must be short."""
     tmp_path_factory.getbasetemp()
+    get_temp_dir()  # multiprocessing's own is cleared away later than this folder
     folder = tempfile.mkdtemp(prefix="labcal-", dir="/tmp" if os.name == "posix" else None)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TMPDIR", folder)
