@@ -99,9 +99,11 @@ def laid_out_later(*holders: QWidget) -> Iterator[None]:
     layouts = [layout for one in holders if (layout := one.layout()) is not None]
     for layout in layouts:
         layout.setEnabled(False)
-    yield
-    for layout in layouts:
-        layout.setEnabled(True)
+    try:
+        yield
+    finally:
+        for layout in layouts:
+            layout.setEnabled(True)
 
 
 class Ground(QWidget):

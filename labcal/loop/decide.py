@@ -159,14 +159,14 @@ def _spanned(search: Search, chosen: Candidate, ids: Collection[str]) -> list[Ar
     """All looks of these families on the channels of `chosen`, spanned; nothing where there is none."""
     kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
 
+    forms = [c.form for c in kin]
+
     def made() -> Array:
-        distinct = search.once(
-            ("distinct", *(id(c.form) for c in kin)), (), lambda: _distinct(search, kin), everywhere=True
-        )
+        distinct = search.once("distinct", forms, lambda: _distinct(search, kin), everywhere=True)
         parts = [search.moved(c)[:, :, places] for c, places, _ in distinct]
         return spanning(np.concatenate(parts, axis=2), np.concatenate([times for _, _, times in distinct]))
 
-    return [search.once(("spanned", *(id(c.form) for c in kin)), (), made)] if kin else []
+    return [search.once("spanned", forms, made)] if kin else []
 
 
 def _distinct(search: Search, kin: Sequence[Candidate]) -> list[tuple[Candidate, NDArray[np.intp], Array]]:
