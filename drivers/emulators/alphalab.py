@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from drivers.emulators.line import Lab, Pieces
+from drivers.emulators.line import Lab, Replies
 
 NT_PER_TENTH_MG = 10.0
 LISTS = {
@@ -17,12 +17,12 @@ LISTS = {
 DELAY_S, SILENCE_S = 0.005, 0.1
 
 
-class AlphaLabEmulator:
+class AlphaLabEmulator(Replies):
     """Answers one request at a time; the magnitude is that of the three axes as sent."""
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
-        self._lab, self._asked, self._list, self._waiting = lab, b"", b"", Pieces()
-        self._heard_s = 0.0
+        super().__init__()
+        self._lab, self._asked, self._list, self._heard_s = lab, b"", b"", 0.0
 
     def take(self, t_s: float, data: bytes) -> None:
         """Requests of six bytes; a silence ends one that was cut short."""
@@ -32,13 +32,7 @@ class AlphaLabEmulator:
         while len(self._asked) >= 6:
             code, self._asked = self._asked[0], self._asked[6:]
             if reply := self._reply(t_s, code):
-                self._waiting.append((t_s + DELAY_S, reply))
-
-    def emit(self, until_s: float) -> Pieces:
-        """Replies that are due."""
-        due = [piece for piece in self._waiting if piece[0] <= until_s]
-        self._waiting = self._waiting[len(due) :]
-        return due
+                self.say(t_s + DELAY_S, reply)
 
     def _reply(self, t_s: float, code: int) -> bytes:
         if code == 0x03:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from functools import cache
@@ -38,6 +39,10 @@ class Hmr2300Emulator(Answers):
             self._beat = None
             data = data.replace(ESC, b"")
         super().take(t_s, data)
+
+    def due_s(self) -> float:
+        """When its next reply or sample is on the line."""
+        return min(super().due_s(), self._beat.next_s() if self._beat else math.inf)
 
     def emit(self, until_s: float) -> Pieces:
         """Replies, then the samples that are due."""

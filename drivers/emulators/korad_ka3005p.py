@@ -6,21 +6,22 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from drivers.emulators.line import Lab, Pieces
+from drivers.emulators.line import Lab, Replies
 
 BUSY_S, REPLY_S = 0.05, 0.015
 MAX = {"V": 31.0, "I": 5.1}
 SET = re.compile(r"([VI])SET1:(\d+\.?\d*)")
 
 
-class KoradEmulator:
+class KoradEmulator(Replies):
     """Each arrival is one command; what comes within 50 ms of the last one is dropped without a word."""
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
+        super().__init__()
         (role,) = roles
         self._coil, self._end = lab.coils[role[-1]], settings.terminator
         self._values, self._on = {"V": 0.0, "I": 0.0}, False
-        self._free_s, self._waiting = 0.0, Pieces()
+        self._free_s = 0.0
 
     def take(self, t_s: float, data: bytes) -> None:
         """Bytes from the host."""
@@ -28,13 +29,7 @@ class KoradEmulator:
             return
         self._free_s = t_s + BUSY_S
         if reply := self._reply(t_s, data.decode("ascii", "replace").removesuffix(self._end)):
-            self._waiting.append((t_s + REPLY_S, reply))
-
-    def emit(self, until_s: float) -> Pieces:
-        """Replies that are due."""
-        due = [piece for piece in self._waiting if piece[0] <= until_s]
-        self._waiting = self._waiting[len(due) :]
-        return due
+            self.say(t_s + REPLY_S, reply)
 
     def _reply(self, t_s: float, text: str) -> bytes:
         current = self._coil.current.now(t_s)

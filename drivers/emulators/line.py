@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, Protocol
 
@@ -27,24 +28,19 @@ class Lab(Protocol):
         ...
 
 
-class Answers:
-    """Gives each request line to `answer(t, text)` and puts its reply on the line `delay_s` later."""
+class Replies:
+    """What an instrument has said and is not yet on the line."""
 
-    def __init__(self, answer: Callable[[float, str], bytes], *, end: bytes = b"\n", delay_s: float = 0.01) -> None:
-        self._answer, self._delay_s = answer, delay_s
-        self._lines, self._waiting = Lines(end), Pieces()
-        self._free_s = 0.0
+    def __init__(self) -> None:
+        self._waiting = Pieces()
 
-    def take(self, t_s: float, data: bytes) -> None:
-        """Bytes from the host; requests are worked off one after another."""
-        for _, line in self._lines.feed([(t_s, data)]):
-            self._free_s = max(self._free_s, t_s) + self._delay_s
-            if reply := self._answer(self._free_s, line.decode("ascii", "replace").strip()):
-                self._waiting.append((self._free_s, reply))
+    def say(self, t_s: float, data: bytes) -> None:
+        """`data` is on the line at `t_s`, not before what was said earlier."""
+        self._waiting.append((t_s, data))
 
     def due_s(self) -> float:
-        """When its next reply is on the line; 0 where none is on its way."""
-        return self._waiting[0][0] if self._waiting else 0.0
+        """When its next reply is on the line; inf where none is on its way."""
+        return self._waiting[0][0] if self._waiting else math.inf
 
     def emit(self, until_s: float) -> Pieces:
         """Replies that are due."""
@@ -52,3 +48,18 @@ class Answers:
         if due:
             self._waiting = self._waiting[len(due) :]
         return due
+
+
+class Answers(Replies):
+    """Gives each request line to `answer(t, text)` and puts its reply on the line `delay_s` later."""
+
+    def __init__(self, answer: Callable[[float, str], bytes], *, end: bytes = b"\n", delay_s: float = 0.01) -> None:
+        super().__init__()
+        self._answer, self._delay_s, self._lines, self._free_s = answer, delay_s, Lines(end), 0.0
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """Bytes from the host; requests are worked off one after another."""
+        for _, line in self._lines.feed([(t_s, data)]):
+            self._free_s = max(self._free_s, t_s) + self._delay_s
+            if reply := self._answer(self._free_s, line.decode("ascii", "replace").strip()):
+                self.say(self._free_s, reply)

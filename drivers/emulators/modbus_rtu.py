@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from drivers.emulators.line import Pieces
+from drivers.emulators.line import Pieces, Replies
 
 READ_COILS, READ_HOLDING, READ_INPUT, WRITE_COIL, WRITE_REGISTER, WRITE_REGISTERS = 1, 3, 4, 5, 6, 16
 SILENCE_S = 0.1  # ends a frame, however short it is
@@ -29,7 +29,7 @@ def crc(frame: bytes) -> bytes:
     return value.to_bytes(2, "little")
 
 
-class RtuSlave:
+class RtuSlave(Replies):
     """Collects frames, checks them, asks `read`/`write` and answers after `delay_s`.
 
     `read(t, function, address, count)` gives bits or words, `write(t, function, address, values)` takes them; both
@@ -44,8 +44,9 @@ class RtuSlave:
         *,
         delay_s: float = 0.02,
     ) -> None:
+        super().__init__()
         self.device, self._read, self._write, self._delay_s = device, read, write, delay_s
-        self._frame, self._heard_s, self._waiting = b"", 0.0, Pieces()
+        self._frame, self._heard_s = b"", 0.0
 
     def take(self, t_s: float, data: bytes) -> None:
         """Bytes from the master; a frame that is whole, sound and meant for this device is answered."""
@@ -60,13 +61,7 @@ class RtuSlave:
             return
         reply = self._answer(t_s, frame[:-2])
         if frame[0] or not self.device:  # 0 is for all and not answered, but for who has no other address
-            self._waiting.append((t_s + self._delay_s, reply + crc(reply)))
-
-    def emit(self, until_s: float) -> Pieces:
-        """Replies that are due."""
-        due = [piece for piece in self._waiting if piece[0] <= until_s]
-        self._waiting = self._waiting[len(due) :]
-        return due
+            self.say(t_s + self._delay_s, reply + crc(reply))
 
     def _answer(self, t_s: float, frame: bytes) -> bytes:
         function, address, value = frame[1], int.from_bytes(frame[2:4]), int.from_bytes(frame[4:6])
@@ -106,3 +101,7 @@ class RtuPair:
     def emit(self, until_s: float) -> Pieces:
         """Replies that are due."""
         return sorted(piece for slave in self._slaves for piece in slave.emit(until_s))
+
+    def due_s(self) -> float:
+        """When the first of them is heard."""
+        return min(slave.due_s() for slave in self._slaves)

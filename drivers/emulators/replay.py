@@ -24,6 +24,10 @@ class ReplayEmulator:
     def take(self, t_s: float, data: bytes) -> None:
         """It does not listen."""
 
+    def due_s(self) -> float:
+        """When its next line is; inf behind the last."""
+        return self._left[0][0] if self._left else math.inf
+
     def emit(self, until_s: float) -> Pieces:
         """The lines that are due."""
         count = next((k for k, (t, _) in enumerate(self._left) if t > until_s), len(self._left))

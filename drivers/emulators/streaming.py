@@ -28,6 +28,10 @@ class Beat:
         self._next = last + 1
         return times
 
+    def next_s(self) -> float:
+        """The first that was not given."""
+        return self._next / self._rate
+
 
 class Talker:
     """Sends `rows(t_s)` as frames from the moment it is powered, whether anybody listens or not."""
@@ -42,6 +46,10 @@ class Talker:
 
     def take(self, t_s: float, data: bytes) -> None:
         """It does not listen."""
+
+    def due_s(self) -> float:
+        """When it sends next."""
+        return self._beat.next_s()
 
     def emit(self, until_s: float) -> Pieces:
         """The frames that are due."""

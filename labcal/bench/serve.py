@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import select
 import socket
 import sys
 from collections.abc import Callable
@@ -13,11 +14,13 @@ from typing import Any, Protocol
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import read_config
-from labcal.bench.links import Emulator
+from labcal.bench.links.emulated import Emulator, Foresees
 from labcal.bench.loading import Loader, speaks_modbus
 from labcal.files import write_text
 
-STEP_S = 0.002
+STEP_S = 0.002  # how often an emulator is looked at that does not foresee its next bytes
+UNHEARD_S = 1.0  # and one whose line is full, as nobody reads it
+LONGEST_S = 3600.0  # that select is asked to wait
 
 if sys.platform != "win32":
     import pty
@@ -41,6 +44,14 @@ class Outlet(Protocol):
 
     url: str
 
+    def files(self) -> list[int]:
+        """What becomes readable when the host sends."""
+        ...
+
+    def full(self) -> list[int]:
+        """What becomes writable when a host reads at last; none while there is room."""
+        ...
+
     def read(self) -> bytes:
         """What the host sent since the last look."""
         ...
@@ -60,6 +71,16 @@ class PtyOutlet:
     def __init__(self, scheme: str) -> None:
         self._master, self._slave, name = open_pty()
         self.url = f"{scheme}://{name}?baud=115200"
+        self._full = list[int]()
+
+    def files(self) -> list[int]:
+        """The end that the host does not have."""
+        return [self._master]
+
+    def full(self) -> list[int]:
+        """The same, where the terminal holds all that it can; what is said until somebody reads is lost."""
+        self._full = [] if select.select([], [self._master], [], 0)[1] else [self._master]
+        return self._full
 
     def read(self) -> bytes:
         """What the host sent."""
@@ -70,7 +91,8 @@ class PtyOutlet:
     def write(self, data: bytes) -> None:
         """Put bytes on the line."""
         with suppress(BlockingIOError):
-            os.write(self._master, data)
+            if not self._full:
+                os.write(self._master, data)
 
     def close(self) -> None:
         """Close both ends."""
@@ -88,15 +110,29 @@ class TcpOutlet:
         port = self._listener.getsockname()[1]
         self.url = f"{scheme}://{'socket://' if scheme != 'tcp' else ''}127.0.0.1:{port}"
 
+    def files(self) -> list[int]:
+        """The port, and the connection where there is one."""
+        return [end.fileno() for end in (self._listener, self._host) if end is not None]
+
+    def full(self) -> list[int]:
+        """None: a connection without a host holds nothing."""
+        return []
+
     def read(self) -> bytes:
-        """What the host sent."""
-        with suppress(BlockingIOError):
-            self._host = self._listener.accept()[0]
-            self._host.setblocking(False)
-        if self._host is not None:
-            with suppress(OSError):
-                return self._host.recv(65536)
-        return b""
+        """What the host sent; one that has gone is let go."""
+        self._welcome()
+        if self._host is None:
+            return b""
+        try:
+            data = self._host.recv(65536)
+        except BlockingIOError:
+            return b""
+        except OSError:
+            data = b""
+        if not data:
+            self._host.close()
+            self._host = None
+        return data
 
     def write(self, data: bytes) -> None:
         """Send to the host that is there."""
@@ -109,6 +145,16 @@ class TcpOutlet:
         self._listener.close()
         if self._host is not None:
             self._host.close()
+
+    def _welcome(self) -> None:
+        """Take a host that has come in place of the one before."""
+        with suppress(OSError):
+            host = self._listener.accept()[0]
+            if self._host is not None:
+                self._host.close()
+            host.setblocking(False)
+            host.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            self._host = host
 
 
 def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | None = None) -> None:
@@ -144,13 +190,22 @@ def _outlet(emulator: Emulator, modbus: bool) -> Outlet:
 
 
 def _pump(lines: list[tuple[Outlet, Emulator]], clock: Clock) -> None:
+    """Carry bytes both ways; in between sleep until a host sends or an emulator's next bytes are due."""
     while True:
         for outlet, emulator in lines:
             if data := outlet.read():
                 emulator.take(clock.now(), data)
             if pieces := emulator.emit(clock.now()):
                 outlet.write(b"".join(piece for _, piece in pieces))
-        clock.wait_until(clock.now() + STEP_S)
+        full = [outlet.full() for outlet, _ in lines]
+        idle = [_idle_s(emulator, clock.now(), bool(there)) for (_, emulator), there in zip(lines, full, strict=True)]
+        files = [file for outlet, _ in lines for file in outlet.files()]
+        select.select(files, [file for there in full for file in there], [], min(idle, default=LONGEST_S))
+
+
+def _idle_s(emulator: Emulator, now: float, unheard: bool) -> float:
+    due_s = emulator.due_s() if isinstance(emulator, Foresees) else now
+    return min(max(due_s - now, UNHEARD_S if unheard else STEP_S if due_s <= now else 0.0), LONGEST_S)
 
 
 def toml(table: dict[str, Any], head: str = "") -> str:

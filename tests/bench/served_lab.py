@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import os
 import re
+import select
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -23,6 +25,7 @@ import pytest
 
 import labcal.bench.serve as serving
 from labcal.bench.clock import RealClock
+from labcal.bench.links import Nobody
 from labcal.bench.loading import Loader
 from labcal.home import home
 
@@ -77,26 +80,43 @@ def three_on_one_pair() -> str:
 class OneSocket(serving.TcpOutlet):
     """A supply that takes one connection, and serves no other until that one is gone."""
 
-    def read(self) -> bytes:
+    def files(self) -> list[int]:
+        return super().files()[-1:]  # nobody looks at the port while there is a connection
+
+    def _welcome(self) -> None:
         if self._host is None:
-            return super().read()
-        try:
-            data = self._host.recv(65536)
-        except BlockingIOError:
-            return b""
-        except OSError:
-            data = b""
-        if not data:
-            self._host.close()
-            self._host = None
-        return data
+            super()._welcome()
+
+
+class Stop(Nobody):
+    """A line of nobody's that ends the serving when it is pulled."""
+
+    url = ""
+
+    def __init__(self) -> None:
+        self._end, self._hand = socket.socketpair()
+
+    def files(self) -> list[int]:
+        return [self._end.fileno()]
+
+    def full(self) -> list[int]:
+        return []
+
+    def pull(self) -> None:
+        self._hand.close()
+
+    def read(self) -> bytes:
+        if select.select([self._end], [], [], 0)[0]:
+            self._end.close()
+            raise InterruptedError
+        return b""
 
 
 class Served:
     """A bench on real lines, served from a thread; `currents` is the truth."""
 
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch, bench: str) -> None:
-        self.file, self._stop, self._loaders = folder / "served.toml", threading.Event(), list[Loader]()
+        self.file, self._stop, self._loaders = folder / "served.toml", Stop(), list[Loader]()
         self.clock = RealClock()
         self.lines: list[tuple[Any, Any]] = []
         pump = serving._pump
@@ -108,12 +128,11 @@ class Served:
 
         def pumped(lines: list[tuple[Any, Any]], clock: Any) -> None:
             self.lines = lines
-            pump(lines, clock)
+            pump([*lines, (self._stop, self._stop)], clock)
 
         monkeypatch.setattr(serving, "_pump", pumped)
         monkeypatch.setattr(serving, "Loader", loader)
         monkeypatch.setattr(serving, "TcpOutlet", OneSocket)
-        monkeypatch.setattr(self.clock, "wait_until", self._wait)
         source = folder / "bench.toml"
         source.write_text(bench)
         self._thread = threading.Thread(target=self._serve, args=(source, ready), daemon=True)
@@ -123,11 +142,6 @@ class Served:
     def _serve(self, source: Path, ready: threading.Event) -> None:
         with suppress(InterruptedError):
             serving.serve(source, self.file, ready.set, clock=self.clock)
-
-    def _wait(self, t_s: float) -> None:
-        if self._stop.is_set():
-            raise InterruptedError
-        time.sleep(max(0.0, t_s - self.clock.now()))
 
     @property
     def coils(self) -> dict[str, Any]:
@@ -144,7 +158,7 @@ class Served:
         return next(emulator for outlet, emulator in self.lines if outlet.url == link)
 
     def close(self) -> None:
-        self._stop.set()
+        self._stop.pull()
         self._thread.join()
 
 

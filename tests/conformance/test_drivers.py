@@ -84,6 +84,18 @@ LONGER = {
 }
 
 
+class Watched:
+    """An emulator that is held to what it foresees: who serves it sleeps until then."""
+
+    def __init__(self, emulator: Any) -> None:
+        self._emulator, self.take, self.due_s = emulator, emulator.take, emulator.due_s
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        due_s, pieces = self.due_s(), self._emulator.emit(until_s)
+        assert min(t for t, _ in pieces) == pytest.approx(due_s, abs=1e-6) if pieces else due_s > until_s
+        return pieces
+
+
 class Rig:
     """One driver on its emulator, and what went over the line."""
 
@@ -95,7 +107,7 @@ class Rig:
         self.role = self.driver_class.roles[0]
         self.lab, self.clock = open_twin({}, 1), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
         roles = {FIRST.get(self.role, self.role): {}}
-        self.line = EmulatedLink("emulated://rig", emulator(self.lab, roles, self.settings), self.clock)
+        self.line = EmulatedLink("emulated://rig", Watched(emulator(self.lab, roles, self.settings)), self.clock)
         modbus = hints["link"] is ModbusLink
         self.line.never.add(self.driver_class.never, self.settings.address if modbus else None)
         self.sent: list[bytes] = []

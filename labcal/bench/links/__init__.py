@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from labcal.bench.clock import Clock
 from labcal.bench.links.emulated import EmulatedLink, Emulator, SharedWire
 from labcal.bench.links.line import Link, read_reply
@@ -20,6 +22,10 @@ class Nobody:
     def emit(self, until_s: float) -> list[tuple[float, bytes]]:
         """Nobody speaks."""
         return []
+
+    def due_s(self) -> float:
+        """Never."""
+        return math.inf
 
 
 def open_link(url: str, clock: Clock) -> Link:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Protocol, runtime_checkable
 
@@ -25,10 +26,10 @@ class Emulator(Protocol):
 
 @runtime_checkable
 class Foresees(Emulator, Protocol):
-    """An emulator that knows when its next reply is on the line."""
+    """An emulator that knows when its next bytes are on the line."""
 
     def due_s(self) -> float:
-        """That time; one in the past where none is on its way."""
+        """That time; inf where none are on their way, one in the past where that cannot be told."""
         ...
 
 
@@ -46,6 +47,10 @@ class SharedWire:
     def emit(self, until_s: float) -> list[tuple[float, bytes]]:
         """What they have put on the line up to `until_s`, in order."""
         return sorted(piece for end in self._ends for piece in end.emit(until_s))
+
+    def due_s(self) -> float:
+        """When the first of them is heard."""
+        return min(end.due_s() if isinstance(end, Foresees) else -math.inf for end in self._ends)
 
 
 class EmulatedLink:
@@ -83,11 +88,9 @@ class EmulatedLink:
 
     def _wait_for_the_reply(self, timeout_s: float) -> None:
         """On a virtual clock straight to the step in which the reply is due: nobody looks at the line before."""
-        if self._foresees is None:
-            return
         now = self._clock.now()
-        steps = int((min(self._foresees.due_s(), now + timeout_s) - now) / ASK_STEP_S)
-        self._clock.wait_until(now + steps * ASK_STEP_S)
+        if self._foresees is not None and now < (due_s := self._foresees.due_s()) <= now + timeout_s:
+            self._clock.wait_until(now + int((due_s - now) / ASK_STEP_S) * ASK_STEP_S)
 
     def reopen(self) -> None:
         """It cannot be lost."""
