@@ -16,10 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.delays import delays
+from labcal.loop.lines import periodic
 from labcal.loop.pairs import pairs
-from labcal.loop.search import NAMED, Candidate, Search, Weighed, periodic
+from labcal.loop.search import NAMED, Candidate, Search, Weighed
 from labcal.loop.spectrum import transformed
 from labcal.loop.steps import steps
+from labcal.loop.whitened import Whitened
 from labcal.model.effects import Form
 from labcal.model.effects.following import time_constants
 
@@ -32,6 +34,7 @@ SHARE_OF_REST = 0.08  # of what still lies above the noise, beside all looks of 
 SECANTS = 6  # rounds of a lag's own
 DIRECTIONS = 3  # in which columns are compared
 COMPANION = 0.7  # of the drop of the heaviest
+ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several shapes are searched in turn, and in the end
 OWN_PART = 0.03  # of the drop of a cause that extends another: what is its own has to bring as much,
 OWN_PART_OF_NOISE = 0.25  # or this part of the noise's square
 
@@ -214,7 +217,7 @@ def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
 
 
 def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    """The candidate at its best shape near the grid point that was found, by golden section in each shape."""
+    """The candidate at its best shape near the grid point found, each shape in turn under the noise found with it."""
     about = [c.form for c in (candidate, *accepted)]
     return search.once("refined", about, lambda: _refined(search, candidate, accepted))
 
@@ -223,8 +226,10 @@ def _refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]
     if "secant_s" in _names(candidate.form):
         return _on_secant(search, candidate, accepted)
     searched = [shape.name for shape in candidate.form.shape if shape.grid]
-    for name in searched * (2 if len(searched) > 1 else 1):
-        candidate = _along(search, candidate, name, accepted)
+    for name in searched if len(searched) > 1 else ():
+        candidate = _along(search, candidate, name, accepted, ROUGHLY)
+    for name in searched:
+        candidate = _along(search, candidate, name, accepted, EXACTLY)
     return candidate
 
 
@@ -239,19 +244,20 @@ def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidat
     return candidate
 
 
-def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[Candidate]) -> Candidate:
+def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[Candidate], within: float) -> Candidate:
     from scipy.optimize import minimize_scalar
 
     low, high = _bracket(search, candidate, name)
-    stage = search.stage(accepted)
+    start, stage = candidate.form.at(name), search.stage(accepted)
+    tried = stage.beside(search.moved(candidate))[0].tried
+    noise = search.once(("whitened", tried), (stage,), lambda: Whitened.of(stage, tried))
 
     def badness(value: float) -> float:
         columns = search.problem.columns(candidate.form.reshaped(**{name: value}))[search.moving]
-        return -stage.beside(transformed(columns))[0].log
+        return -noise.gain(transformed(columns))
 
-    start = candidate.form.at(name)
     found = minimize_scalar(
-        badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": 1e-3 * (high - low)}
+        badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": within * (high - low)}
     )
     if found.fun < badness(start):
         return Candidate(candidate.family, candidate.form.reshaped(**{name: float(found.x)}), candidate.looks)

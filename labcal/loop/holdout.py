@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.cores import each
 from labcal.loop.problem import Problem
 from labcal.loop.search import Candidate, Search
 from labcal.model.effects.regressors import stretches
@@ -112,9 +113,9 @@ def held_out(
     problem, whole = search.problem, search.whole
     block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (plan.block, plan.fold))
     out, known = np.full((2, len(whole)), np.nan), list[tuple[Candidate, Array]]()
-    for fold in np.unique(plan.fold[plan.fold != NOWHERE]):
-        part = search.on(plan.training(problem.scene.t_s, int(fold)) & search.rows)
-        chosen = choose(part)
+    numbers = np.unique(plan.fold[plan.fold != NOWHERE]).tolist()
+    parts = [search.on(plan.training(problem.scene.t_s, fold) & search.rows) for fold in numbers]
+    for fold, part, chosen in zip(numbers, parts, each(choose, parts), strict=True):
         seen_s = problem.scene.t_s[part.rows]
         test = (folds == fold) & search.good & ~_at_a_step(whole.scene.t_s, seen_s, [*before, *chosen])
         known = [(c, _of(c, known, search)) for c in (*before, *chosen)]

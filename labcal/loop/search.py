@@ -9,29 +9,27 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Hashable, Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.periods import periodogram, usual
+from labcal.loop.cores import each
 from labcal.loop.problem import Problem
 from labcal.loop.spectrum import Bands, Grams, Likelihood, Stage, bands_of, fast, transformed
 from labcal.model.effects import Family, Form, families
-from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 Kept = TypeVar("Kept")
 AT_ONCE = 64  # columns that are weighed together
-LONG = 5000  # rows from which a few at the end are not looked at, for a length that is fast to transform
+LONG = 5000  # rows from which any at the end are not looked at, for a length that is fast to transform;
+A_FEW = 0.02  # of fewer rows no more than this part
 KEPT_NUMBERS = 8_000_000  # of transformed columns of all candidates: more are transformed anew each time
 NAMED = 12.0  # nats of weight below which nothing is named: odds of 1.6e5 to one
-PEAKS = 3  # frequencies that a periodic effect is tried at
 SEEN = 1e-4  # of a column's square must be new to the base
 NOTHING = 1e-10  # of the largest eigenvalue: directions below carry no information
-CYCLES = 3.0  # a period must fit this often into the run, and into a median segment where it keeps step with them:
-IN_STEP = 0.7  # of one, the resultant of its phases at their starts: what a turn forth and back repeats, fits twice
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,40 +98,6 @@ def _points(form: Form) -> list[Form]:
     ]
 
 
-def periodic(problem: Problem, residual: Array) -> list[Candidate]:
-    """What shows as a line, at the highest peaks against their neighbourhood, for a residual (n, q).
-
-    What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
-    the turning of the field.
-    """
-    forms = [(f, form) for f in families() if f.sought == "lines" for form in f.candidates(problem.run)]
-    if not forms:
-        return []
-    offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
-    frequency, power = periodogram(problem.scene.t_s, offsets)
-    contrast = np.where(_own(problem, frequency), power / usual(power), 0.0)
-    found: list[Candidate] = []
-    for _ in range(PEAKS):
-        peak = int(np.argmax(contrast))
-        if contrast[peak] <= 0:
-            break
-        for family, form in forms:
-            at = replace(form.shape[0], value=float(frequency[peak]), grid=(0.0,))
-            found.append(Candidate(family, replace(form, shape=(at,)), len(frequency)))
-        contrast[max(peak - 8, 0) : peak + 9] = 0.0
-    return found
-
-
-def _own(problem: Problem, frequency: Array) -> NDArray[np.bool_]:
-    """Which frequencies [Hz] up from nought are neither a drift's, nor a motion's that comes again in each segment."""
-    times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
-    few = frequency < CYCLES / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
-    in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > IN_STEP
-    own = (frequency > CYCLES / max(times[-1][-1] - times[0][0], 1e-9)) & (frequency < 0.98 * frequency[-1])
-    own[few] &= ~in_step
-    return np.asarray(own)
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Columns:
     """Candidates with equally many columns, side by side: what is done to one is done to all at the price of few."""
@@ -161,8 +125,8 @@ class Search:
 
     def __post_init__(self) -> None:
         self.moving = np.flatnonzero(self.rows)
-        if self.part or len(self.moving) > LONG:
-            self.moving = self.moving[: fast(len(self.moving))]
+        all_but_few = 1 - A_FEW if not self.part and len(self.moving) <= LONG else 0.0
+        self.moving = self.moving[: fast(len(self.moving), all_but_few)]
         self.bands = bands_of(len(self.moving))
         base = transformed(self.problem.T[self.moving])
         self.base = base / np.maximum(np.sqrt(np.sum(base**2, axis=(0, 1))), 1e-300)
@@ -171,11 +135,14 @@ class Search:
     def once(
         self, what: Hashable, about: Sequence[object], make: Callable[[], Kept], *, everywhere: bool = False
     ) -> Kept:
-        """What `make` gives, made once for `what` and these very objects; `everywhere`: whatever the rows."""
+        """What `make` gives, made once for `what` and these very objects; `everywhere`: whatever the rows.
+
+        Two threads that ask at once may both make it; either gets the same.
+        """
         kept = self.shared if everywhere else self._own
         key = (what, *map(id, about))
         if key not in kept:
-            kept[key] = make(), tuple(about)  # which keep their ids to themselves
+            kept.setdefault(key, (make(), tuple(about)))  # which keep their ids to themselves
         found: Kept = kept[key][0]
         return found
 
@@ -222,18 +189,18 @@ class Search:
 
     @property
     def standing(self) -> list[Columns]:
-        """All candidates in groups of as many columns, few enough at a time to stay in the processor's cache."""
+        """A family's candidates in groups of as many columns, few enough at a time to stay in the processor's cache."""
         return self.once("standing", (), self._grouped, everywhere=True)
 
     def _grouped(self) -> list[Columns]:
-        alike: dict[int, list[Candidate]] = {}
+        alike: dict[tuple[str, int], list[Candidate]] = {}
         for candidate in self.candidates:
-            alike.setdefault(len(candidate.form.parameters), []).append(candidate)
-        found = []
-        for size, group in alike.items():
+            alike.setdefault((candidate.family.id, len(candidate.form.parameters)), []).append(candidate)
+        some = []
+        for (_, size), group in alike.items():
             count = max(AT_ONCE // size, 1)
-            found += [self._side_by_side(group[k : k + count]) for k in range(0, len(group), count)]
-        return found
+            some += [group[k : k + count] for k in range(0, len(group), count)]
+        return each(self._side_by_side, some)
 
     def _side_by_side(self, some: Sequence[Candidate]) -> Columns:
         n, q = self.problem.y.shape
@@ -306,14 +273,16 @@ class Search:
         """The evidence for each, beside what the stage holds."""
         found = self.once("weighed", (stage,), lambda: dict[int, Weighed]())
         open_to = {id(c) for c in candidates} - found.keys()
-        for group in self.standing:
-            if sum(id(c) in open_to for c in group.candidates) > len(group.candidates) / 4:
-                evidence = stage.beside_each(self.moved_each(group), self._ground(group))
-                found |= {id(c): self._weighed(c, stage, *e) for c, e in zip(group.candidates, evidence, strict=True)}
+        groups = [g for g in self.standing if 4 * sum(id(c) in open_to for c in g.candidates) > len(g.candidates)]
+        for group, evidence in zip(groups, each(partial(self._beside, stage), groups), strict=True):
+            found |= {id(c): self._weighed(c, stage, *e) for c, e in zip(group.candidates, evidence, strict=True)}
         for candidate in candidates:
             if id(candidate) not in found:
                 found[id(candidate)] = self._weighed(candidate, stage, *stage.beside(self.moved(candidate)))
         return [found[id(c)] for c in candidates]
+
+    def _beside(self, stage: Stage, group: Columns) -> list[tuple[Likelihood, int]]:
+        return stage.beside_each(self.moved_each(group), self._ground(group))
 
     def _weighed(self, candidate: Candidate, stage: Stage, found: Likelihood, rank: int) -> Weighed:
         gain = found.log - stage.null.log
