@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 Rows = list[list[str]]
 
 NUMBER_TEXT = frozenset("0123456789+-.eE")
+LARGEST = 1e30  # a larger number is no measurement, and its square would be none at all
 ROWS_AT_ONCE = 50_000
 
 
@@ -159,7 +160,7 @@ class _Reader:
                 return InputError(what, file=self.file, line=line, column=min(len(row), len(self.header)) + 1)
             for name, cell in zip(self.header, row, strict=True):
                 if name in self.numbers and _floats([cell]) is None:
-                    what = f"expected a finite number or an empty cell, found {cell[:40]!r}"
+                    what = f"expected a finite number (up to {LARGEST:g}) or an empty cell, found {cell[:40]!r}"
                     return InputError(what, file=self.file, line=line, column=name)
         raise AssertionError("a chunk was refused that has no fault")
 
@@ -172,4 +173,4 @@ def _floats(cells: Sequence[str]) -> Array | None:
         values = np.array([float(cell) if cell else np.nan for cell in cells])
     except ValueError:
         return None
-    return None if np.isinf(values).any() else values
+    return None if (np.abs(values) > LARGEST).any() else values
