@@ -15,6 +15,7 @@ from labcal.model.effects.regressors import stretches
 Array = NDArray[np.float64]
 Source = Literal["declared", "static", "differences"]
 SEVERAL = 3.0  # steps of the encoder between two rows
+WHOLE = 0.1  # of a step, that a change may be off a multiple of it
 STILL = 0.002  # of the field: a static stretch moves no more than this
 
 
@@ -70,6 +71,8 @@ def _angle_step(problem: Problem) -> float:
     changes = np.abs(np.round(np.diff(turned, 2)[segment[2:] == segment[:-2]], 6))
     step = float(changes[changes > 0].min(initial=np.inf))
     if not np.isfinite(step) or step * SEVERAL > np.median(np.abs(np.diff(turned))):
+        return 0.0
+    if np.median(np.abs(changes / step - np.round(changes / step))) > WHOLE:
         return 0.0
     across = np.cross(np.nan_to_num(rig.axis_body), rig.prediction_nT)
     return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / 12)
