@@ -23,7 +23,20 @@ LEAST_SHARE = 0.5  # of the rows that both channels have to be known in
 def findings(run: Run, problem: Problem, level: Floor) -> tuple[Finding, ...]:
     """All of them for one run."""
     found = [turned_axes(problem), disagreement(problem, level)]
-    return (*(f for f in found if f is not None), *same_signals(run))
+    return (*(f for f in found if f is not None), *silent(run), *same_signals(run))
+
+
+def silent(run: Run) -> list[Finding]:
+    """Channels that cannot show a cause: without a value, or with one value alone."""
+    values = {c.name: c.values[np.isfinite(c.values)] for c in run.channels if c.role == "dut"}
+    empty = [name for name, known in values.items() if not len(known)]
+    constant = [name for name, known in values.items() if len(known) and np.ptp(known) == 0]
+    told = ((empty, "no value in this run"), (constant, "one value all through this run"))
+    return [
+        Finding("silent-channel", "data", f"Channels with {what}: {', '.join(names)}. They can show no cause.")
+        for names, what in told
+        if names
+    ]
 
 
 def same_signals(run: Run) -> list[Finding]:

@@ -27,12 +27,15 @@ ROWS = 160  # rows that the quick fits are about
 FAR = 5.0  # times the noise floor, and
 OF_FIELD = 0.015  # of the field: a base that leaves less than one of them is not doubted
 RUBBISH = 0.2  # of the field: what no sensor's effect leaves
+OTHER_UNIT = 100.0  # times larger or smaller than the field: readings of another unit
+LEAST_nT = 1.0  # of a field: less is none
 MENDED = 5.0  # times less has to be left with a mistake undone
 MENDED_BY_CLOCK = 3.0
 AT_FLOOR = 1.15  # times the noise floor: a base that leaves no more needs no larger one
 BY_MAP = 1.5  # times less has to be left by a whole map before its lack is the cause
 FLAT = 0.2  # of the largest gain: a smaller one is no axis of a magnetometer
 AS_GOOD = 1.1  # times the best that is left: no choice between them
+LARGEST_RAD = 100.0  # of an angle that may be in radians
 LEAST_S = 1.0  # of a clock's offset: less is a lag, and the effect of that name explains it
 OFFSETS_S = np.concatenate([np.arange(0.5, 10.1, 0.5), np.arange(12.0, 61.0, 2.0)])
 
@@ -50,6 +53,8 @@ class Mistake:
 def doubt(problem: Problem, level: Floor) -> Finding | None:
     """What is wrong with the data where a mistake in them explains a gross misfit; else None."""
     field = float(np.sqrt(np.mean(problem.seen.magnitude**2)))
+    if (finding := _dead(problem) or _units(problem, field)) is not None:
+        return finding
     left = float(np.sqrt(np.mean(problem.length_nT(problem.residual_nT) ** 2)))
     if left < AT_FLOOR * level.nT:
         return None
@@ -59,6 +64,24 @@ def doubt(problem: Problem, level: Floor) -> Finding | None:
         return _undetermined(problem, left)
     mistake = _frame(problem, run, declared) or _clock(problem, declared)
     return mistake or _undetermined(problem, left) or _rubbish(left, field)
+
+
+def _dead(problem: Problem) -> Finding | None:
+    """Axes of the device that say the same in every row."""
+    dead = [axis for axis, values in zip(AXES, problem.seen.reading.T, strict=True) if np.ptp(values) == 0]
+    if not dead:
+        return None
+    return Finding("dead-axis", "data", f"The reading along {' and '.join(dead)} is the same in every row.")
+
+
+def _units(problem: Problem, field: float) -> Finding | None:
+    """Readings of another size than the field altogether: no gain and no offset makes such."""
+    readings = problem.seen.reading * problem.seen.scale * problem.run.dut.nominal_nT_per_unit
+    size, spread = (float(np.sqrt(np.mean(np.sum(v**2, axis=1)))) for v in (readings, readings - readings.mean(axis=0)))
+    if not (size * OTHER_UNIT < field or spread > OTHER_UNIT * max(field, LEAST_nT)):
+        return None
+    text = f"The readings come to {size:.3g} nT, the reference to {field:.3g} nT"
+    return Finding("units", "data", f"{text}: the unit or nominal_nT_per_unit of one of them is not as declared.")
 
 
 def _undetermined(problem: Problem, left: float) -> Finding | None:
@@ -132,8 +155,12 @@ def _frames(run: Run) -> Iterator[Mistake]:
 
 
 def _senses(run: Run) -> Iterator[Mistake]:
-    if run.angle_deg is not None:
-        yield Mistake("with the platform's angle counted the other way", replace(run, angle_deg=-run.angle_deg), 1)
+    if run.angle_deg is None:
+        return
+    yield Mistake("with the platform's angle counted the other way", replace(run, angle_deg=-run.angle_deg), 1)
+    if np.nanmax(np.abs(run.angle_deg), initial=0.0) < LARGEST_RAD:
+        in_degrees = replace(run, angle_deg=np.degrees(run.angle_deg))
+        yield Mistake("with the platform's angle taken in radians, not degrees", in_degrees, 1)
 
 
 def _axes(run: Run) -> Iterator[Mistake]:

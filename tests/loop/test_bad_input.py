@@ -10,6 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from labcal import session
+from labcal.loop.close import prepared
+from labcal.loop.reference_sanity import doubt
+
 Closed = Callable[[Path], tuple[int, dict[str, Any], str]]
 
 
@@ -52,6 +56,8 @@ def test_constant_and_empty_channels_name_no_effect(making: ModuleType, tmp_path
     rows["temp"][:], rows["i_load"][:] = 20.0, np.nan
     code, result, _ = closed_loop(making.written(tmp_path, rows, segments))
     assert (code, result["verdict"]) == (0, "clean")
+    assert "no value in this run: i_load" in _said(result)
+    assert "one value all through this run: temp" in _said(result)
 
 
 def test_text_in_a_channel_is_refused_with_line_and_column(
@@ -85,6 +91,8 @@ def test_two_identical_channels_are_rivals_and_called_one_signal(
     channels = {**making.CHANNELS, "temp_two": making.CHANNELS["temp"]}
     code, result, _ = closed_loop(making.written(tmp_path, rows, segments, channels))
     assert (code, result["verdict"]) == (1, "ambiguous")
+    assert "temp_two) does as well" in result["summary"] or "temp) does as well" in result["summary"]
+    assert any("does as well as" in other["why"] and other["holdout_rms_after_nT"] for other in result["rejected"])
     cause = result["accepted"][0]
     assert {*cause["channels"], *(c for r in cause["rivals"] for c in r["channels"])} == {"temp", "temp_two"}
     assert "temp and temp_two are one signal" in _said(result)
@@ -124,6 +132,50 @@ def test_a_reference_in_another_frame_is_said_and_nothing_is_searched(
     assert (code, result["verdict"], result["accepted"]) == (1, "unexplained", [])
     assert words in result["summary"]
     assert result["findings"][0]["belongs_to"] == "data"
+
+
+def _radians(rows: dict[str, Any]) -> None:
+    rows["angle"] = np.radians(rows["angle"])
+
+
+def _microtesla(rows: dict[str, Any]) -> None:
+    rows["dut"] = rows["dut"] / 1000
+
+
+def _reference_in_microtesla(rows: dict[str, Any]) -> None:
+    rows["ref"] = rows["ref"] / 1000
+
+
+def _stuck(rows: dict[str, Any]) -> None:
+    rows["dut"][:, 1] = 812.0
+
+
+@pytest.mark.parametrize(
+    ("spoil", "kind", "words"),
+    [
+        (_radians, "reference-frame", "angle taken in radians"),
+        (_microtesla, "units", "nominal_nT_per_unit"),
+        (_reference_in_microtesla, "units", "not as declared"),
+        (_stuck, "dead-axis", "along y is the same in every row"),
+    ],
+)
+def test_another_unit_or_a_dead_axis_is_said(
+    making: ModuleType, tmp_path: Path, spoil: Callable[[dict[str, Any]], None], kind: str, words: str
+) -> None:
+    rows, segments = making.recorded()
+    spoil(rows)
+    problem, level, _ = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))
+    finding = doubt(problem, level)
+    assert finding is not None
+    assert finding.kind == kind
+    assert words in finding.says
+
+
+def test_a_large_offset_in_a_small_field_is_no_other_unit(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    rows["dut"], rows["ref"] = 90_000 + rows["dut"] / 100, rows["ref"] / 100
+    problem, level, _ = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))
+    assert doubt(problem, level) is None
 
 
 @pytest.mark.parametrize("late", [5, -7])
