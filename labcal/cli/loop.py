@@ -94,7 +94,8 @@ def _show(closed: ClosedLoop) -> None:
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
         console.print(effects)
     for remark in closed.remarks:
-        console.print(remark, highlight=False)
+        if remark not in closed.summary:
+            console.print(remark, highlight=False)
     for done in closed.rounds:
         console.print(f"Measured: {done.procedure} (run {done.run_id}), then {done.verdict}.", highlight=False)
     if closed.next_experiment is not None:

@@ -23,12 +23,12 @@ from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
 from labcal.loop.rivals import AT_FLOOR, Contender
-from labcal.loop.search import NAMED, Search
+from labcal.loop.search import NAMED, Search, Weighed
 from labcal.loop.setaside import at_rail
 from labcal.loop.shape import describe
 from labcal.loop.surrogates import p_value
 from labcal.loop.whiteness import tests as residual_tests
-from labcal.loop.words import in_doubt, summary, tested, why, why_not
+from labcal.loop.words import in_doubt, summary, tested, why, why_not, why_rival
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
 from labcal.record import Run
@@ -83,7 +83,7 @@ def doubted(run: Run, problem: Problem, level: Floor, stuck: int, finding: Findi
     search = Search(problem, [], rows, _lowest(run), rows)
     blocks = plan(problem, 0.0)
     honest = held_out(search, blocks, always(()))
-    found = Evidence(search, search, (), (), (), honest, (), level, blocks, np.zeros(1), 0.0)
+    found = Evidence(search, search, (), (), (), honest, (), level, blocks, np.zeros(1), {}, 0.0)
     base = refit(problem, [])
     return replace(_result(run, found, base, base, {"outliers": 0, "saturation": stuck}), **in_doubt(finding))
 
@@ -109,7 +109,7 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
     problem = after.problem
     rows = found.search.good
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
-    found = replace(found, honest=_as_shipped(found.honest, in_sample[1]))
+    found = replace(found, honest=_as_shipped(found.honest, in_sample[1], added=bool(found.accepted)))
     verdict = _verdict(found, aside, len(problem))
     of_the_data = _of_the_data(aside, problem, verdict, found.far)
     accepted = [*of_the_data, *_records(found, after)]
@@ -143,17 +143,19 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         shipped=errors,
         twins=twins(found),
         remarks=(tested(tests["after"]), *(finding.says for finding in noticed)),
-        pictures=pictured(before.problem, after.problem),
+        pictures=replace(pictured(before.problem, after.problem), held_out_nT=_both(found.honest)),
     )
 
 
-def _as_shipped(honest: HeldOut, in_sample: float) -> HeldOut:
+def _as_shipped(honest: HeldOut, in_sample: float, *, added: bool = True) -> HeldOut:
     """The held-out error, no smaller than what the map and effects that are shipped leave on the rows of their fit.
 
     Blocks are foretold by straight lines about the last fit; where an effect bends too far for them, the file is worse.
+    Where nothing was `added`, before is what is after.
     """
     shipped = max(honest.after, in_sample)
-    return replace(honest, after_nT=honest.after_nT * (shipped / honest.after)) if honest.after > 0 else honest
+    after_nT = honest.after_nT * (shipped / honest.after) if honest.after > 0 else honest.after_nT
+    return replace(honest, after_nT=after_nT, before_nT=honest.before_nT if added else after_nT)
 
 
 def _shipped(found: Evidence, after: Refit, unsupported: Collection[int]) -> tuple[Refit, Errors | None]:
@@ -173,6 +175,13 @@ def _shipped(found: Evidence, after: Refit, unsupported: Collection[int]) -> tup
 def pictured(before: Problem, after: Problem) -> Pictures:
     """The residual as it was and as it is, for pictures."""
     return Pictures(after.scene.t_s, after.scene.segment, _shown(before), _shown(after))
+
+
+def _both(honest: HeldOut) -> Array:
+    """Held-out lengths before and after (n, 2), NaN on rows that were never held out."""
+    lengths = np.full((len(honest.rows), 2), np.nan)
+    lengths[honest.rows] = np.column_stack([honest.before_nT, honest.after_nT])
+    return lengths
 
 
 def _shown(problem: Problem) -> Array:
@@ -253,19 +262,27 @@ def _rejected(found: Evidence) -> list[EffectRecord]:
     """Every cause that was weighed and not taken, at the last step that weighed it."""
     last = {w.candidate.cause: w for ranking in found.rankings for w in ranking}
     taken = {c.cause for c in found.accepted}
-    out = []
-    for cause, w in last.items():
-        if cause not in taken:
-            form = w.candidate.form
-            out.append(
-                EffectRecord(
-                    effect=w.candidate.family.id,
-                    channels=form.channels,
-                    reference_value=dict(form.reference_value),
-                    belongs_to=w.candidate.family.belongs_to,
-                    parameters=(),
-                    p_value=p_value(w, found.heaviest),
-                    why=why_not(w),
-                )
-            )
-    return out
+    return [_turned_down(found, w) for cause, w in last.items() if cause not in taken]
+
+
+def _turned_down(found: Evidence, w: Weighed) -> EffectRecord:
+    """One of them; with its held-out error where it stood in an accepted one's place, or was taken and given up."""
+    form, step = w.candidate.form, found.refused.get(w.candidate.cause)
+    before, after, said = (step.before, step.after, why_not(w, step)) if step else (None, None, why_not(w))
+    gain = step.improvement() if step else None
+    for chosen, proof, rivals in zip(found.accepted, found.steps, found.rivals, strict=True):
+        for rival in rivals[1:]:
+            if rival.weighed.candidate.cause == w.candidate.cause:
+                before, after, gain, said = proof.before, rival.after_nT, None, why_rival(chosen, rival.after_nT)
+    return EffectRecord(
+        effect=w.candidate.family.id,
+        channels=form.channels,
+        reference_value=dict(form.reference_value),
+        belongs_to=w.candidate.family.belongs_to,
+        parameters=(),
+        holdout_rms_before_nT=before,
+        holdout_rms_after_nT=after,
+        improvement_ci95_nT=gain,
+        p_value=p_value(w, found.heaviest),
+        why=said,
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -41,6 +41,7 @@ class Choice:
     rankings: tuple[list[Weighed], ...]
     steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
     blocks: Plan
+    refused: Mapping[Cause, HeldOut]  # proofs of those that were taken and given up
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,6 +58,7 @@ class Evidence:
     level: Floor
     blocks: Plan
     heaviest: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
+    refused: Mapping[Cause, HeldOut]  # proofs of causes that were taken and given up on held-out data
     far: float  # how far the rows that were set aside typically lie, in standard deviations of the others
 
 
@@ -75,7 +77,9 @@ def weighed(search: Search, level: Floor) -> Evidence:
     rivals = tuple(tuple(as_good(search, blocks, accepted, one)) for one in accepted)
     far = farness(search.everywhere(accepted)[0], search.good)
     chance = by_chance(search, accepted)
-    return Evidence(search, bare, accepted, choice.rankings, rivals, honest, steps, level, blocks, chance, far)
+    gone = {c.cause: step for c, step in zip(choice.accepted, choice.steps, strict=True)}
+    refused = {**choice.refused, **gone}
+    return Evidence(search, bare, accepted, choice.rankings, rivals, honest, steps, level, blocks, chance, refused, far)
 
 
 def from_the_base(bare: Search, search: Search, blocks: Plan, honest: HeldOut) -> HeldOut:
@@ -92,7 +96,7 @@ def from_the_base(bare: Search, search: Search, blocks: Plan, honest: HeldOut) -
 
 def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int = MOST) -> Choice:
     """Choose effects on the rows of `search`, and refuse again those that do not help on blocks held out of them."""
-    refused: set[Cause] = set()
+    refused, proofs = set[Cause](), dict[Cause, HeldOut]()
     for _ in range(REFUSALS):
         accepted, rankings = _chosen(search, most, refused)
         apart = blocks or plan(search.problem, correlation_s(search, accepted))
@@ -112,8 +116,9 @@ def decided(search: Search, level: Floor, blocks: Plan | None = None, most: int 
             most = idle  # one more line or step of those there are: they stay
         else:
             refused.add(accepted[idle].cause)
+            proofs[accepted[idle].cause] = steps[idle]
         accepted, steps = accepted[:idle], steps[:idle]
-    return Choice(tuple(accepted), tuple(rankings), tuple(steps), apart)
+    return Choice(tuple(accepted), tuple(rankings), tuple(steps), apart, proofs)
 
 
 def _chosen(

@@ -41,7 +41,7 @@ def next_experiment(found: Evidence, verdict: Verdict, after: Refit, shape: Shap
         do, procedure = BY_ANGLE
     elif shape.field_nT is not None and shape.kind not in ("step", "line"):
         do, procedure = BY_FIELD
-    return NextExperiment(f"structure remains that no known effect carries: {shape.says}", do, procedure)
+    return NextExperiment(f"structure remains that no known effect carries: {shape.says.rstrip('.')}", do, procedure)
 
 
 def _between(found: Evidence, after: Refit) -> NextExperiment:

@@ -53,7 +53,7 @@ class ResidualTest:
     of: str
     statistic: float
     p_value: float
-    share: float  # of the residual's square
+    share: float  # of the residual's square, or of its component's that it is seen on
     passes: bool  # chance, or not material
     says: str
 
@@ -100,12 +100,13 @@ class Round:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pictures:
-    """Residuals for the report, over the rows used (n,)."""
+    """Residuals for the report, over the rows used (n,): in sample, and on held-out blocks."""
 
     t_s: Array
     segment: NDArray[np.intp]
     before_nT: Array  # (n, 3), or (n, 1) of the magnitude
     after_nT: Array
+    held_out_nT: Array | None = None  # (n, 2) lengths before and after by fits that did not see the row; else NaN
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -91,8 +91,8 @@ def independent(problem: Problem, y: Array) -> Iterator[ResidualTest]:
         z, r = max(_crossed(part, other) for part in own)
         looks = y.shape[1] * (2 * LATE + 1)
         p = min(1.0, looks * 2 * float(ndtr(-z)))
-        share = r**2 / y.shape[1]
-        passes = p >= CHANCE or r**2 < MATERIAL
+        share = r**2
+        passes = p >= CHANCE or share < MATERIAL
         says = f"independent of {name}" if passes else f"goes with {name} (correlation {r:+.2f})"
         yield ResidualTest("independence", name, r, p, share, passes, says)
 

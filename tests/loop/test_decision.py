@@ -96,6 +96,7 @@ def test_a_later_cause_that_leaves_a_third_of_what_it_took_is_misfit_of_the_firs
 
 def test_a_file_that_leaves_more_than_was_foretold_says_so() -> None:
     assert _as_shipped(_held(300.0, 50.0), 80.0).after == pytest.approx(80.0)
+    assert _as_shipped(_held(70.0, 70.0), 80.0, added=False).before == pytest.approx(80.0)
     assert _as_shipped(_held(300.0, 50.0), 45.0).after == pytest.approx(50.0)
 
 
