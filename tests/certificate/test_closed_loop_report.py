@@ -81,6 +81,22 @@ def test_the_page_says_what_the_loop_found(result: ClosedLoop, run: Run):
     ):
         assert said in text, said
     assert text.count("<svg") == 2
+    assert "Rms in each segment, in sample" in text
+
+
+def test_the_segments_are_told_held_out_where_blocks_were(result: ClosedLoop, run: Run):
+    both = np.full((100, 2), np.nan)
+    both[10:90] = 90.0, 30.0
+    text = html(closed_loop_page(replace(result, pictures=replace(result.pictures, held_out_nT=both)), run))
+    assert "Rms in each segment, on held-out blocks" in text
+
+
+def test_an_accepted_effect_says_what_it_is_and_how_much_it_gains(result: ClosedLoop, run: Run):
+    sure = replace(result.accepted[0], improvement_ci95_nT=(58.0, 71.5))
+    text = html(closed_loop_page(replace(result, accepted=(sure,)), run))
+    assert "Sensor offset in proportion to a housekeeping current" in text
+    assert "between 58.0 and 71.5 nT" in text
+    assert "Not tried" in text
 
 
 def test_a_clean_scalar_result_needs_no_more(result: ClosedLoop, run: Run):

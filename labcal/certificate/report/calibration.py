@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from hashlib import sha256
 
@@ -13,6 +14,7 @@ from labcal.certificate.report.style import decimals_for, number, sentence
 from labcal.certificate.report.unstated import not_stated
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
+from labcal.model.effects import families
 from labcal.record import Dut, Run
 
 COVERAGE = 2.0  # coverage factor k of U
@@ -82,19 +84,28 @@ def _effect_table(effect: EffectRecord) -> Table:
 
 def _parameter_row(p: Parameter) -> tuple[str, str, str, str]:
     decimals = decimals_for([COVERAGE * p.u])
-    return p.name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit
+    return p.name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit.replace("degC", "°C")
 
 
 def _why(effect: EffectRecord) -> str:
     before, after = effect.holdout_rms_before_nT, effect.holdout_rms_after_nT
-    said = [sentence(effect.why)]
+    said = [what_it_is(effect.effect), sentence(effect.why)]
     if before is not None and after is not None and "held-out" not in effect.why:
         said.append(f"Held-out rms {number(before)} → {number(after)} nT.")
+    if (gain := effect.improvement_ci95_nT) is not None:
+        said.append(f"Its gain lies between {number(gain[0])} and {number(gain[1])} nT (95 %).")
     said += [
         f"Rival: {' · '.join([r.effect, *r.channels])} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals
     ]
     said += [f"{name} counts from {value:g}." for name, value in effect.reference_value.items()]
     return " ".join(filter(None, said))
+
+
+def what_it_is(effect: str) -> str:
+    """The physics of an effect in a sentence, as its own file begins; empty where it does not say."""
+    known = next((family for family in families() if family.id == effect), None)
+    said = sys.modules[known.kernel.__module__].__doc__ if known is not None else None
+    return " ".join((said or "").strip().split("\n\n")[0].split())
 
 
 def _marks(verification: Verification) -> tuple[Mark, ...]:

@@ -14,6 +14,7 @@ from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, senten
 from labcal.certificate.report.unstated import not_stated
 from labcal.loop.result import ClosedLoop, ResidualTest, Verdict
 from labcal.model import EffectRecord
+from labcal.model.effects import families
 from labcal.record import Run
 
 if TYPE_CHECKING:
@@ -52,12 +53,13 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
             section("Residual before and after", _pictures(result, run)),
             section("Accepted", effect_tables(result.accepted)),
             section("Tests of what is left", [_tests(result)]),
-            section("Tried and not accepted", [_rejected(result.rejected)]),
+            section("Tried and not accepted", [_rejected(result.rejected), _not_tried(result)]),
             section("Remarks", [Prose(result.remarks)] if result.remarks else []),
             section("What this run alone can never tell apart", _twins(result)),
             section("What is not covered", [Prose(not_stated(run))]),
         ),
-        footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes.",
+        footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes. "
+        "U is the expanded uncertainty, k = 2 (about 95 %). A positive offset parameter: the sensor reads high.",
     )
 
 
@@ -95,10 +97,15 @@ def _tests(result: ClosedLoop) -> Table | None:
     rows = []
     for test in result.tests.get("after", ()):
         earlier = before.get((test.test, test.of)) or next((b for k, b in before.items() if k[0] == test.test), test)
-        rows.append((TESTS[test.test], test.of, _verdict_of(earlier), _verdict_of(test)))
-    return Table(("Test", "Of", "Before", "After"), tuple(rows)) if rows else None
+        rows.append((TESTS[test.test], test.of, _verdict_of(earlier), _verdict_of(test), _chance(test.p_value)))
+    header = ("Test", "Of", "Before", "After", "p after")
+    return Table(header, tuple(rows), frozenset({4}), P_OF_TESTS) if rows else None
 
 
+P_OF_TESTS = (
+    "p: how often a residual without structure gives as much, the looks taken counted. A test fails where p is below "
+    "0.01 and what it finds is material. Whiteness is told of the segment that is worst after."
+)
 TESTS = {
     "whiteness": "White from row to row (Ljung-Box)",
     "independence": "Independence (cross-correlation)",
@@ -115,6 +122,13 @@ def _twins(result: ClosedLoop) -> list[Block]:
     return [Table(("This", "and this", "are told apart by"), rows)] if rows else []
 
 
+WEIGHED = (
+    "Evidence: gain in log-likelihood (nats) over noise with a slow wander that has no name, less the price of the "
+    "parameters and of every look taken. p: how often chance alone makes the heaviest of all candidates as heavy. "
+    "Held-out rms and gain stand where the cause was tried on held-out blocks."
+)
+
+
 def _rejected(effects: tuple[EffectRecord, ...]) -> Table | None:
     if not effects:
         return None
@@ -122,21 +136,49 @@ def _rejected(effects: tuple[EffectRecord, ...]) -> Table | None:
     rows = [_rejected_row(effect) for effect in effects]
     said = [i for i in range(len(header)) if any(row[i] != NOTHING for row in rows)]
     numeric = frozenset(place for place, i in enumerate(said) if i in (1, 2, 3))
-    return Table(tuple(header[i] for i in said), tuple(tuple(row[i] for i in said) for row in rows), numeric)
+    return Table(tuple(header[i] for i in said), tuple(tuple(row[i] for i in said) for row in rows), numeric, WEIGHED)
+
+
+def _not_tried(result: ClosedLoop) -> Prose | None:
+    """Effects that this run has nothing to show of."""
+    tried = {effect.effect for effect in (*result.accepted, *result.rejected)}
+    left = [family.id for family in families() if family.id not in tried and family.belongs_to != "data"]
+    if not (left and result.rejected):
+        return None
+    return Prose((f"Not tried, for this run lacks the channel, reference or motion that shows it: {', '.join(left)}.",))
 
 
 def _rejected_row(e: EffectRecord) -> tuple[str, ...]:
     gain = NOTHING if e.improvement_ci95_nT is None else " to ".join(number(v) for v in e.improvement_ci95_nT)
-    p = NOTHING if e.p_value is None else "< 0.001" if e.p_value < 0.001 else f"{e.p_value:.3f}"
+    p = NOTHING if e.p_value is None else _chance(e.p_value)
     return " · ".join([e.effect, *e.channels]), number(e.holdout_rms_after_nT), gain, p, sentence(e.why)
 
 
+def _chance(p: float) -> str:
+    return "< 0.001" if p < 0.001 else f"{p:.3f}"
+
+
 def _pictures(result: ClosedLoop, run: Run) -> list[Block]:
-    over_time = "x vermilion, y green, z blue." if result.residual_kind == "vector" else "The magnitude."
+    what = "The residual along x, y and z" if result.residual_kind == "vector" else "The residual of the magnitude"
+    by_segment = "on held-out blocks, by fits that did not see them" if _held_out(result) is not None else "in sample"
     return [
-        Plot(lambda figure: draw_over_time(figure, result), 4.0, over_time),
-        Plot(lambda figure: _draw_by_segment(figure, result, run), 2.0, "Rms in each segment, in sample."),
+        Plot(lambda figure: draw_over_time(figure, result), 4.0, f"{what}, in sample; {_beyond(result)}."),
+        Plot(lambda figure: _draw_by_segment(figure, result, run), 2.0, f"Rms in each segment, {by_segment}."),
     ]
+
+
+def _held_out(result: ClosedLoop) -> Array | None:
+    """Lengths before and after on held-out blocks (n, 2); None where there are none."""
+    lengths = result.pictures.held_out_nT
+    return lengths if lengths is not None and np.isfinite(lengths).any() else None
+
+
+def _beyond(result: ClosedLoop) -> str:
+    """How many points the largest scale leaves out."""
+    before, after = result.pictures.before_nT, result.pictures.after_nT
+    limit = _limit(before)
+    count = int(np.sum(np.abs(before) > limit) + np.sum(np.abs(after) > limit))
+    return f"{count} point{'s lie' if count != 1 else ' lies'} beyond the scale" if count else "all points are shown"
 
 
 def draw_over_time(figure: FigureBase, result: ClosedLoop) -> None:
@@ -148,13 +190,14 @@ def draw_over_time(figure: FigureBase, result: ClosedLoop) -> None:
         shown.append(("after, enlarged", pictures.after_nT, _limit(pictures.after_nT)))
     panels = figure.subplots(len(shown), 1, sharex=True)
     t, rows = pictures.t_s - pictures.t_s[0], thin(len(pictures.t_s))
-    colours = AXES if pictures.before_nT.shape[1] == 3 else AXES[2:]
+    components = tuple(zip("xyz", AXES, strict=True)) if pictures.before_nT.shape[1] == 3 else (("|b|", AXES[2]),)
     for panel, (name, residual, limit) in zip(panels, shown, strict=True):
-        for values, colour in zip(residual.T, colours, strict=True):
-            panel.plot(t[rows], values[rows], ".", ms=1.8, color=colour, rasterized=True)
+        for values, (label, colour) in zip(residual.T, components, strict=True):
+            panel.plot(t[rows], values[rows], ".", ms=1.8, color=colour, rasterized=True, label=label)
         panel.set(ylabel="residual (nT)", ylim=(-limit, limit))
         panel.set_title(name)
         segment_bounds(panel, pictures.t_s, pictures.segment)
+    panels[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, markerscale=5, handletextpad=0.2)
     panels[-1].set(xlabel="time (s)")
 
 
@@ -164,14 +207,14 @@ def _limit(residual: Array) -> float:
 
 def _draw_by_segment(figure: FigureBase, result: ClosedLoop, run: Run) -> None:
     axes, pictures = figure.subplots(), result.pictures
-    there = np.unique(pictures.segment)
+    lengths = _held_out(result)
+    if lengths is None:
+        lengths = np.stack([np.linalg.norm(r, axis=1) for r in (pictures.before_nT, pictures.after_nT)], axis=1)
+    lengths, segment = lengths[seen := np.isfinite(lengths[:, 0])], pictures.segment[seen]
+    there = np.unique(segment)
     places = np.arange(len(there))
-    for shift, name, residual, colour in (
-        (-0.2, "before", pictures.before_nT, MUTED),
-        (0.2, "after", pictures.after_nT, AXES[2]),
-    ):
-        squared = np.sum(residual**2, axis=1)
-        rms = [np.sqrt(np.nanmean(squared[pictures.segment == segment])) for segment in there]
+    for column, (shift, name, colour) in enumerate(((-0.2, "before", MUTED), (0.2, "after", AXES[2]))):
+        rms = [np.sqrt(np.mean(lengths[segment == one, column] ** 2)) for one in there]
         axes.bar(places + shift, rms, 0.38, color=colour, label=name)
     axes.axhline(result.noise_floor_nT, color=AXES[0], lw=1, ls="--", label="noise floor")
     many = len(there) > 6
