@@ -10,6 +10,7 @@ from drivers.emulators.line import Lab
 from drivers.emulators.modbus_rtu import (
     ILLEGAL_ADDRESS,
     ILLEGAL_VALUE,
+    READ_COILS,
     READ_HOLDING,
     WRITE_COIL,
     WRITE_REGISTER,
@@ -21,6 +22,9 @@ FULL, TOP, IN_LOCAL = 52428, 53477, 0x17
 VOLTS, AMPS, WATTS = 80.0, 60.0, 1500.0
 SET_POINTS, TRIPS = (500, 501, 502), (550, 553, 556)
 REMOTE, OUTPUT = 402, 405
+LIMITS = {9000: TOP, 9001: 0, 9002: TOP, 9003: 0, 9004: TOP}  # U, I, P: largest, and of U and I smallest set-point
+BOUNDS = {500: (9001, 9000), 501: (9003, 9002), 502: (None, 9004)}
+OUTSIDE = 4
 
 
 class EaEmulator(RtuSlave):
@@ -30,7 +34,7 @@ class EaEmulator(RtuSlave):
         super().__init__(settings.address, self._get, self._put, delay_s=0.02)
         (role,) = roles
         self._coil, self._location = lab.coils[role[-1]], settings.location
-        self._held = dict.fromkeys((*SET_POINTS, *TRIPS), 0)
+        self._held = dict.fromkeys((*SET_POINTS, *TRIPS), 0) | LIMITS
         self._bits = {REMOTE: False, OUTPUT: False}
         self.local = self.alarm = False
         nominal = struct.unpack(">6H", struct.pack(">3f", VOLTS, AMPS, WATTS))
@@ -39,6 +43,8 @@ class EaEmulator(RtuSlave):
             self._fixed |= dict(enumerate(struct.unpack(">20H", text.encode().ljust(40, b"\0")), at))
 
     def _get(self, t_s: float, function: int, address: int, count: int) -> list[int]:
+        if function == READ_COILS and all(address + k in self._bits for k in range(count)):
+            return [int(self._bits[address + k]) for k in range(count)]
         current = self._coil.current.now(t_s)
         voltage = current * self._coil.resistance_ohm
         actual = [voltage / VOLTS, current / AMPS, voltage * current / WATTS]
@@ -56,12 +62,18 @@ class EaEmulator(RtuSlave):
         if function == WRITE_COIL and address in self._bits:
             self._bits[address] = values[0] == 0xFF00
         elif function == WRITE_REGISTER and address in self._held:
-            if values[0] > (TOP if address in SET_POINTS else 1.1 * FULL + 1):
+            if values[0] > (1.1 * FULL + 1 if address in TRIPS else TOP):
                 raise Refused(ILLEGAL_VALUE)
+            self._refuse_outside(address, values[0])
             self._held[address] = values[0]
         else:
             raise Refused(ILLEGAL_ADDRESS)
         self._act(t_s)
+
+    def _refuse_outside(self, address: int, value: int) -> None:
+        least, most = BOUNDS.get(address, (None, None))
+        if (least and value < self._held[least]) or (most and value > self._held[most]):
+            raise Refused(OUTSIDE)
 
     def _act(self, t_s: float) -> None:
         if self._bits[OUTPUT] and (self._held[500] > self._held[550] or self._held[501] > self._held[553]):

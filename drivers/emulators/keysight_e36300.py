@@ -10,10 +10,15 @@ from typing import Any
 
 from drivers.emulators.line import QUEUE, Answers, Lab
 
+NUMBER = r"\d+\.?\d*|\.\d+"
 COMMAND = re.compile(
-    r"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?) | (\d+\.?\d*|\.\d+|ON|OFF),)\(@([123])\)", re.IGNORECASE
+    rf"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?)(?: \(@([123])\))?| ({NUMBER}|ON|OFF)(?:,\(@([123])\))?)"
 )
-LONG = re.compile(r"(CURR|VOLT|OUTP|MEAS|SYST|ERR)(?:ENT|AGE|UT|URE|EM|OR)\b")
+SELECT = re.compile(r"INST:(?:NSEL |SEL (?:CH|OUTP(?:UT)?))([123])")
+APPLY = re.compile(rf"APPL (?:(?:CH|OUTP(?:UT)?)([123]),)?({NUMBER}),({NUMBER})(?:,\(@([123])\))?")
+LONG = re.compile(
+    r"(CURR|VOLT|OUTP|MEAS|SYST|ERR|INST|N?SEL|APPL|REM|LOC|RWL)(?:ENT|AGE|UT|URE|EM|OR|RUMENT|ECT|Y|OTE|AL|OCK)\b"
+)
 MAX = {1: {"VOLT": 6.18, "CURR": 5.15}, 2: {"VOLT": 25.75, "CURR": 1.03}, 3: {"VOLT": 25.75, "CURR": 1.03}}
 
 
@@ -28,7 +33,10 @@ class Output:
 
 
 class KeysightEmulator(Answers):
-    """Numbers come as `+1.23456000E+00`; `pairing` and `tracking` can be switched on at its panel."""
+    """Numbers come as `+1.23456000E+00`; `pairing` and `tracking` can be switched on at its panel.
+
+    What names no output is for the selected one.
+    """
 
     wire = "tcp"
 
@@ -37,10 +45,13 @@ class KeysightEmulator(Answers):
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
         self._serial = f"MY5912{ord(min(roles)[-1])}"
         self._errors = deque[str](maxlen=QUEUE)
-        self.pairing, self.tracking = "OFF", "0"
+        self.pairing, self.tracking, self._selected = "OFF", "0", min(self._outputs)
 
     def _reply(self, t_s: float, text: str) -> bytes:
-        said = self._do(t_s, text)
+        try:
+            said = self._do(t_s, text)
+        except KeyError:  # nothing is wired to that output
+            said = self._fault('-222,"Data out of range"')
         return said.encode() + b"\n" if said else b""
 
     def _do(self, t_s: float, text: str) -> str:
@@ -54,14 +65,31 @@ class KeysightEmulator(Answers):
                 return self.pairing
             case "OUTP:TRAC?":
                 return self.tracking
-        if (found := COMMAND.fullmatch(short)) is None or int(found[4]) not in self._outputs:
+            case "INST:NSEL?":
+                return f"{self._selected}"
+            case "SYST:LOC" | "SYST:REM" | "SYST:RWL":
+                return ""
+        if found := SELECT.fullmatch(short):
+            self._selected = self._wired(found[1])
+        elif found := APPLY.fullmatch(short):
+            number = self._wired(found[1] or found[4])
+            return self._set(t_s, number, "VOLT", found[2]) or self._set(t_s, number, "CURR", found[3])
+        elif found := COMMAND.fullmatch(short):
+            number = self._wired(found[3] or found[5])
+            return self._read(t_s, number, found[1]) if found[2] else self._set(t_s, number, found[1], found[4])
+        else:
             return self._fault('-113,"Undefined header"')
-        what, number = found[1].upper(), int(found[4])
-        if found[2]:
-            return self._read(t_s, self._outputs[number], what)
-        return self._set(t_s, number, what, found[3].upper())
+        return ""
 
-    def _read(self, t_s: float, output: Output, what: str) -> str:
+    def _wired(self, stated: str | None) -> int:
+        """The output that is stated, or the selected one."""
+        number = int(stated or self._selected)
+        if number not in self._outputs:
+            raise KeyError(number)
+        return number
+
+    def _read(self, t_s: float, number: int, what: str) -> str:
+        output = self._outputs[number]
         current = output.coil.current.now(t_s)
         if what == "OUTP":
             return f"{output.on:d}"

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from drivers.emulators.line import Pieces, Replies
 
 READ_COILS, READ_HOLDING, READ_INPUT, WRITE_COIL, WRITE_REGISTER, WRITE_REGISTERS = 1, 3, 4, 5, 6, 16
+DIAGNOSTICS, WRITE_COILS = 8, 15
 SILENCE_S = 0.1  # ends a frame, however short it is
 ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE = 1, 2, 3
 
@@ -33,8 +34,11 @@ class RtuSlave(Replies):
     """Collects frames, checks them, asks `read`/`write` and answers after `delay_s`.
 
     `read(t, function, address, count)` gives bits or words, `write(t, function, address, values)` takes them; both
-    raise Refused.
+    raise Refused. `more`: functions that it knows beside these. `of_all`: those that it answers when all are asked.
     """
+
+    more: tuple[int, ...] = ()
+    of_all: tuple[int, ...] = ()
 
     def __init__(
         self,
@@ -53,14 +57,15 @@ class RtuSlave(Replies):
         if t_s > self._heard_s + SILENCE_S:
             self._frame = b""
         self._frame, self._heard_s = self._frame + data, t_s
-        length = 8 if self._frame[1:2] != b"\x10" else 9 + (self._frame[6] if len(self._frame) > 6 else 256)
+        many = self._frame[1:2] in (b"\x0f", b"\x10")
+        length = 8 if not many else 9 + (self._frame[6] if len(self._frame) > 6 else 256)
         if len(self._frame) < length:
             return
         frame, self._frame = self._frame[:length], b""
         if crc(frame[:-2]) != frame[-2:] or frame[0] not in (0, self.device):
             return
-        reply = self._answer(t_s, frame[:-2])
-        if frame[0] or not self.device:  # 0 is for all and not answered, but for who has no other address
+        reply = self._answer(t_s, bytes([self.device]) + frame[1:-2])
+        if frame[0] or not self.device or frame[1] in self.of_all:  # 0 is for all, and not answered as a rule
             self.say(t_s + self._delay_s, reply + crc(reply))
 
     def _answer(self, t_s: float, frame: bytes) -> bytes:
@@ -68,12 +73,12 @@ class RtuSlave(Replies):
         try:
             if function in (READ_COILS, READ_HOLDING, READ_INPUT):
                 return frame[:2] + self._packed(function, self._read(t_s, function, address, value))
-            values = [value]
-            if function == WRITE_REGISTERS:
-                values = [int.from_bytes(frame[7 + 2 * k : 9 + 2 * k]) for k in range(value)]
-            if function not in (WRITE_COIL, WRITE_REGISTER, WRITE_REGISTERS):
+            if function not in (WRITE_COIL, WRITE_REGISTER, WRITE_REGISTERS, *self.more):
                 raise Refused(ILLEGAL_FUNCTION)
-            self._write(t_s, function, address, values)
+            if function != DIAGNOSTICS:
+                self._write(t_s, function, address, _values(function, value, frame[7:]))
+            elif address:
+                raise Refused(ILLEGAL_FUNCTION)  # all but the echo
             return frame[:6]
         except Refused as refused:
             return bytes([frame[0], function | 0x80, refused.code])
@@ -85,6 +90,17 @@ class RtuSlave(Replies):
         else:
             data = b"".join(word.to_bytes(2) for word in values)
         return bytes([len(data)]) + data
+
+
+def _values(function: int, value: int, data: bytes) -> list[int]:
+    """What is written: one word, or as many words or bits as `value` says."""
+    if function == WRITE_REGISTERS:
+        return [int.from_bytes(data[2 * k : 2 * k + 2]) for k in range(value)]
+    if function != WRITE_COILS:
+        return [value]
+    if len(data) != (value + 7) // 8:
+        raise Refused(ILLEGAL_VALUE)
+    return [data[k // 8] >> k % 8 & 1 for k in range(value)]
 
 
 class RtuPair:

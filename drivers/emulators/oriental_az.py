@@ -7,9 +7,11 @@ from typing import Any
 
 from drivers.emulators.line import Lab
 from drivers.emulators.modbus_rtu import (
+    DIAGNOSTICS,
     ILLEGAL_ADDRESS,
     ILLEGAL_VALUE,
     READ_HOLDING,
+    WRITE_REGISTER,
     WRITE_REGISTERS,
     Refused,
     RtuSlave,
@@ -23,6 +25,8 @@ STOP = 1 << 5
 
 class AzEmulator(RtuSlave):
     """Starts a move when sixteen registers of direct data arrive, unless STOP is held; `alarm` is its code."""
+
+    more = (DIAGNOSTICS,)
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(settings.address, self._get, self._put, delay_s=0.006)
@@ -42,8 +46,8 @@ class AzEmulator(RtuSlave):
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
         if function == WRITE_REGISTERS and (address, len(values)) == (DIRECT, 16):
             self._move(t_s, [high << 16 | low for high, low in zip(values[::2], values[1::2], strict=True)])
-        elif function == WRITE_REGISTERS and (address, len(values)) == (INPUTS, 2):
-            self._held = bool(values[1] & STOP)
+        elif (function, address, len(values)) in ((WRITE_REGISTERS, INPUTS, 2), (WRITE_REGISTER, INPUTS + 1, 1)):
+            self._held = bool(values[-1] & STOP)
             if self._held:
                 self._platform.stop(t_s)
         else:

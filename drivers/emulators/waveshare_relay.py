@@ -6,13 +6,24 @@ from collections.abc import Mapping
 from typing import Any
 
 from drivers.emulators.line import Lab
-from drivers.emulators.modbus_rtu import ILLEGAL_ADDRESS, ILLEGAL_VALUE, READ_COILS, WRITE_COIL, Refused, RtuSlave
+from drivers.emulators.modbus_rtu import (
+    ILLEGAL_ADDRESS,
+    ILLEGAL_VALUE,
+    READ_COILS,
+    READ_HOLDING,
+    WRITE_COIL,
+    WRITE_COILS,
+    Refused,
+    RtuSlave,
+)
 
 CHANNELS, ALL, VERSION, ADDRESS = 8, 0xFF, 0x8000, 0x4000
 
 
 class WaveshareEmulator(RtuSlave):
-    """Relay n on: the coil wired to it is reversed."""
+    """Relay n on: the coil wired to it is reversed. Who asks all boards for an address or a version is answered."""
+
+    more, of_all = (WRITE_COILS,), (READ_HOLDING,)
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(settings.address, self._get, self._put)
@@ -28,11 +39,13 @@ class WaveshareEmulator(RtuSlave):
         raise Refused(ILLEGAL_ADDRESS)
 
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
-        if function != WRITE_COIL or (address >= CHANNELS and address != ALL):
-            raise Refused(ILLEGAL_ADDRESS)
-        if values[0] not in (0xFF00, 0x0000):
+        if function == WRITE_COIL and values[0] not in (0xFF00, 0x0000):
             raise Refused(ILLEGAL_VALUE)
-        for relay in range(CHANNELS) if address == ALL else (address,):
-            self._on[relay] = values[0] == 0xFF00
+        if (function, address) == (WRITE_COIL, ALL):
+            address, values = 0, values * CHANNELS
+        if function not in (WRITE_COIL, WRITE_COILS) or address + len(values) > CHANNELS:
+            raise Refused(ILLEGAL_ADDRESS)
+        for relay, value in enumerate(values, address):
+            self._on[relay] = bool(value)
             if relay in self._coils:
-                self._coils[relay].reverse(t_s, -1 if self._on[relay] else 1)
+                self._coils[relay].reverse(t_s, -1 if value else 1)

@@ -7,12 +7,16 @@ from importlib.metadata import entry_points
 from typing import Any, get_type_hints
 
 import pytest
+from frames import rtu
 
 from labcal.bench.clock import VirtualClock
 from labcal.bench.links import EmulatedLink
 from labcal.twin import open_twin
 
-ROLES = {"zaber": "platform", "hmr2300": "reference", "waveshare-relay": "polarity"}
+ROLES = {
+    "zaber": "platform", "oriental-az": "platform", "hmr2300": "reference", "metrolab": "reference",
+    "waveshare-relay": "polarity",
+}  # fmt: skip
 WIRING: dict[str, dict[str, Any]] = {"waveshare-relay": {"x": 0}, "riden-rd60xx": {"address": 1}}
 TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
     ("zaber", [
@@ -51,10 +55,48 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (bytes.fromhex("0105 00FF 0000 FDFA"), bytes.fromhex("0105 00FF 0000 FDFA")),
         (bytes.fromhex("0103 8000"), b""),  # cut short
         (bytes.fromhex("0103 8000 0001 ADCA"), bytes.fromhex("0103 0201 2CB8 09")),
+        (bytes.fromhex("0003 4000 0001 901B"), bytes.fromhex("0103 0200 0179 84")),  # who is there
+        (rtu("010F 0000 0008 01 05"), rtu("010F 0000 0008")),
+        (rtu("0101 0000 0008"), rtu("0101 01 05")),
+        (rtu("000F 0001 0002 01 02"), b""),  # to all, and done
+        (rtu("0101 0000 0008"), rtu("0101 01 05")),
+        (rtu("0005 0002 0000"), b""),
+        (rtu("0101 0000 0008"), rtu("0101 01 01")),
+        (rtu("010F 0000 0009 02 FF01"), rtu("018F 02")),
+        (rtu("010F 0000 0008 02 0000"), rtu("018F 03")),
     ]),
     ("riden-rd60xx", [
         (bytes.fromhex("0110 0008 0002 04 01F4 03E8 B2B9"), bytes.fromhex("0110 0008 0002 C00A")),
         (bytes.fromhex("0103 0008 0002 45C9"), bytes.fromhex("0103 04 01F4 03E8 BA83")),
+        (rtu("0108 0000 1234"), rtu("0188 01")),
+        (rtu("010F 0012 0001 01 01"), rtu("018F 01")),
+    ]),
+    ("ea-9000", [
+        (bytes.fromhex("00050192FF002DFA"), bytes.fromhex("00050192FF002DFA")),
+        (rtu("0001 0192 0001"), rtu("0001 01 01")),
+        (rtu("0001 0195 0001"), rtu("0001 01 00")),
+        (rtu("0001 0190 0001"), rtu("0081 02")),
+        (rtu("0003 2328 0005"), rtu("0003 0A D0E5 0000 D0E5 0000 D0E5")),
+        (rtu("0006 232A 4000"), rtu("0006 232A 4000")),  # no more current than this
+        (rtu("0006 01F5 4001"), rtu("0086 04")),
+        (rtu("0006 01F5 4000"), rtu("0006 01F5 4000")),
+    ]),
+    ("oriental-az", [
+        (rtu("0108 0000 1234"), rtu("0108 0000 1234")),
+        (rtu("0108 0001 1234"), rtu("0188 01")),
+        (rtu("0106 007D 0020"), rtu("0106 007D 0020")),
+    ]),
+    ("keysight-e36300", [
+        (b"INST:NSEL 1\nVOLT 5\nVOLT?\nINSTrument:NSELect?\n", b"+5.00000000E+00\n1\n"),
+        (b"APPL CH1,3,0.5\nCURR?\nVOLT? (@1)\n", b"+5.00000000E-01\n+3.00000000E+00\n"),
+        (b"APPLY 2.5,0.25,(@1)\nINST:SEL OUTPUT1\nOUTP ON\nOUTP?\nCURR?\n", b"1\n+2.50000000E-01\n"),
+        (b"INST:SEL CH2\nSYST:ERR?\nAPPL 99,1\nSYST:ERR?\n", b'-222,"Data out of range"\n' * 2),
+        (b"SYST:LOC\nSYST:ERR?\n", b'+0,"No error"\n'),
+    ]),
+    ("metrolab", [
+        (b":FETC:TIM?;:FETC:TEMP?;*STB?\n", b"0x0;8123;0\n"),
+        (b":INIT;:FETC:TIM?\n", b"0x3c336080\n"),  # 1.01 s
+        (b":READ:ARR:X? 1,1;:FETC:X? 1;:FETC:TIM?\n", b"0.0T;0.0T;0x77ce2a80\n"),  # 2.01 s
     ]),
 ]  # fmt: skip
 
