@@ -7,9 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from labcal.loop.search import Candidate, Search
-
-LAGS = 10
-CHANCE = 0.01  # a white residual is called correlated this often
+from labcal.loop.whiteness import CHANCE, LAGS, MATERIAL
 
 
 def correlation_s(search: Search, accepted: Sequence[Candidate]) -> float:
@@ -24,14 +22,15 @@ def correlation_s(search: Search, accepted: Sequence[Candidate]) -> float:
 
 
 def follows_itself(search: Search, accepted: Sequence[Candidate]) -> bool:
-    """Whether the residual correlates with its past rows in a segment (Ljung & Box, Biometrika 65, 1978)."""
+    """Whether the residual correlates materially with its past rows in a segment (Ljung & Box, Biometrika 65, 1978)."""
     from scipy.special import chdtrc
 
     left = search.everywhere(accepted)[0] * search.good[:, None]
     segment, size = search.whole.scene.segment, left.size
-    total, statistic = float(np.sum(left**2)), 0.0
+    total, statistic, most = float(np.sum(left**2)), 0.0, 0.0
     for lag in range(1, LAGS + 1):
         within = segment[lag:] == segment[:-lag]
         correlation = float(np.sum(left[lag:][within] * left[:-lag][within])) / total
         statistic += size * (size + 2) * correlation**2 / (size - lag)
-    return bool(chdtrc(LAGS, statistic) < CHANCE)
+        most = max(most, correlation**2)
+    return bool(chdtrc(LAGS, statistic) < CHANCE) and most >= MATERIAL

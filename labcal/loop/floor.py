@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.system import Noise
 from labcal.loop.problem import Problem, linearise
+from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
@@ -17,6 +18,7 @@ Source = Literal["declared", "static", "differences"]
 SEVERAL = 3.0  # steps of the encoder between two rows
 WHOLE = 0.1  # of a step, that a change may be off a multiple of it
 STILL = 0.002  # of the field: a static stretch moves no more than this
+ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,11 +88,27 @@ def _differences(y: Array, segment: NDArray[np.intp]) -> float:
 
 
 def _static(problem: Problem) -> float | None:
-    """Spread of the residual about its mean in segments whose field stands still; None without any."""
-    left = []
+    """Spread of the residual in segments whose field stands still; None without any.
+
+    Counted about what follows a channel or the power mode there: a load that is switched at rest is no noise.
+    """
+    square, free = 0.0, 0
     for part in stretches(problem.scene.segment):
         field = problem.scene.field_nT[part]
         still = float(field.std(axis=0).max()) < STILL * float(np.linalg.norm(field.mean(axis=0)))
-        if still and len(field) > 10:
-            left.append(problem.y[part] - problem.y[part].mean(axis=0))
-    return float(np.sqrt(np.mean(np.concatenate(left) ** 2))) if left else None
+        known = _known(problem.scene, part)
+        if still and len(field) > ROWS_EACH * known.shape[1]:
+            y = problem.y[part]
+            found, _, rank, _ = np.linalg.lstsq(known, y, rcond=1e-9)
+            square += float(np.sum((y - known @ found) ** 2))
+            free += (len(y) - int(rank)) * y.shape[1]
+    return float(np.sqrt(square / free)) if free else None
+
+
+def _known(scene: Scene, part: slice) -> Array:
+    """What the residual may follow in a stretch (n, columns): a constant, the channels and modes that change there."""
+    told = [values[part] for values in scene.channels.values()]
+    if scene.mode is not None:
+        told += [(scene.mode[part] == mode).astype(float) for mode in np.unique(scene.mode[part])[1:]]
+    moving = [(x - x.mean()) / x.std() for x in told if x.std() > 0]
+    return np.column_stack([np.ones(part.stop - part.start), *moving])

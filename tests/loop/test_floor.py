@@ -1,8 +1,9 @@
-"""What noise alone would leave: the angle's rounding is part of it."""
+"""What noise alone would leave: the angle's rounding is part of it, a load that is switched at rest is not."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
@@ -38,3 +39,22 @@ def test_the_angles_rounding_is_seen_where_the_motion_changes_by_its_steps(
     found = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[1]
     rounding = np.mean(np.sum(across**2, axis=1)) * np.radians(step_deg) ** 2 / 12
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT / 1.05) ** 2 + rounding), rel=0.02)
+
+
+@pytest.mark.parametrize("told", [True, False], ids=["by its current", "by the power mode"])
+def test_a_load_that_is_switched_at_rest_is_no_noise(making: ModuleType, tmp_path: Path, told: bool) -> None:
+    rows, segments = making.recorded(seconds=20.0)
+    for segment in segments:
+        segment["kind"] = "static"
+    attitudes = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 1, 0], [0, -1, 1], [1, 1, 1]])
+    rows["ref"] = np.repeat(20000.0 * attitudes, 40, axis=0)
+    noise = np.random.default_rng(2).normal(0, 20.0, rows["dut"].shape)
+    on = np.mod(np.arange(len(noise)), 9) < 4
+    rows["dut"] = rows["ref"] + noise + on[:, None] * np.array([90.0, -60.0, 40.0])
+    rows["i_load"] = np.where(told, 0.8 * on, 0.0)
+    run = session.load_run(str(making.written(tmp_path, rows, segments, noise_nT=None)))
+    if not told:
+        run = replace(run, row_mode=np.where(on, "full", "idle"))
+    _, found, _ = prepared(run)
+    assert found.source == "static"
+    assert found.nT == pytest.approx(np.sqrt(3) * 20.0, rel=0.06)

@@ -131,17 +131,24 @@ def test_a_load_that_acts_late_or_whose_clock_is_late_is_found_with_its_delay(
     assert chosen.form.at("delay_s") == pytest.approx(delay, abs=0.3)
 
 
-def test_a_white_residual_does_not_follow_itself_and_a_wandering_one_does(started: Started) -> None:
-    assert not follows_itself(_search(started()), ())
-    draw = np.random.default_rng(3)
-
-    def wander(rows: dict[str, np.ndarray]) -> np.ndarray:
-        steps_taken = draw.normal(0, 20, rows["dut"].shape)
+def _wander(size_nT: float) -> Callable[[dict[str, np.ndarray]], np.ndarray]:
+    def added(rows: dict[str, np.ndarray]) -> np.ndarray:
+        steps_taken = np.random.default_rng(3).normal(0, size_nT, rows["dut"].shape)
         for row in range(1, len(steps_taken)):
             steps_taken[row] += np.exp(-0.5 / 5.0) * steps_taken[row - 1]
         return steps_taken
 
-    search = _search(started(wander))
+    return added
+
+
+@pytest.mark.parametrize("size_nT", [0.0, 4.0])
+def test_a_residual_that_is_all_but_white_does_not_follow_itself(started: Started, size_nT: float) -> None:
+    """A wander of a tenth of the noise's square is certain, and less than a verdict passes over."""
+    assert not follows_itself(_search(started(_wander(size_nT))), ())
+
+
+def test_a_wandering_residual_follows_itself(started: Started) -> None:
+    search = _search(started(_wander(20.0)))
     assert follows_itself(search, ())
     assert 2.0 < correlation_s(search, ()) < 10.0
 
