@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from labcal.loop.decide import MATERIAL, Cause, earned, looks, neighbourhood
+from labcal.loop.decide import MATERIAL, Cause, earned, looks, neighbourhood, refined
 from labcal.loop.holdout import HeldOut, Plan, always, held_out
 from labcal.loop.search import NAMED, Candidate, Search, Weighed
 
@@ -53,9 +53,9 @@ def rivals_of(search: Search, accepted: Sequence[Candidate], chosen: Candidate) 
 def _as_heavy(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
     others = [c for c in accepted if c is not chosen]
     open_to = [c for c in looks(search, others) if all(c.cause != o.cause for o in others)]
-    kin = _alike(open_to, chosen)
-    misfit = bool(kin) and float(np.mean(search.residual(accepted)[search.rows] ** 2)) > AT_FLOOR**2
-    always = {c.cause for c in kin if misfit}
+    kin = [refined(search, c, others) for c in _alike(open_to, chosen)]
+    misfit = float(np.mean(search.residual(accepted)[search.rows] ** 2)) > AT_FLOOR**2
+    always = {c.cause for c in kin if misfit and chosen.family.second_order}
     near = _near(search.rank([*open_to, *kin, chosen], others), chosen, always)
     if search.problem.whole is not None and len(near) > 1:
         near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen, always)
@@ -73,7 +73,7 @@ def _larger(search: Search, accepted: Sequence[Candidate], chosen: Candidate) ->
 
 
 def _alike(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
-    """Of a current or its square that acts slowly, the other one at the same refined shape."""
+    """Of a current or its square that acts slowly, the other one, to be refined from the same shape."""
     shape = {s.name: s.value for s in chosen.form.shape}
     kin = [c for c in candidates if c.family.id in chosen.family.akin and c.form.channels == chosen.form.channels]
     alike = {len(c.form.parameters): c for c in kin if shape and {s.name for s in c.form.shape} == shape.keys()}

@@ -188,6 +188,34 @@ def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(
     assert first.cause == ("offset-current", ("i",))
 
 
+def _switched_load(searching: Callable[..., Search], wave_nT: float) -> tuple[Search, Candidate, Candidate]:
+    """A current of nearly two levels that acts with 5.5 s, beside a fast wave; its best look, and its square's."""
+    t = searching({}, {}).problem.scene.t_s
+    amps = 0.1 + 0.8 * (np.mod(t, 41.0) < 17.0) + np.random.default_rng(6).normal(0, 0.15, len(t))
+    acts = low_passed(t, np.zeros(len(t), dtype=np.intp), amps, 5.5)
+    added = np.outer(acts, [400.0, -250.0, 150.0]) + wave_nT * np.cos(2.1 * t)[:, None]
+    search = searching({"i": amps}, {"i": "current"}, added)
+    looks = [c for c in search.candidates if c.form.channels and [s.name for s in c.form.shape] == ["tau_s"]]
+    best = [max((search.weigh(c, search.stage()) for c in looks if c.family.second_order is of), key=lambda w: w.weight)
+            for of in (False, True)]  # fmt: skip
+    current, square = (refined(search, w.candidate, []) for w in best)
+    return search, current, square
+
+
+def test_a_square_is_held_against_its_current_at_that_ones_own_time_constant(searching: Callable[..., Search]) -> None:
+    search, _, square = _switched_load(searching, 0.0)
+    current = next(w for w in rivals.rivals_of(search, [square], square) if not w.candidate.family.second_order)
+    assert current.candidate.form.at("tau_s") == pytest.approx(5.5, rel=0.05)
+
+
+def test_a_current_that_leads_clearly_has_no_rival_in_its_square_whatever_is_left(
+    searching: Callable[..., Search],
+) -> None:
+    search, current, square = _switched_load(searching, 30.0)
+    assert "offset-current" in {w.candidate.family.id for w in rivals.rivals_of(search, [square], square)}
+    assert "offset-current-squared" not in {w.candidate.family.id for w in rivals.rivals_of(search, [current], current)}
+
+
 def test_a_map_is_shipped_as_it_is_without_the_effects_that_are_not(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
