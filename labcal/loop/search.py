@@ -341,7 +341,7 @@ def new_to(columns: Array, part: Array) -> Array:
     n, q, _ = part.shape
     X, own = columns.reshape(n * q, -1), part.reshape(n * q, -1)
     gram, cross, left = X.T @ X, X.T @ own, own.T @ own
-    size, length = (np.maximum(np.sqrt(np.diag(g)), 1e-300) for g in (gram, left))
+    size, length = (np.maximum(np.sqrt(np.diag(g)), 1e-150) for g in (gram, left))
     gram, cross, left = gram / np.outer(size, size), cross / np.outer(size, length), left / np.outer(length, length)
     left = left - cross.T @ np.linalg.pinv(gram, rcond=NOTHING, hermitian=True) @ cross
     values, vectors = np.linalg.eigh(left)

@@ -175,6 +175,9 @@ def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> No
     nought = decide.spanning(np.zeros((5, 3, 4)))
     assert nought.shape == (5, 3, 0)
     assert new_to(np.ones((5, 3, 1)), nought).shape == (5, 3, 0)
+    some = np.random.default_rng(1).normal(size=(5, 3, 2))
+    part = np.concatenate([some[:, :, 1:], np.zeros((5, 3, 1))], axis=2)
+    assert new_to(np.concatenate([some[:, :, :1], np.zeros((5, 3, 1))], axis=2), part).shape == (5, 3, 1)
 
 
 def test_a_field_that_turns_the_phases_far_leaves_nothing_for_other_names(making: ModuleType, tmp_path: Path) -> None:
