@@ -130,11 +130,11 @@ class EaSupply:
             raise InstrumentError(words, fault="read-back", remedy="Look at its panel.")
 
     def make_safe(self) -> None:
-        """Current to zero, output off, then back to its panel; a failure of one does not skip the others."""
+        """Current to zero, then output off, a failure of one not skipping the other; after both, back to its panel."""
         with ExitStack() as steps:
-            steps.callback(self.registers.release)
             steps.callback(self.output, False)
             steps.callback(self.set_current, 0.0)
+        self.registers.release()
 
     def close(self) -> None:
         """Let go of the link."""

@@ -73,6 +73,10 @@ class KeysightSupply(CurrentSource):
             self._refuse_coupling()
         super().output(on)
 
+    def release(self) -> None:
+        """Give it back to its panel. Nothing is asked after it: any other message takes control again."""
+        self._scpi.send("SYST:LOC")
+
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()

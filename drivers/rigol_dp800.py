@@ -59,6 +59,10 @@ class RigolSupply(CurrentSource):
         self._scpi.empty_errors()
         return who
 
+    def release(self) -> None:
+        """Give it back to its panel. Nothing is asked after it: any other message takes control again."""
+        self._scpi.send(":SYST:LOC")
+
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()

@@ -82,6 +82,10 @@ class TtiSupply(CurrentSource):
         if not on and self.settings.interface_lock:
             self.query("IFUNLOCK")
 
+    def release(self) -> None:
+        """Give it back to its panel. Nothing is asked after it: any other message takes control again."""
+        self._scpi.send("LOCAL")
+
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()

@@ -36,7 +36,11 @@ class CurrentSource:
         self.enabled = on
 
     def make_safe(self) -> None:
-        """Current to zero, then output off; a failure of one does not skip the other."""
+        """Current to zero, then output off, a failure of one not skipping the other; after both, back to its panel."""
         with ExitStack() as steps:
             steps.callback(self.output, False)
             steps.callback(self.set_current, 0.0)
+        self.release()
+
+    def release(self) -> None:
+        """Give it back to its panel; most need no word for it."""

@@ -38,6 +38,9 @@ class Coils:
         self.heard.append(("zero", why, by_session))
         return []
 
+    def give_back(self) -> None:
+        self.given_back = len(self.heard)
+
     def set_current(self, axis: str, current_A: float) -> None:
         self.heard.append((axis, current_A))
 
@@ -145,7 +148,13 @@ def test_only_the_session_sets_currents_and_anybody_says_zero(ear: Ear) -> None:
         (second,) = ear.asked({"order": "hello", "with": {"who": "session 8", "bench": BENCH}})
         assert second["error"]["what"] == "session 7 drives this bench."
         ear.asked({"order": "zero"}, {"order": "zero", "with": {"why": "a person"}})
-    assert ear.coils.heard == [("zero", "a caller said so", False), ("zero", "a person", False)]
+        told(caller, {"order": "zero", "with": {"why": "the session"}})
+    assert ear.coils.given_back == 2  # after zero, and not under the session's hands
+    assert ear.coils.heard == [
+        ("zero", "a caller said so", False),
+        ("zero", "a person", False),
+        ("zero", "the session", True),
+    ]
 
 
 @pytest.mark.parametrize("bench", [BENCH, "of another file"])

@@ -87,7 +87,7 @@ def pair(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Pair:
     return Pair(tmp_path, monkeypatch)
 
 
-def energised(pair: Pair) -> Handover:
+def handed_over(pair: Pair) -> Handover:
     """What the guardian that has energised them hands over."""
     first = pair.guardian()
     assert all(end.opened for end in first.zero("a session begins", by_session=True))
@@ -100,7 +100,7 @@ def energised(pair: Pair) -> Handover:
 
 
 def test_a_successor_asks_who_is_there_and_nothing_else_before_it_ramps(pair: Pair) -> None:
-    handed = energised(pair)
+    handed = handed_over(pair)
     assert {axis: held.held_A for axis, held in handed.coils.items()} == AMPERES
     pair.listen()
     begun_s = pair.clock.now()
@@ -112,7 +112,7 @@ def test_a_successor_asks_who_is_there_and_nothing_else_before_it_ramps(pair: Pa
 
 
 def test_a_step_on_its_way_is_asked_for(pair: Pair, monkeypatch: pytest.MonkeyPatch) -> None:
-    handed = energised(pair)
+    handed = handed_over(pair)
     coils = {**handed.coils, "y": Held(None, True, handed.coils["y"].who)}
     pair.listen()
     pair.guardian(Handover(handed.exchanges_s, coils)).zero("a guardian was killed")
@@ -121,7 +121,7 @@ def test_a_step_on_its_way_is_asked_for(pair: Pair, monkeypatch: pytest.MonkeyPa
 
 
 def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair) -> None:
-    handed = energised(pair)
+    handed = handed_over(pair)
     who = handed.coils["y"].who
     assert who is not None
     coils = {**handed.coils, "y": Held(0.7, True, Identity(who.manufacturer, who.model, "99999999", who.firmware))}
@@ -133,15 +133,19 @@ def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair)
     assert all(frame[0] != 2 or frame[1] == 3 for frame in pair.sent)
 
 
-def test_at_its_end_the_supplies_are_given_back_to_their_panels(pair: Pair) -> None:
+@pytest.mark.parametrize("end", ["close", "give_back"])
+def test_at_its_end_the_supplies_are_given_back_to_their_panels(pair: Pair, end: str) -> None:
     text = pair.file.read_text(encoding="utf-8").replace("riden-rd60xx", "ea-9000").replace("//pair", "//")
     pair.file.write_text(re.sub(r"address = \d", "address = 0", text), encoding="utf-8")
     guardian = pair.guardian()
     guardian.zero("a session begins", by_session=True)
     guardian.output("x", True)
     guardian.set_current("x", 0.05)
+    guardian.give_back()  # not what is energised
     panels = [link._emulator for link in pair.links.values()]
-    assert [emulator._bits[402] for emulator in panels] == [True] * 3
-    assert not any(end.fault for end in guardian.zero("the session ends", by_session=True))
-    guardian.close()
+    (energised,) = [emulator for emulator in panels if emulator._bits[402]]
+    assert guardian.measure_current("x") == pytest.approx(0.05, abs=0.002)
+    assert not any(axis.fault for axis in guardian.zero("the session ends", by_session=True))
+    assert energised._bits[402]
+    getattr(guardian, end)()
     assert [emulator._bits[402] for emulator in panels] == [False] * 3

@@ -79,6 +79,12 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "leadshine": [bytes.fromhex(h) for h in ("010618012211", "010618014001", "010660020021", "0110620000060C0041")],
     "manual": [b"x"],
 }
+TO_PANEL = {  # what a supply's driver says last, once zero and off are read back; the others' panels need no word
+    "tti-pl": b"LOCAL\n",
+    "rigol-dp800": b":SYST:LOC\n",
+    "keysight-e36300": b"SYST:LOC\n",
+    "ea-9000": bytes.fromhex("000501920000"),
+}
 LONGER = {
     "EaSupply": "remote control is taken from one interface, held and given back",
 }
@@ -258,11 +264,14 @@ def test_a_supply_refuses_what_is_too_much_and_sends_nothing(supply: Rig) -> Non
     assert len(supply.sent) == before
 
 
-def test_a_supply_made_safe_has_no_current_and_no_output(supply: Rig) -> None:
+def test_a_supply_made_safe_has_no_current_and_no_output_and_its_panel_back(supply: Rig) -> None:
     supply.driver.output(True)
     supply.driver.set_current(1.0)
     supply.wait(0.5)
     supply.driver.make_safe()
+    if last := TO_PANEL.get(supply.name):
+        assert supply.sent[-1].startswith(last)
+    assert [said for said in supply.sent[:-1] if said.startswith(tuple(TO_PANEL.values()))] == []
     supply.wait(0.5)
     assert supply.driver.measure_current() == pytest.approx(0.0, abs=supply.driver.zero_current_A)
     assert supply.driver.set_point() == 0.0

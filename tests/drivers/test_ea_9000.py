@@ -147,6 +147,16 @@ def test_made_safe_it_is_given_back_to_its_panel() -> None:
             supply.output(True)
 
 
+def test_what_is_not_seen_off_is_not_given_back_to_its_panel() -> None:
+    zero = [wrote("0006 01F5 0000"), read("0003 01F5 0001", [0])]
+    still_on = [wrote("0005 0195 0000"), read("0003 01F9 0002", [0, 0x0883])]
+    with (
+        scripted(EaSupply, [*known(), REMOTE, BY_USB, *zero, *still_on]) as supply,
+        pytest.raises(InstrumentError, match="did not go off"),
+    ):
+        supply.make_safe()
+
+
 def test_rtu_frames_over_a_real_tcp_socket() -> None:
     server = socket.create_server(("127.0.0.1", 0))
     emulator = EaEmulator(open_twin({}, 1), {"coil-x": {}}, Settings(location=6))

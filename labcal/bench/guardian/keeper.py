@@ -196,12 +196,16 @@ class Guardian:
         coils = {axis: Held(c.held_A, c.energised, c.line.known(c.name)) for axis, c in self.coils.items()}
         return Handover(self._exchanges_s, coils)
 
+    def give_back(self) -> None:
+        """Give every supply that is at zero back to its panel. Never raises InstrumentError."""
+        for coil in self.coils.values():
+            with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is told to nobody
+                if coil.unresolved is None and not coil.energised:
+                    coil.bare.make_safe()
+
     def close(self) -> None:
         """Give every supply that is at zero back to its panel, and let go of every line."""
-        for coil in self.coils.values():
-            if coil.unresolved is None and not coil.energised:
-                with coil.line.lock, suppress(InstrumentError):  # it is at zero: what fails now is told to nobody
-                    coil.bare.make_safe()
+        self.give_back()
         for line in self._lines.values():
             line.close()
 

@@ -126,9 +126,10 @@ class Server:
         if order == "status":
             return {"energised": self._guardian.energised, "unresolved": sorted(self._guardian.unresolved)}
         if order == "zero":
-            ended = self._guardian.zero(
-                str(what.get("why", f"{caller.who} said so")), by_session=caller is self.session
-            )
+            by_session = caller is self.session
+            ended = self._guardian.zero(str(what.get("why", f"{caller.who} said so")), by_session=by_session)
+            if not by_session:  # a person at the bench
+                self._guardian.give_back()
             return [zero_message(end) for end in ended]
         if order in FOR_THE_SESSION and caller is not self.session:
             raise InstrumentError("only the session that drives this bench sets currents.", fault="forbidden")
