@@ -40,6 +40,7 @@ class Wire:
     """`ask(k)`: the k-th question (from 0) and its answer, which is read as `value`; `other` would be another value.
 
     `before` is what is said first, while `prepare` runs. `nonsense`: replies that are none, beside the common ones.
+    `asks`: how often a question is put that nothing answers.
     """
 
     ask: Callable[[int], tuple[bytes, bytes]]
@@ -51,6 +52,7 @@ class Wire:
     prepare: Callable[[Any], object] = lambda driver: None
     nonsense: tuple[bytes, ...] = ()
     timeout_s: float = 0.6
+    asks: int = 1
 
 
 def always(request: bytes, reply: bytes) -> Callable[[int], tuple[bytes, bytes]]:
@@ -116,7 +118,8 @@ WIRES: dict[str, Wire] = {
         nonsense=(b"+9.91000000E+37\n",), timeout_s=1.5,
     ),
     "korad-ka3005p": Wire(
-        always(b"IOUT1?", b"0.499"), current, 0.499, b"9.999", nonsense=(b"00.49", b"-.499", b"0,499"), timeout_s=0.5
+        always(b"IOUT1?", b"0.499"), current, 0.499, b"9.999", nonsense=(b"00.49", b"-.499", b"0,499"), timeout_s=0.5,
+        asks=2,
     ),
     "riden-rd60xx": Wire(
         always(*riden(499)), current, 0.499, riden(999)[1], before=[read("0103 0000 0004", [60062, 1, 0x86A0, 135])],
@@ -180,9 +183,9 @@ def answered(name: str, *replies: Any, **options: Any) -> list[float]:
         return [wire.call(driver) for _ in replies]
 
 
-def fault_of(name: str, reply: Any) -> str:
+def fault_of(name: str, *replies: Any) -> str:
     with pytest.raises(InstrumentError) as caught:
-        answered(name, reply)
+        answered(name, *replies)
     return caught.value.fault
 
 
@@ -240,7 +243,7 @@ def test_a_reply_that_comes_in_two_parts_over_a_real_line_is_one_reply(name: str
 @pytest.mark.parametrize("name", ASKING)
 @pytest.mark.parametrize(("reply", "fault"), [(SILENT, "silent"), (UNPLUGGED, "link lost")])
 def test_silence_and_a_pulled_plug_are_named(name: str, reply: Any, fault: str) -> None:
-    assert fault_of(name, reply) == fault
+    assert fault_of(name, reply, *[SILENT] * (WIRES[name].asks - 1) * (reply is SILENT)) == fault
 
 
 @pytest.mark.parametrize("name", ASKING)
@@ -272,7 +275,8 @@ def test_a_late_reply_does_not_answer_the_next_question(name: str) -> None:
     wire = WIRES[name]
     late = [b""] * (round(wire.timeout_s / 0.005) + 10) + [wire.other]  # 50 ms after it was given up
     request, reply = wire.ask(1)
-    script = [*wire.before, (wire.ask(0)[0], late), (request, [*[b""] * 20, reply])]  # its own after 100 ms
+    again = [(wire.ask(0)[0], SILENT)] * (wire.asks - 1)
+    script = [*wire.before, (wire.ask(0)[0], late), *again, (request, [*[b""] * 20, reply])]  # its own after 100 ms
     with scripted(DRIVERS[name], script, **wire.settings) as driver:
         wire.prepare(driver)
         with pytest.raises(InstrumentError) as caught:

@@ -54,6 +54,20 @@ def test_a_command_that_was_dropped_is_seen_in_the_read_back() -> None:
     assert caught.value.fault == "read-back"
 
 
+def test_a_question_that_was_dropped_is_put_once_more() -> None:
+    wire = [(b"IOUT1?", SILENT), (b"IOUT1?", b"0.499"), (b"*IDN?", SILENT), (b"*IDN?", b"KORADKA3005PV2.0")]
+    with scripted(KoradSupply, wire) as supply:
+        assert supply.measure_current() == 0.499
+        assert supply.identify().model == "KA3005P"
+
+
+def test_a_set_that_nothing_confirms_is_not_sent_again() -> None:
+    wire = [(b"ISET1:0.500", SILENT), (b"ISET1?", SILENT), (b"ISET1?", SILENT)]
+    with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError) as caught:
+        supply.set_current(0.5)
+    assert caught.value.fault == "silent"
+
+
 def test_an_output_that_stays_on_is_a_fault() -> None:
     with scripted(KoradSupply, [(b"OUT0", SILENT), (b"STATUS?", b"\x50")]) as supply, pytest.raises(InstrumentError):
         supply.output(False)
