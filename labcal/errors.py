@@ -2,6 +2,16 @@
 
 from __future__ import annotations
 
+WHAT_TO_DO = {  # as a rule; who raises knows better where it says so
+    "another instrument": "Is this the instrument that bench.toml names, and is its link the right one?",
+    "link lost": "Plug it in, see that nobody else has opened it, then begin this step again.",
+    "wrong reply": "Is this the instrument that bench.toml names? Look at its cable, then begin this step again.",
+    "refused": "Look at its panel, then begin this step again.",
+    "read-back": "Look at its panel, then begin this step again.",
+    "not arrived": "Look for what holds it, home it and begin this step again.",
+    "stage fault": "Look at the stage, home it and begin this step again.",
+}
+
 
 class InputError(ValueError):
     """The request or the input is wrong; the message is one clear sentence for the person who sent it.
@@ -22,12 +32,13 @@ class InputError(ValueError):
 class InstrumentError(RuntimeError):
     """An instrument failed: what happened, what state the lab is in, and what to do.
 
-    `fault` is the named fault state ("silent", "overloaded", "stuck", "wrong mode", "tripped", "link lost" …).
+    `fault` is the named fault state ("silent", "overloaded", "stuck", "wrong mode", "tripped", "link lost" …); where no
+    `remedy` is stated, it has that of its fault in `WHAT_TO_DO`.
     """
 
     def __init__(self, what: str, *, fault: str = "failed", remedy: str = "") -> None:
-        self.what, self.fault, self.remedy = what, fault, remedy
-        super().__init__(f"{what} {remedy}".strip())
+        self.what, self.fault, self.remedy = what, fault, remedy or WHAT_TO_DO.get(fault, "")
+        super().__init__(f"{what} {self.remedy}".strip())
 
 
 class LimitError(InstrumentError):

@@ -11,7 +11,6 @@ def refuse_elsewhere(name: str, angle_deg: float, target_deg: float | None, tole
         raise InstrumentError(
             f"{name}: it stopped {angle_deg - target_deg:+.3f}° from its target of {target_deg:.3f}°.",
             fault="not arrived",
-            remedy="Look for what holds it, home it and begin this step again.",
         )
 
 

@@ -79,9 +79,7 @@ class quantity:
             return self.read(reply)
         except (ValueError, IndexError) as error:
             raise InstrumentError(
-                f"{device.name}: {self.label} came back as {reply!r}.",
-                fault="wrong reply",
-                remedy="Is this the instrument that bench.toml names?",
+                f"{device.name}: {self.label} came back as {reply!r}.", fault="wrong reply"
             ) from error
 
     def _tell(self, device: Speaks, value: float) -> None:

@@ -186,6 +186,7 @@ def answered(name: str, *replies: Any, **options: Any) -> list[float]:
 def fault_of(name: str, *replies: Any) -> str:
     with pytest.raises(InstrumentError) as caught:
         answered(name, *replies)
+    assert caught.value.remedy
     return caught.value.fault
 
 

@@ -147,11 +147,7 @@ class WiredLink:
         if isinstance(error, OSError) and error.errno in BUSY:
             remedy = "End that program, then begin this step again."
             return InstrumentError(f"{self.url}: another program has opened it{why}.", fault="in use", remedy=remedy)
-        return InstrumentError(
-            f"{self.url}: the link is lost{why}.",
-            fault="link lost",
-            remedy="Plug it in, see that nobody else has opened it, then begin this step again.",
-        )
+        return InstrumentError(f"{self.url}: the link is lost{why}.", fault="link lost")
 
 
 class SerialPort:
