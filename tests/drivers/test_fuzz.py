@@ -168,7 +168,7 @@ def survives(target: Target, damages: list[Damage], sizes: list[int]) -> None:
     assert len(found) >= target.rows * (FRAMES - target.cost * len(damages) - target.last)
 
 
-@pytest.mark.parametrize("examples", [25, pytest.param(2500, marks=pytest.mark.slow)])  # of 40 frames each
+@pytest.mark.parametrize("examples", [15, pytest.param(2500, marks=pytest.mark.slow)])  # of 40 frames each
 @pytest.mark.parametrize("name", sorted(TARGETS))
 def test_no_damage_makes_a_value_that_was_not_sent(name: str, examples: int) -> None:
     @settings(max_examples=examples, deadline=None, database=None, suppress_health_check=list(HealthCheck))
@@ -179,7 +179,7 @@ def test_no_damage_makes_a_value_that_was_not_sent(name: str, examples: int) -> 
     campaign()
 
 
-@pytest.mark.parametrize("examples", [25, pytest.param(2500, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("examples", [15, pytest.param(2500, marks=pytest.mark.slow)])
 def test_alphalab_readings_with_a_damaged_axis_fit_their_magnitude(examples: int) -> None:
     """40 readings each: what comes out is within the stated part of what the meter measured, or nothing does."""
 
