@@ -8,10 +8,11 @@ import socket
 import sys
 import threading
 from contextlib import suppress
+from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from served_lab import Stop, until
+from served_lab import LONG_S, Stop, until
 
 from labcal.bench.clock import RealClock
 from labcal.bench.serve import PtyOutlet, TcpOutlet, _pump
@@ -40,8 +41,23 @@ class Late:
         return [reply] if reply else []
 
 
-def test_it_looks_at_an_emulator_only_when_something_is_due() -> None:
-    emulator, outlet, stop = Late(), TcpOutlet("tcp"), Stop()
+class Unforeseeing:
+    """Speaks at the tenth look after somebody spoke, and does not know when that will be."""
+
+    def __init__(self) -> None:
+        self._left = math.inf
+
+    def take(self, t_s: float, data: bytes) -> None:
+        self._left = 10.0
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        self._left -= 1
+        return [(until_s, b"!")] if self._left == 0 else []
+
+
+def answered(emulator: Any) -> bytes:
+    """What the emulator, served on a TCP port, answers a host that then goes away."""
+    outlet, stop = TcpOutlet("tcp"), Stop()
 
     def serve() -> None:
         with suppress(InterruptedError):
@@ -49,13 +65,23 @@ def test_it_looks_at_an_emulator_only_when_something_is_due() -> None:
 
     thread = threading.Thread(target=serve, daemon=True)
     thread.start()
-    with socket.create_connection(("127.0.0.1", urlsplit(outlet.url).port or 0)) as host:
+    with socket.create_connection(("127.0.0.1", urlsplit(outlet.url).port or 0), LONG_S) as host:
         host.sendall(b"?")
-        assert host.recv(1) == b"?"
+        reply = host.recv(1)
     until(lambda: len(outlet.files()) == 1)
     stop.pull()
     thread.join()
     outlet.close()
+    return reply
+
+
+def test_one_that_does_not_foresee_its_bytes_is_looked_at_again_and_again() -> None:
+    assert answered(Unforeseeing()) == b"!"
+
+
+def test_it_looks_at_an_emulator_only_when_something_is_due() -> None:
+    emulator = Late()
+    assert answered(emulator) == b"?"
     assert emulator.looks <= 8  # begun, a host, its word, the reply, the host gone, the end; it may wake too early
 
 
