@@ -15,6 +15,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.cores import each
 from labcal.loop.delays import delays
 from labcal.loop.lines import periodic
 from labcal.loop.pairs import pairs
@@ -124,7 +125,8 @@ def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
 
 def _looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
     left = search.residual(accepted) * search.rows[:, None]
-    return [*search.candidates, *periodic(search.problem, left), *steps(search, accepted), *delays(search, accepted)]
+    sought = [partial(periodic, search.problem, left), *(partial(look, search, accepted) for look in (steps, delays))]
+    return [*search.candidates, *itertools.chain(*each(lambda seek: seek(), sought))]
 
 
 def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
@@ -203,12 +205,13 @@ def spanning(columns: Array, times: Array | float = 1.0, least: float = 1e-4) ->
 
 def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
     """Those that still earn their place beside the others."""
+
+    def weight(chosen: Candidate) -> float:
+        others = [c for c in accepted if c is not chosen]
+        return search.weigh(chosen, search.stage(others, neighbourhood(search, others))).weight
+
     while len(accepted) > 1:
-        weights = []
-        for chosen in accepted:
-            others = [c for c in accepted if c is not chosen]
-            stage = search.stage(others, neighbourhood(search, others))
-            weights.append(search.weigh(chosen, stage).weight)
+        weights = each(weight, accepted)
         weakest = int(np.argmin(weights))
         if weights[weakest] >= NAMED:
             break

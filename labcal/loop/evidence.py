@@ -142,7 +142,7 @@ def settled(search: Search) -> Search:
     if not accepted or (search.problem.kind == "vector" and not _bends(search, accepted)):
         return search
     around = refit(search.whole, [c.form for c in accepted], search.good)
-    return without_outliers(search_of(around.uncorrected(), search.lowest))
+    return without_outliers(search_of(around.uncorrected(), search.lowest), None if search.good.all() else ~search.good)
 
 
 def _bends(search: Search, accepted: Sequence[Candidate]) -> bool:
@@ -255,17 +255,21 @@ def search_of(problem: Problem, lowest: float) -> Search:
     return Search(fewer, expand(fewer), rows, lowest, good)
 
 
-def without_outliers(search: Search) -> Search:
-    """The search on the rows that do not lie, once the effects that the others show are taken off."""
+def without_outliers(search: Search, known: NDArray[np.bool_] | None = None) -> Search:
+    """The search on the rows that do not lie, once the effects that the others show are taken off.
+
+    The first look is without rows `known` to lie (N,), or without those that seem to before any effect is.
+    """
     segment = search.whole.scene.segment
-    tried = [search, search.without(outliers(search.whole.y, segment))]
+    first = outliers(search.whole.y, segment) if known is None else known
+    tried = [search, search.without(first)]
     for _ in range(2):
         here = tried[-1]
         accepted = [] if here.good.all() else _chosen(here)[0]
         left, added = here.everywhere(accepted)
         lying = outliers(left, segment, added)
-        known = [one for one in tried if bool((one.good == ~lying).all())]
-        tried.append(known[-1] if known else here.without(lying))
+        same = [one for one in tried if bool((one.good == ~lying).all())]
+        tried.append(same[-1] if same else here.without(lying))
         if tried[-1] is here:
             break
     return tried[-1]

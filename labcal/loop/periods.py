@@ -13,14 +13,17 @@ def periodogram(t_s: Array, residual: Array) -> tuple[Array, Array]:
 
     Times are rounded to a quarter of the sampling interval.
     """
+    from scipy.fft import next_fast_len, rfft
+
     step = float(np.median(np.diff(t_s)))
     place = np.round((t_s - t_s[0]) / (step / 4)).astype(int)
     if place[-1] > 64 * len(t_s) + 1024:  # gaps far longer than the record: close them
         place = np.cumsum(np.concatenate([[0], np.minimum(np.diff(place), 64)]))
     grid = np.zeros((int(place[-1]) + 1, residual.shape[1]))
     np.add.at(grid, place, residual - residual.mean(axis=0))
-    power = np.sum(np.abs(np.fft.rfft(grid, n=2 * len(grid), axis=0)) ** 2, axis=1)
-    frequency = np.fft.rfftfreq(2 * len(grid), step / 4)
+    length = next_fast_len(2 * len(grid), real=True)
+    power = np.sum(np.abs(rfft(grid, n=length, axis=0)) ** 2, axis=1)
+    frequency = np.fft.rfftfreq(length, step / 4)
     inside = frequency <= 0.5 / step
     return np.asarray(frequency[inside]), np.asarray(power[inside])
 

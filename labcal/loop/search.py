@@ -116,7 +116,7 @@ class Search:
     lowest: float  # of the white noise, in whitened units
     good: NDArray[np.bool_]  # (N,) rows of the whole problem that do not lie
     bands: Bands = field(init=False)
-    base: Array = field(init=False)  # (n, q, t) transformed tangent, columns at unit length
+    base: Array = field(init=False)  # (n, q, t) orthonormal, spans the transformed tangent
     y: Array = field(init=False)  # (n, q, 1)
     part: bool = False  # of the rows of another search
     moving: NDArray[np.intp] = field(init=False)  # numbers of the rows that are transformed
@@ -128,8 +128,7 @@ class Search:
         all_but_few = 1 - A_FEW if not self.part and len(self.moving) <= LONG else 0.0
         self.moving = self.moving[: fast(len(self.moving), all_but_few)]
         self.bands = bands_of(len(self.moving))
-        base = transformed(self.problem.T[self.moving])
-        self.base = base / np.maximum(np.sqrt(np.sum(base**2, axis=(0, 1))), 1e-300)
+        self.base = orthonormal(transformed(self.problem.T[self.moving]))
         self.y = transformed(self.problem.y[self.moving])[:, :, None]
 
     def once(
@@ -336,16 +335,27 @@ class Search:
         return self.columns(candidate) if self.problem.whole is None else self.whole.columns(candidate.form)
 
 
+def orthonormal(columns: Array) -> Array:
+    """Columns (n, q, few) at right angles that span the given ones (n, q, b), but for directions that carry nothing."""
+    n, q, b = columns.shape
+    flat = columns.reshape(n * q, b)
+    unit = flat / np.maximum(np.sqrt(np.sum(flat**2, axis=0)), 1e-300)
+    left, size, _ = np.linalg.svd(unit, full_matrices=False)
+    return np.asarray(left[:, size**2 > NOTHING * size[0] ** 2].reshape(n, q, -1))
+
+
 def new_to(columns: Array, part: Array) -> Array:
-    """Combinations of `part` (n, q, p) of which more than SEEN of the square is new to `columns` (n, q, b)."""
+    """What is new in `part` (n, q, p), at right angles to `columns` (n, q, b) and to each other, as these are.
+
+    More than SEEN of the square of a combination of `part` has to be new.
+    """
     n, q, _ = part.shape
     X, own = columns.reshape(n * q, -1), part.reshape(n * q, -1)
-    gram, cross, left = X.T @ X, X.T @ own, own.T @ own
-    size, length = (np.maximum(np.sqrt(np.diag(g)), 1e-150) for g in (gram, left))
-    gram, cross, left = gram / np.outer(size, size), cross / np.outer(size, length), left / np.outer(length, length)
-    left = left - cross.T @ np.linalg.pinv(gram, rcond=NOTHING, hermitian=True) @ cross
-    values, vectors = np.linalg.eigh(left)
-    return np.asarray((own @ (vectors[:, values > SEEN] / length[:, None])).reshape(n, q, -1))
+    cross, left = X.T @ own, own.T @ own
+    length = np.maximum(np.sqrt(np.diag(left)), 1e-150)
+    values, vectors = np.linalg.eigh((left - cross.T @ cross) / np.outer(length, length))
+    new = vectors[:, values > SEEN] / length[:, None] / np.sqrt(values[values > SEEN])
+    return np.asarray((own @ new - X @ (cross @ new)).reshape(n, q, -1))
 
 
 def minimise(A: Array, y: Array, base: int, seen: float = SEEN) -> Array:

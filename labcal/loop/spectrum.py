@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 BANDS_PER_OCTAVE = 2.0
 CORNERS = (0.0, 1e-3, 1e-1)
-RATIOS = (0.0, *np.logspace(-6, 1.5, 11).tolist())
+RATIOS = np.logspace(-6, 1.5, 11).tolist()
+AS_WHITE = 0.1  # sum of squared logarithms up to which a spectrum is not tried: no data could tell it from white noise
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,13 +45,12 @@ def bands_of(n: int) -> Bands:
     edges = np.unique(np.round(np.concatenate([[0, 1], np.geomspace(1, n, octaves + 1)])).astype(int))
     k = np.arange(n)
     eigen = 2 - 2 * np.cos(np.pi * np.maximum(k, 0.5) / n)
-    tried = [(0.0, 0.0)] + [(c, r) for c in CORNERS for r in RATIOS[1:]]
-    spectra = []
-    for c, r in tried:
-        full = 1 + r / (eigen + c)
-        spectra.append(np.exp(np.add.reduceat(np.log(full), edges[:-1]) / np.diff(edges)))
-    tried_array = np.array(tried)
-    return Bands(edges, np.array(spectra), tried_array[:, 0], tried_array[:, 1])
+    corner, ratio = np.array([(0.0, 0.0), *itertools.product(CORNERS, RATIOS)]).T
+    logs = np.log1p(ratio[:, None] / (eigen + corner[:, None]))
+    apart = np.sum(logs**2, axis=1) > AS_WHITE
+    apart[0] = True
+    means = np.add.reduceat(logs[apart], edges[:-1], axis=1) / np.diff(edges)
+    return Bands(edges, np.exp(means), corner[apart], ratio[apart])
 
 
 def transformed(columns: Array) -> Array:
