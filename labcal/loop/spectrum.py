@@ -16,6 +16,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.cores import each
+
 Array = NDArray[np.float64]
 BANDS_PER_OCTAVE = 2.0
 CORNERS = (0.0, 1e-3, 1e-1)
@@ -142,7 +144,9 @@ class Stage:
         pull = pull - (stood @ self.pulled[:, None, :, None])[..., 0]
         values, vectors = np.linalg.eigh(schur[0])
         new = values > least * np.trace(own[0], axis1=1, axis2=2)[:, None] / X.shape[3]
-        drop = _explained(np.swapaxes(vectors, 1, 2) @ schur @ vectors, (pull[:, :, None, :] @ vectors)[:, :, 0], new)
+        if not new.all():
+            schur, pull = np.swapaxes(vectors, 1, 2) @ schur @ vectors, (pull[:, :, None, :] @ vectors)[:, :, 0]
+        drop = _explained(schur, pull, new)
         rss = np.maximum(self.rss[:, None] - drop, 1e-300)
         found = _best(rss, self.y.size, self.y.shape[1], self.bands, self.lowest)
         return list(zip(found, new.sum(axis=1).tolist(), strict=True))
@@ -212,12 +216,15 @@ def _explained(schur: Array, pull: Array, new: NDArray[np.bool_]) -> Array:
 
 
 RIDGE = 1e-12
+MANY = 500_000  # numbers in columns whose Gram matrices are worth two cores
 
 
 def _grams(columns: Array, bands: Bands) -> Array:
     """Gram matrices (bands, p, p) of columns (n, q, p)."""
-    parts = (columns[a:b].reshape(-1, columns.shape[2]) for a, b in itertools.pairwise(bands.edges))
-    return np.stack([part.T @ part for part in parts])
+    parts = [columns[a:b].reshape(-1, columns.shape[2]) for a, b in itertools.pairwise(bands.edges)]
+    return np.stack(
+        each(lambda part: part.T @ part, parts) if columns.size > MANY else [part.T @ part for part in parts]
+    )
 
 
 def _best(rss: Array, size: int, q: int, bands: Bands, lowest: float) -> list[Likelihood]:
