@@ -12,7 +12,7 @@ from labcal.fit.observations import SCALAR
 from labcal.loop import working_range
 from labcal.loop.correlation import follows_itself
 from labcal.loop.decide import Cause
-from labcal.loop.evidence import Evidence, search_of, weighed, without_outliers
+from labcal.loop.evidence import Choice, Evidence, decided, proved, search_of, settled, without_outliers
 from labcal.loop.findings import findings
 from labcal.loop.floor import Floor, floor
 from labcal.loop.gaps import untold
@@ -52,18 +52,20 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     if (finding := doubt(problem, level)) is not None:
         return doubted(run, problem, level, stuck, finding)
     progress("weighing every effect")
-    search = searched(run, problem)
-    progress("holding out blocks of time")
-    found = weighed(search, level)
-    gaps = untold(run, _weighty(found))
+    bare = searched(run, problem)
+    search = settled(bare)
+    choice = decided(search, level)
+    gaps = untold(run, _weighty(choice))
     if np.mean(gaps) > UNTOLD:
         return close_loop(run.select(~gaps), progress)
+    progress("holding out blocks of time")
+    found = proved(bare, search, choice, level)
     before, after = (refit(problem, [c.form for c in chosen], found.search.good) for chosen in ((), found.accepted))
     aside = {"outliers": int((~found.search.good).sum()), "saturation": stuck}
     return _result(run, found, before, after, aside)
 
 
-def _weighty(found: Evidence) -> set[str]:
+def _weighty(found: Choice) -> set[str]:
     """The channels of every cause that had the weight of a name at some step."""
     heavy = [w.candidate.form for ranking in found.rankings for w in ranking if w.weight >= NAMED]
     return {name for form in heavy for name in form.channels}

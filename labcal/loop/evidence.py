@@ -63,9 +63,13 @@ class Evidence:
 
 
 def weighed(search: Search, level: Floor) -> Evidence:
-    """Choose effects; their error is told by choices that were made again without each held-out fold."""
-    bare, search = search, settled(search)
-    choice = decided(search, level)
+    """Choose effects about the map that goes with them, and prove them."""
+    around = settled(search)
+    return proved(search, around, decided(around, level), level)
+
+
+def proved(bare: Search, search: Search, choice: Choice, level: Floor) -> Evidence:
+    """The proof of a choice: its error is told by choices that were made again without each held-out fold."""
     accepted, blocks = choice.accepted, choice.blocks
     while True:
         honest = held_out(search, blocks, repeated(level, blocks, len(accepted)))

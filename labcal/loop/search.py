@@ -25,8 +25,8 @@ Array = NDArray[np.float64]
 Kept = TypeVar("Kept")
 AT_ONCE = 64  # columns that are weighed together
 LONG = 5000  # rows from which any at the end are not looked at, for a length that is fast to transform;
-A_FEW = 0.02  # of fewer rows no more than this part
-KEPT_NUMBERS = 8_000_000  # of transformed columns of all candidates: more are transformed anew each time
+PRIMES = 2 * 3 * 5 * 7 * 11 * 13  # that a length of fewer rows may have: mostly none is dropped, or one in a hundred
+KEPT_NUMBERS = 12_000_000  # of transformed columns of all candidates: more are transformed anew each time
 NAMED = 12.0  # nats of weight below which nothing is named: odds of 1.6e5 to one
 SEEN = 1e-4  # of a column's square must be new to the base
 NOTHING = 1e-10  # of the largest eigenvalue: directions below carry no information
@@ -125,8 +125,9 @@ class Search:
 
     def __post_init__(self) -> None:
         self.moving = np.flatnonzero(self.rows)
-        all_but_few = 1 - A_FEW if not self.part and len(self.moving) <= LONG else 0.0
-        self.moving = self.moving[: fast(len(self.moving), all_but_few)]
+        few = len(self.moving) <= LONG and not self.part
+        length = fast(len(self.moving), PRIMES) if few else fast(len(self.moving))
+        self.moving = self.moving[:length]
         self.bands = bands_of(len(self.moving))
         self.base = orthonormal(transformed(self.problem.T[self.moving]))
         self.y = transformed(self.problem.y[self.moving])[:, :, None]

@@ -62,16 +62,12 @@ def transformed(columns: Array) -> Array:
     return np.asarray(dct(columns, axis=0, norm="ortho"))
 
 
-def fast(n: int, least: float = 0.0) -> int:
+def fast(n: int, primes: int = 2 * 3 * 5) -> int:
     """The largest length up to n that is fast to transform: one with a large prime factor takes five times as long.
 
-    Where that is below `least` of n, the largest with no prime factor above seven; n where that is below it too.
+    It has no other prime factors than those of `primes`.
     """
-    for primes in (30, 210):
-        length = next(k for k in range(n, 0, -1) if pow(primes, n.bit_length(), k) == 0)
-        if length >= least * n:
-            return length
-    return n
+    return next(k for k in range(n, 0, -1) if pow(primes, n.bit_length(), k) == 0)
 
 
 def spectrum_of(moved: Array, y: Array) -> tuple[Bands, Array]:

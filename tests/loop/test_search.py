@@ -26,7 +26,7 @@ from labcal.loop.evidence import search_of
 from labcal.loop.holdout import always, held_out, lengths, plan
 from labcal.loop.problem import Problem, _by_geometry
 from labcal.loop.refit import refit
-from labcal.loop.search import Candidate, Search, new_to
+from labcal.loop.search import Candidate, Search, new_to, orthonormal
 from labcal.loop.steps import drops, steps
 from labcal.model.effects import family, nonlinearity
 
@@ -177,7 +177,9 @@ def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> No
     assert new_to(np.ones((5, 3, 1)), nought).shape == (5, 3, 0)
     some = np.random.default_rng(1).normal(size=(5, 3, 2))
     part = np.concatenate([some[:, :, 1:], np.zeros((5, 3, 1))], axis=2)
-    assert new_to(np.concatenate([some[:, :, :1], np.zeros((5, 3, 1))], axis=2), part).shape == (5, 3, 1)
+    standing = orthonormal(np.concatenate([some[:, :, :1], np.zeros((5, 3, 1))], axis=2))
+    assert standing.shape == new_to(standing, part).shape == (5, 3, 1)
+    assert np.sum(standing * new_to(standing, part)) == pytest.approx(0.0, abs=1e-12)
 
 
 def test_a_field_that_turns_the_phases_far_leaves_nothing_for_other_names(making: ModuleType, tmp_path: Path) -> None:
