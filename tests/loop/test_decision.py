@@ -216,6 +216,14 @@ def test_a_current_that_leads_clearly_has_no_rival_in_its_square_whatever_is_lef
     assert "offset-current-squared" not in {w.candidate.family.id for w in rivals.rivals_of(search, [current], current)}
 
 
+def test_the_square_of_a_current_that_stands_takes_no_other_ones_place(searching: Callable[..., Search]) -> None:
+    search, current, _ = _switched_load(searching, 0.0)
+    idle = next(c for c in search.candidates if c.family.id == "offset-drift")
+    near = rivals.rivals_of(search, [current, idle], idle)
+    assert len(near) > 1
+    assert all(w.candidate.form.channels != ("i",) for w in near)
+
+
 def test_a_map_is_shipped_as_it_is_without_the_effects_that_are_not(
     making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
