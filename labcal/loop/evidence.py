@@ -30,6 +30,7 @@ REST = 1 / 3  # and as much of what a later cause took away shows that it took m
 SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
 SECOND_OF_NOISE = 0.25  # or this part of the noise's square
 NEAREST = 2  # causes of other physics that a doubtful one is held against
+ANSWERS = 3  # names that an answer may hold in place of one
 REFUSALS = 6  # causes refused on held-out data before the loop gives up
 
 
@@ -73,12 +74,13 @@ def proved(bare: Search, search: Search, choice: Choice, level: Floor) -> Eviden
     accepted, blocks = choice.accepted, choice.blocks
     while True:
         honest = held_out(search, blocks, repeated(level, blocks, len(accepted)))
-        if not accepted or _carries(honest, level, accepted):
+        rivals = tuple(tuple(as_good(search, blocks, accepted, one)) for one in accepted)
+        told = _told(honest, level, accepted, rivals)
+        if told == len(accepted):
             break
-        accepted = accepted[:-1]
+        accepted = accepted[:told]
     honest = from_the_base(bare, search, blocks, honest)
     steps = choice.steps[: len(accepted)]
-    rivals = tuple(tuple(as_good(search, blocks, accepted, one)) for one in accepted)
     far = farness(search.everywhere(accepted)[0], search.good)
     chance = by_chance(search, accepted)
     gone = {c.cause: step for c, step in zip(choice.accepted, choice.steps, strict=True)}
@@ -173,12 +175,18 @@ def _idle(search: Search, accepted: Sequence[Candidate], steps: Sequence[HeldOut
             return i
     for i, chosen in reversed(list(enumerate(accepted))):
         share = HARMONICS if chosen.family.harmonics else REMAINS
-        mine = steps if level.source == "differences" else steps[i:]
+        mine = steps if level.source == "differences" else steps[_begins(accepted, i) :]
         if _vague(search, chosen) and _remains(mine, level, share):
             return i
     if level.source == "differences":
         return None
-    return next((i for i in range(len(steps) - 1, 0, -1) if _remains(steps[i:], level, REST)), None)
+    later = ((i, _begins(accepted, i)) for i in range(len(steps) - 1, 0, -1))
+    return next((i for i, begins in later if begins and _remains(steps[begins:], level, REST)), None)
+
+
+def _begins(accepted: Sequence[Candidate], place: int) -> int:
+    """Where the lines or steps begin of which this is one more: harmonics of one wave are one cause."""
+    return next(i for i in range(place, -1, -1) if i == 0 or accepted[i - 1].cause != accepted[place].cause)
 
 
 def _in_doubt(
@@ -192,8 +200,8 @@ def _in_doubt(
     if not steps or level.source == "differences" or steps[-1].after <= AT_FLOOR * level.nT:
         return None
     for i, chosen in enumerate(accepted):
-        for other in _other_physics(search, accepted, chosen):
-            swapped = [other if c is chosen else c for c in accepted]
+        for other in _other_physics(search, accepted, chosen) if _begins(accepted, i) == i else ():
+            swapped = [other if c is chosen else c for c in accepted if c is chosen or c.cause != chosen.cause]
             if held_out(search, blocks, always(swapped)).after ** 2 - steps[-1].after ** 2 < missed:
                 return i
     return None
@@ -250,6 +258,21 @@ def _carries(honest: HeldOut, level: Floor, accepted: Sequence[Candidate]) -> bo
     excess = honest.before**2 - level.nT**2
     share = SHARE_WITH_CHANNELS if all(c.form.channels for c in accepted) else SHARE_OF_EXCESS
     return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > share * excess
+
+
+def _told(honest: HeldOut, level: Floor, accepted: Sequence[Candidate], rivals: Sequence[Sequence[Contender]]) -> int:
+    """How many of the accepted effects, from the first on, may be named.
+
+    Not the last where they carry too little; nor, where they miss the noise, one that as many others stand in for as
+    are no answer: whatever takes some of an unknown shape does as well there.
+    """
+    if not accepted or honest.after <= AT_FLOOR * level.nT:
+        return len(accepted)
+    if not _carries(honest, level, accepted):
+        return len(accepted) - 1
+    if level.source == "differences":
+        return len(accepted)
+    return next((i for i, contenders in enumerate(rivals) if len(contenders) > ANSWERS), len(accepted))
 
 
 def search_of(problem: Problem, lowest: float) -> Search:

@@ -94,6 +94,28 @@ def test_a_later_cause_that_leaves_a_third_of_what_it_took_is_misfit_of_the_firs
     assert evidence._remains([_held(250, after)], LEVEL, evidence.REST) is misfit
 
 
+@pytest.mark.parametrize(("left", "idle"), [((420.0, 320.0, 240.0), None), ((420.0, 380.0, 350.0), 2)])
+def test_the_harmonics_of_one_wave_are_judged_by_what_they_take_together(
+    started: Started, left: tuple[float, ...], idle: int | None
+) -> None:
+    """The third of a square wave's lines takes less than is left after it; all three leave less than a tenth."""
+    search = _search(started())
+    line = next(c for c in decide.looks(search, []) if c.family.id == "periodic")
+    falls = [_held(before, after) for before, after in zip((800.0, *left), left, strict=False)]
+    assert evidence._idle(search, [replace(line) for _ in falls], falls, LEVEL) == idle
+
+
+@pytest.mark.parametrize(("reached", "told"), [(300.0, 1), (110.0, 2)])
+def test_where_the_noise_is_missed_a_name_that_most_others_could_take_is_not_told(
+    started: Started, reached: float, told: int
+) -> None:
+    accepted = _search(started()).candidates[:2]
+    contender = rivals.Contender(_found(accepted[0], 50.0), reached)
+    standing_in = [(contender,) * 2, (contender,) * 4]
+    assert evidence._told(_held(2000, reached), LEVEL, accepted, standing_in) == told
+    assert evidence._told(_held(2000, reached), LEVEL, accepted, [(contender,) * 3] * 2) == 2
+
+
 def test_a_file_that_leaves_more_than_was_foretold_says_so() -> None:
     assert _as_shipped(_held(300.0, 50.0), 80.0).after == pytest.approx(80.0)
     assert _as_shipped(_held(70.0, 70.0), 80.0, added=False).before == pytest.approx(80.0)
