@@ -32,6 +32,7 @@ MOST = 3  # effects accepted at most
 MATERIAL = 0.03  # of the noise's square: a smaller drop of the mean square is not worth a parameter
 SHARE = 0.01  # of all that was explained: a smaller part is a detail of the first effect's shape
 SHARE_OF_REST = 0.08  # of what still lies above the noise, beside all looks of the first: this is more than a detail
+SECANT = "secant_s"  # the shape of a lag
 SECANTS = 6  # rounds of a lag's own
 DIRECTIONS = 3  # in which columns are compared
 COMPANION = 0.7  # of the drop of the heaviest
@@ -119,14 +120,15 @@ def earned(search: Search, accepted: Sequence[Candidate], found: Weighed) -> boo
 
 
 def looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
-    """All candidates; periods, steps and delays at the frequencies and moments that the present residual shows."""
+    """All candidates, a lag on its own secant; periods, steps and delays where the present residual shows them."""
     return search.once("looks", [c.form for c in accepted], lambda: _looks(search, accepted))
 
 
 def _looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
     left = search.residual(accepted) * search.rows[:, None]
+    known = [refined(search, c, accepted) if SECANT in _names(c.form) else c for c in search.candidates]
     sought = [partial(periodic, search.problem, left), *(partial(look, search, accepted) for look in (steps, delays))]
-    return [*search.candidates, *itertools.chain(*each(lambda seek: seek(), sought))]
+    return [*known, *itertools.chain(*each(lambda seek: seek(), sought))]
 
 
 def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
@@ -226,7 +228,7 @@ def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate])
 
 
 def _refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    if "secant_s" in _names(candidate.form):
+    if SECANT in _names(candidate.form):
         return _on_secant(search, candidate, accepted)
     searched = [shape.name for shape in candidate.form.shape if shape.grid]
     for name in searched if len(searched) > 1 else ():
@@ -240,10 +242,10 @@ def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidat
     """A lag's columns are a secant: taken over the lag that they give, until it settles."""
     for _ in range(SECANTS):
         lag = float(search.solved([*accepted, candidate])[-1])
-        settled = abs(lag - candidate.form.at("secant_s")) < 1e-3 * abs(lag) + 1e-6
+        settled = abs(lag - candidate.form.at(SECANT)) < 1e-3 * abs(lag) + 1e-6
         if settled or abs(lag) < 1e-6:
             break
-        candidate = replace(candidate, form=candidate.form.reshaped(secant_s=lag))
+        candidate = replace(candidate, form=candidate.form.reshaped(**{SECANT: lag}))
     return candidate
 
 
