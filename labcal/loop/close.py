@@ -18,7 +18,7 @@ from labcal.loop.floor import Floor, floor
 from labcal.loop.gaps import untold
 from labcal.loop.holdout import HeldOut, always, held_out, plan, rms
 from labcal.loop.problem import Problem, fit_base, least_squares, linearise, noise_of, usable
-from labcal.loop.proposal import next_experiment, twins
+from labcal.loop.proposal import next_experiment
 from labcal.loop.reference_sanity import doubt
 from labcal.loop.refit import Refit, refit
 from labcal.loop.result import ClosedLoop, Errors, Finding, Pictures, Verdict
@@ -27,6 +27,7 @@ from labcal.loop.search import NAMED, Search, Weighed
 from labcal.loop.setaside import at_rail
 from labcal.loop.shape import describe
 from labcal.loop.surrogates import p_value
+from labcal.loop.twins import twins
 from labcal.loop.whiteness import tests as residual_tests
 from labcal.loop.words import in_doubt, summary, tested, why, why_not, why_rival
 from labcal.model import EffectRecord, Parameter
@@ -143,7 +144,7 @@ def _result(run: Run, found: Evidence, before: Refit, after: Refit, aside: dict[
         shape=left,
         unsupported=frozenset(len(of_the_data) + i for i in unsupported),
         shipped=errors,
-        twins=twins(found),
+        twins=twins(problem, {c.weighed.candidate.family.id for rivals in found.rivals for c in rivals}),
         remarks=(tested(tests["after"]), *(finding.says for finding in noticed)),
         pictures=replace(pictured(before.problem, after.problem), held_out_nT=_both(found.honest)),
     )

@@ -41,7 +41,10 @@ def ranked(problem: Problem, chosen: Candidate, rival: Candidate, size: Array) -
     old, found = _again(problem, thinned(problem.run)), list[Separation]()
     if old is None:
         return found
+    asked = {chosen.family.id, rival.family.id}
     for experiment in experiments():
+        if experiment.concerns and not experiment.concerns & asked:
+            continue
         made = experiment.design(problem.run)
         new = None if made is None else _again(problem, _foretold(problem, made))
         if new is not None:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.result import Twins
+from labcal.model.effects import families
 from labcal.record import Run
 from labcal.record.run import Channel, Segment
 
@@ -21,6 +22,10 @@ Array = NDArray[np.float64]
 ROWS = 300  # of a designed run
 HALF_TURN = np.diag([-1.0, -1.0, 1.0])
 GRADIENT, DIPOLE, REFERENCE = "field-gradient", "dut-dipole-at-reference", "reference-drift"
+OF_THE_BARE_CAGE = frozenset({"cage-field", REFERENCE})
+OF_LOADS = frozenset({"offset-current", "offset-current-squared", "offset-channel", "offset-mode"})
+OF_WARMTH = frozenset({"offset-temperature", "gain-temperature", "offset-current-squared", "offset-drift"})
+OF_MODES = OF_LOADS
 GAP_S = 60.0  # between the run and what is measured next
 WARMER_C = 15.0
 CYCLES = 4  # of a load, a mode or a heater that is switched
@@ -34,6 +39,7 @@ class Experiment:
     procedure: str | None
     design: Callable[[Run], Run | None]  # what it would record; None where this run's lab or device cannot do it
     alters: tuple[tuple[str, float], ...] = ()  # effects that it changes by a factor where the scene does not say so
+    concerns: frozenset[str] = frozenset()  # effects that it is about; empty: about any
 
 
 TWINS: tuple[tuple[frozenset[str], Twins], ...] = tuple(
@@ -43,14 +49,14 @@ TWINS: tuple[tuple[frozenset[str], Twins], ...] = tuple(
          "turn the reference by 180°"),
         (("dut-dipole-at-reference", "field-gradient"), "the device's moment at a near reference", "a gradient",
          "repeat in two coil fields"),
-        (("cage-field",), "magnetism of the turning table", "the device's offset",
-         "turn the bare table under the reference, and remount the device turned on it"),
         (("offset-current", "offset-current-squared"), "currents locked to the attitude (panels, torquers)",
          "soft iron", "switch the loads at one attitude"),
         (("offset-temperature", "gain-temperature", "offset-drift"), "a temperature that only rises", "a drift",
          "warm the device and let it cool again"),
-        (("gain-temperature",), "the reference's scale", "the device's gain", "compare with another reference"),
-        (("lag",), "a lag at a constant rate", "the mounting's phase", "turn at another rate, and backwards"),
+        (("lag", "axis-tilt"), "a lag at a constant rate", "the mounting's phase and tilt",
+         "turn at another rate, and backwards"),
+        (("axis-tilt", "field-gradient"), "a tilted axis", "a gradient, in one direction of the field",
+         "mount the device turned by 180°, or turn in another direction of the field"),
         (("lag",), "a lag", "eddy currents in the device's housing",
          "change the field at rest: eddy currents decay, a lag only shifts"),
     )
@@ -65,15 +71,16 @@ def experiments() -> tuple[Experiment, ...]:
         Experiment("repeat the run unchanged", "repeat", repeat),
         Experiment("step the field up and down along one axis", "linearity", ladder),
         Experiment("turn in two more coil fields, a third and twice as large", "rotate-axis", other_fields),
-        Experiment("switch every load on and off at one attitude", "current-coupling", loads),
-        Experiment("warm the device and let it cool in two fields", "temperature-drift", heated),
-        Experiment("switch the power mode there and back at one attitude", None, modes),
+        Experiment("switch every load on and off at one attitude", "current-coupling", loads, concerns=OF_LOADS),
+        Experiment("warm the device and let it cool in two fields", "temperature-drift", heated, concerns=OF_WARMTH),
+        Experiment("switch the power mode there and back at one attitude", None, modes, concerns=OF_MODES),
         Experiment("move the device by 5 cm and repeat the first turns", None, repeat, ((GRADIENT, 2.0),)),
         Experiment("turn the reference by 180° and repeat the first turns", None, repeat, ((REFERENCE, -1.0),)),
         Experiment("put the reference at twice its distance and repeat the first turns", "dut-moment", repeat,
                    ((DIPOLE, 0.125),)),
-        Experiment("measure the bare platform's own field with the reference", "platform-signature", bare, (
-            ("cage-field", 1.0), *((name, 0.0) for name in (GRADIENT, DIPOLE)))),
+        Experiment("measure the bare platform's own field with the reference", "platform-signature", bare,
+                   tuple((family.id, 0.0) for family in families() if family.id not in OF_THE_BARE_CAGE),
+                   OF_THE_BARE_CAGE),
     )  # fmt: skip
 
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from labcal.loop.discrimination import CLEAR, Separation, ranked
-from labcal.loop.experiments import TWINS
 from labcal.loop.refit import Refit
-from labcal.loop.result import NextExperiment, Ranked, Shape, Twins, Verdict
+from labcal.loop.result import NextExperiment, Ranked, Shape, Verdict
 from labcal.loop.search import Candidate
 from labcal.loop.words import name
 
@@ -60,7 +59,7 @@ def _between(found: Evidence, after: Refit) -> NextExperiment:
         return NextExperiment(why, chosen.family.experiment or "repeat with another reference", None)
     best = order[0]
     why = f"{equal}; the experiment would bring them {best.sigma:.0f} standard deviations apart, as the fit foretells"
-    listed = tuple(Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1)) for s in order[:MENTIONED])
+    listed = tuple(Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1)) for s in order[:MENTIONED] if s.sigma >= CLEAR)
     return NextExperiment(why, best.experiment.do, best.experiment.procedure, listed)
 
 
@@ -72,9 +71,3 @@ def _by_least(tables: list[list[Separation]]) -> list[Separation]:
         for s in tables[0]
     }  # fmt: skip
     return sorted(least.values(), key=lambda s: (-min(s.sigma, 4 * CLEAR), s.experiment.procedure is None, -s.sigma))
-
-
-def twins(found: Evidence) -> tuple[Twins, ...]:
-    """What an accepted effect's data alone can never tell it from."""
-    named = {c.family.id for c in found.accepted}
-    return tuple(pair for effects, pair in TWINS if effects & named)

@@ -10,6 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from labcal import session
+from labcal.loop.close import prepared
+from labcal.loop.experiments import experiments
+from labcal.loop.problem import Problem
+from labcal.loop.twins import twins
+
 
 @pytest.mark.parametrize("backwards", [False, True])
 def test_a_lag_at_one_rate_is_the_phases_and_turning_backwards_tells_it(
@@ -29,3 +35,36 @@ def test_a_lag_at_one_rate_is_the_phases_and_turning_backwards_tells_it(
     _, result, _ = closed_loop(making.written(tmp_path, rows, segments))
     assert [effect["effect"] for effect in result["accepted"]] == (["lag"] if backwards else [])
     assert result["verdict"] == ("explained" if backwards else "clean")
+    alike = {(pair["one"], pair["other"]) for pair in result["twins"]}
+    assert (("a lag at a constant rate", "the mounting's phase") in alike) is not backwards
+
+
+def _said(problem: Problem, *named: str) -> set[tuple[str, str]]:
+    return {(pair.one, pair.other) for pair in twins(problem, named)}
+
+
+def test_a_current_that_follows_the_attitude_is_a_twin_of_soft_iron(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    plain = prepared(session.load_run(str(making.written(tmp_path / "plain", rows, segments))))[0]
+    rows["i_load"] = rows["dut"][:, 0] / 50_000 + np.random.default_rng(1).normal(0, 0.01, len(rows["t_s"]))
+    locked = prepared(session.load_run(str(making.written(tmp_path / "locked", rows, segments))))[0]
+    pair = ("what i_load does, which follows the attitude", "soft iron")
+    assert pair in _said(locked)
+    assert pair not in _said(plain)
+
+
+def test_every_turned_run_says_what_its_reference_and_fixture_leave_open(started: Callable[..., Problem]) -> None:
+    said = _said(started())
+    assert ("the reference's scale", "the device's gain") in said
+    assert ("magnetism of what turns with the device", "the device's offset") in said
+    assert ("a lag at a constant rate", "the mounting's phase") not in said  # the attitudes are declared
+
+
+def test_a_rival_brings_its_twins_as_an_accepted_cause_does(started: Callable[..., Problem]) -> None:
+    assert ("a temperature that only rises", "a drift") in _said(started(), "cage-field", "offset-drift")
+
+
+def test_the_bare_platform_says_nothing_of_the_device_and_is_not_proposed_for_it() -> None:
+    bare = next(e for e in experiments() if e.procedure == "platform-signature")
+    assert bare.concerns == {"cage-field", "reference-drift"}
+    assert {name for name, factor in bare.alters if factor == 0} >= {"axis-tilt", "field-gradient", "lag"}
