@@ -59,7 +59,8 @@ def _between(found: Evidence, after: Refit) -> NextExperiment:
         return NextExperiment(why, chosen.family.experiment or "repeat with another reference", None)
     best = order[0]
     why = f"{equal}; the experiment would bring them {best.sigma:.0f} standard deviations apart, as the fit foretells"
-    listed = tuple(Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1)) for s in order[:MENTIONED] if s.sigma >= CLEAR)
+    clear = [s for s in order[:MENTIONED] if s.sigma >= CLEAR]
+    listed = tuple(Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1)) for s in clear)
     return NextExperiment(why, best.experiment.do, best.experiment.procedure, listed)
 
 

@@ -5,14 +5,19 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from importlib.metadata import EntryPoint
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from labcal import session
 from labcal.errors import InputError
-from labcal.model.effects import families
+from labcal.model.effects import Family, Form, Scene, families
+from labcal.model.effects.guard import guarded
+from labcal.model.effects.regressors import on_each_axis, per_axis
 
 PERIOD_S = 37.0  # of the pump
 
@@ -89,3 +94,42 @@ def test_with_the_effect_it_is_explained(tmp_path: Path, pump_installed: None) -
     for name, true in (("c_x", 300 / 1.05), ("c_y", -200 / 1.05), ("c_z", 150 / 1.05)):
         assert abs(found[name].value - true) < 4 * found[name].u + 1
         assert 0.3 < found[name].u < 3.0  # 20 nT over 1080 rows, a fifth of them with the pump on
+
+
+@pytest.mark.parametrize(
+    ("formula", "words"),
+    [
+        ("raise ValueError('pump broke')", "fails in its formula: ValueError: pump broke"),
+        ("return np.ones((len(scene), 2))", "columns of shape (8, 2), not"),
+        ("return on_each_axis(np.full(len(scene), np.nan))", "not finite"),
+    ],
+)
+def test_a_formula_that_fails_is_said_with_its_name(formula: str, words: str) -> None:
+    space: dict[str, Any] = {"np": np, "on_each_axis": on_each_axis}
+    exec(f"def kernel(form, scene):\n    {formula}", space)
+    kernel = space["kernel"]
+    family = guarded(Family("pump", "sensor", kernel, lambda run: [Form(kernel, per_axis("c", "nT"))]), "pump:PUMP")
+    (form,) = family.candidates(SimpleNamespace(run_id="any"))
+    scene = Scene(np.arange(8.0), np.zeros(8, dtype=np.intp), np.ones((8, 3)))
+    with pytest.raises(InputError) as fault:
+        form.columns(scene)
+    assert "the effect pump of another package (pump:PUMP)" in str(fault.value)
+    assert words in str(fault.value)
+
+
+def test_two_packages_with_one_effect_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    point = EntryPoint("lag", "labcal.model.effects.lag:FAMILY", "labcal.effects")
+    monkeypatch.setattr("labcal.model.effects.registry.entry_points", lambda group: (point, point))
+    families.cache_clear()
+    with pytest.raises(InputError, match="there twice"):
+        families()
+    families.cache_clear()
+
+
+def test_a_module_that_does_not_load_is_said_with_its_entry_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    point = EntryPoint("pump", "no_such_pump.effect:PUMP", "labcal.effects")
+    monkeypatch.setattr("labcal.model.effects.registry.entry_points", lambda group: (point,))
+    families.cache_clear()
+    with pytest.raises(InputError, match="fails as it is loaded: ModuleNotFoundError"):
+        families()
+    families.cache_clear()

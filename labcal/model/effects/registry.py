@@ -10,6 +10,7 @@ import numpy as np
 
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord
+from labcal.model.effects.guard import blamed, guarded
 from labcal.model.effects.protocol import Family, Fitted, Scene
 
 TRIED = 8  # rows that a shipped effect is tried on
@@ -19,16 +20,20 @@ OF_AN_AXIS = re.compile(r"_([xyz])(?: |\Z)")
 
 @cache
 def families() -> tuple[Family, ...]:
-    """Every family by name. Raises InputError where there is none, or an entry point is not a `Family`."""
-    found = []
+    """Every family by name. Raises InputError where there is none, one twice, or an entry point is not a `Family`."""
+    found = dict[str, Family]()
     for point in sorted(entry_points(group="labcal.effects"), key=lambda p: p.name):
-        loaded = point.load()
+        named = f"entry point {point.name!r} of labcal.effects ({point.value})"
+        with blamed(named, "as it is loaded"):
+            loaded = point.load()
         if not isinstance(loaded, Family) or loaded.id != point.name:
-            raise InputError(f"entry point {point.name!r} of labcal.effects ({point.value}) is not a Family of that id")
-        found.append(loaded)
+            raise InputError(f"{named} is not a Family of that id")
+        if loaded.id in found:
+            raise InputError(f"{named} is there twice: two packages describe an effect of one name")
+        found[loaded.id] = loaded if point.value.startswith("labcal.") else guarded(loaded, point.value)
     if not found:
         raise InputError("no effect is installed, so nothing can be traced: labcal runs from an installed package")
-    return tuple(found)
+    return tuple(found.values())
 
 
 def family(effect_id: str) -> Family:

@@ -1,0 +1,56 @@
+"""Effects of other packages: whatever goes wrong in their formulas is said with their name, as a wrong input."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import wraps
+
+import numpy as np
+
+from labcal.errors import InputError
+from labcal.model.effects.protocol import Array, Family, Form, Kernel, Scene
+from labcal.record import Run
+
+
+def guarded(family: Family, where: str) -> Family:
+    """The same family; its candidates and columns are checked, and a fault names it and `where` it comes from."""
+    named = f"the effect {family.id} of another package ({where})"
+    return replace(family, kernel=_checked(family.kernel, named), candidates=_candidates(family.candidates, named))
+
+
+@contextmanager
+def blamed(named: str, doing: str) -> Iterator[None]:
+    """Turn any fault into an InputError that begins with `named`."""
+    try:
+        yield
+    except InputError:
+        raise
+    except Exception as error:
+        raise InputError(f"{named} fails {doing}: {type(error).__name__}: {error}") from error
+
+
+def _candidates(candidates: Callable[[Run], Sequence[Form]], named: str) -> Callable[[Run], Sequence[Form]]:
+    @wraps(candidates)
+    def found(run: Run) -> Sequence[Form]:
+        with blamed(named, f"on run {run.run_id}"):
+            return [replace(form, kernel=_checked(form.kernel, named)) for form in candidates(run)]
+
+    return found
+
+
+def _checked(kernel: Kernel, named: str) -> Kernel:
+    @wraps(kernel)
+    def columns(form: Form, scene: Scene) -> Array:
+        with blamed(named, "in its formula"):
+            found = np.asarray(kernel(form, scene), dtype=float)
+        wanted = (len(scene), 3, len(form.parameters))
+        if found.shape != wanted:
+            raise InputError(f"{named} gives columns of shape {found.shape}, not (rows, 3, parameters) = {wanted}")
+        known = np.isfinite(scene.field_nT).all() and all(np.isfinite(scene.channels[c]).all() for c in form.channels)
+        if known and not np.isfinite(found).all():
+            raise InputError(f"{named} gives numbers that are not finite")
+        return found
+
+    return columns
