@@ -1,7 +1,8 @@
 """The platform axis is not where it was declared: in the cage, or in the body for each way of mounting.
 
 With the true axis turned by the small vector d in the cage, p = R M (v − d × v); mounted along an axis turned by e in
-the body, p' = p + e × p (to first order, from v_B = R(axis_body, −angle) · body_from_cage · v_C).
+the body, p' = p + e × p (to first order, from v_B = R(axis_body, −angle) · body_from_cage · v_C). A bearing that runs
+out lets the axis wobble about its mean: d goes round with the platform angle.
 """
 
 from __future__ import annotations
@@ -15,21 +16,31 @@ from labcal.record import Run, offers
 from labcal.record.run import Vector
 
 DEG = np.pi / 180
+WAVES = {"cos": np.cos, "sin": np.sin}
+WOBBLE = tuple(f"{wave}:" for wave in WAVES)
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """`cage_x` turns the axis in C, `cage_2:x` for the second mounted axis alone, `body_2:x` in B. Per degree."""
+    """`cage_x` turns the axis in C, `cage_2:x` for the second mounted axis alone, `body_2:x` in B. Per degree.
+
+    `cage_cos:x` and `cage_sin:x` turn it by the cosine and the sine of the platform angle, `body_m2:x` in the second
+    mounting alone.
+    """
     assert scene.rig is not None
     out = np.zeros((len(scene), 3, len(form.parameters)))
     turning = np.isfinite(scene.rig.angle_rad)
-    axes = _mounted(scene.rig.axis_body)
+    axes, mountings = _mounted(scene.rig.axis_body), scene.rig.mounting + 1
     for column, (name, _) in enumerate(form.parameters):
         where, _, direction = name.rpartition(":" if ":" in name else "_")
         frame, _, number = where.partition("_")
-        rows = turning & (axes == int(number)) if number else turning
+        rows = turning
+        if number and number not in WAVES:
+            rows = turning & ((mountings if number[0] == "m" else axes) == int(number.removeprefix("m")))
         turn = skew(np.eye(3)["xyz".index(direction)]) * DEG
         if frame == "cage":
             cage = -scene.rig.reference_nT[rows] @ turn.T
+            if number in WAVES:
+                cage = cage * WAVES[number](scene.rig.angle_rad[rows])[:, None]
             out[rows, :, column] = np.einsum("nij,nj->ni", scene.rig.to_body[rows], cage)
         else:
             out[rows, :, column] = scene.rig.prediction_nT[rows] @ turn.T
@@ -47,20 +58,37 @@ def _mounted(axis_body: Array) -> NDArray[np.intp]:
 
 
 def candidates(run: Run) -> list[Form]:
-    """A tilt in the cage, common to all or for each mounted axis; one in the body for each mounted axis; both."""
+    """A tilt in the cage, common to all, wobbling, or for each mounted axis; in the body; both.
+
+    In the body it is one for each mounted axis, or for each mounting.
+    """
     segments = [s for s in run.segments if s.kind == "rotation" and offers(run, s) == "vector"]
     if not segments:
         return []
     across_cage = _across([s.axis_cage for s in segments if s.axis_cage is not None])
-    forms = [Form(kernel, tuple((f"cage_{a}", "deg") for a in across_cage))]
+    common, wobble = (tuple((f"cage_{w}{a}", "deg") for w in ws for a in across_cage) for ws in (("",), WOBBLE))
+    forms = [Form(kernel, common), Form(kernel, common + wobble)]
     mounted = np.unique(np.round([s.axis_body for s in segments if s.axis_body is not None], 6), axis=0)
     if len(mounted) > 1:
         numbered = list(enumerate(mounted, start=1))
         forms.append(Form(kernel, tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)))
         body = tuple((f"body_{i}:{a}", "deg") for i, axis in numbered for a in _across([tuple(axis)]))
         forms.append(Form(kernel, body))
-        forms.append(Form(kernel, (*forms[0].parameters, *body)))  # levelled on the cage: its axis is tilted in both
+        forms.append(Form(kernel, (*common, *body)))  # levelled on the cage: its axis is tilted in both
+    if len(each := _mountings(run)) > len(mounted):
+        forms.append(Form(kernel, tuple((f"body_m{i}:{a}", "deg") for i, axis in each for a in _across([axis]))))
     return forms
+
+
+def _mountings(run: Run) -> list[tuple[int, Vector]]:
+    """The number from 1 and the axis of each mounting that turns, in the order of its first segment."""
+    names = list(dict.fromkeys(s.mounting or i for i, s in enumerate(run.segments)))
+    turning = {
+        names.index(s.mounting or i) + 1: s.axis_body
+        for i, s in enumerate(run.segments)
+        if s.kind == "rotation" and offers(run, s) == "vector" and s.axis_body is not None and len(run.rows(i))
+    }
+    return list(turning.items())
 
 
 def _across(axes: list[Vector]) -> str:

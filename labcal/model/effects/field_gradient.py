@@ -29,17 +29,18 @@ def kernel(form: Form, scene: Scene) -> Array:
     for column, (name, _) in enumerate(form.parameters):
         kind, which = name.split("_")
         if kind == "a":
-            cage = v @ _traceless(which)
+            cage = v @ traceless(which)
         elif kind in ("cos", "sin"):
             wave = np.cos if kind == "cos" else np.sin
             cage = (size * turning * wave(np.nan_to_num(angle)))[:, None] * np.eye(3)[AXES.index(which)]
         else:
-            cage = size[:, None] * (scene.rig.to_body[:, AXES.index(which)] @ _traceless(kind.removeprefix("g")))
+            cage = size[:, None] * (scene.rig.to_body[:, AXES.index(which)] @ traceless(kind.removeprefix("g")))
         out[:, :, column] = np.einsum("nij,nj->ni", scene.rig.to_body, cage)
     return out
 
 
-def _traceless(which: str) -> Array:
+def traceless(which: str) -> Array:
+    """One of the five symmetric and traceless matrices."""
     i, j = SYMMETRIC[which]
     out = np.zeros((3, 3))
     out[i, j] = out[j, i] = 1.0

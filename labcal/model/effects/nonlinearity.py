@@ -1,7 +1,7 @@
-"""Readings that are not proportional to the field along their own axis: powers two to five, and the odd square.
+"""Readings that are not proportional to the field along their own axis: powers two to five, the odd square, a kink.
 
 A core that bends shows as a negative third power, one that saturates within the range as a tanh, an uneven bridge as
-the second power, a weak magnet in Rayleigh's range as s |s|.
+the second power, a weak magnet in Rayleigh's range as s |s|, an amplifier with another gain for each sign as |s|.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.regressors import BODY, driving, per_axis, powered
 from labcal.record import Run
 
-TERMS = (("c3",), ("c2",), ("c2", "c3"), ("c3", "c5"), ("c2", "c3", "c4", "c5"), ("o2",), ("o2", "c3"))
+TERMS = (("c3",), ("c2",), ("c2", "c3"), ("c3", "c5"), ("c2", "c3", "c4", "c5"), ("o2",), ("o2", "c3"), ("k1",))
 SATURATING = (("t1",), ("t1", "c2", "c3", "c4", "c5"))
 SATURATION_nT = (10000.0, 20000.0, 40000.0)
 
 
 def kernel(form: Form, scene: Scene) -> Array:
-    """E = Σ_k c_k s_i^k + o2 s_i |s_i| + t1 (tanh u_i − u_i), u = s / s_nT, along sensor axis i.
+    """E = Σ_k c_k s_i^k + o2 s_i |s_i| + k1 |s_i| + t1 (tanh u_i − u_i), u = s / s_nT, along sensor axis i.
 
     Here s is the field along the sensor's axes, for `body_…` along the body's. What is proportional to it is the map's.
     """
@@ -30,6 +30,8 @@ def kernel(form: Form, scene: Scene) -> Array:
 def _bent(s: Array, term: str, form: Form) -> Array:
     if term == "t1":
         return bend(s / form.at("s_nT"))
+    if term == "k1":
+        return np.abs(s)
     return s * np.abs(s) if term == "o2" else s ** int(term[1])
 
 
@@ -49,7 +51,7 @@ def candidates(run: Run) -> list[Form]:
 
 
 def _unit(term: str) -> str:
-    return "nT" if term == "t1" else powered(int(term[1]))
+    return {"t1": "nT", "k1": "1"}.get(term) or powered(int(term[1]))
 
 
 FAMILY = Family(
