@@ -8,7 +8,7 @@ another name.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -222,7 +222,7 @@ def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
 
 
 def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    """The candidate at its best shape near the grid point found, each shape in turn under the noise found with it."""
+    """The candidate at its best shape near the grid point that was found, by golden section in each shape in turn."""
     about = [c.form for c in (candidate, *accepted)]
     return search.once("refined", about, lambda: _refined(search, candidate, accepted))
 
@@ -232,10 +232,17 @@ def _refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]
         return _on_secant(search, candidate, accepted)
     searched = [shape.name for shape in candidate.form.shape if shape.grid]
     for name in searched if len(searched) > 1 else ():
-        candidate = _along(search, candidate, name, accepted, ROUGHLY)
+        candidate = _along(search, candidate, name, _under_its_noise(search, candidate, accepted), ROUGHLY)
     for name in searched:
-        candidate = _along(search, candidate, name, accepted, EXACTLY)
+        candidate = _along(search, candidate, name, lambda X: search.stage(accepted).beside(X)[0].log, EXACTLY)
     return candidate
+
+
+def _under_its_noise(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Callable[[Array], float]:
+    """What transformed columns gain under the noise that goes with the candidate: cheaper than under every one."""
+    stage = search.stage(accepted)
+    tried = stage.beside(search.moved(candidate))[0].tried
+    return search.once(("whitened", tried), (stage,), lambda: Whitened.of(stage, tried)).gain
 
 
 def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
@@ -249,17 +256,17 @@ def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidat
     return candidate
 
 
-def _along(search: Search, candidate: Candidate, name: str, accepted: Sequence[Candidate], within: float) -> Candidate:
+def _along(
+    search: Search, candidate: Candidate, name: str, worth: Callable[[Array], float], within: float
+) -> Candidate:
     from scipy.optimize import minimize_scalar
 
     low, high = _bracket(search, candidate, name)
-    start, stage = candidate.form.at(name), search.stage(accepted)
-    tried = stage.beside(search.moved(candidate))[0].tried
-    noise = search.once(("whitened", tried), (stage,), lambda: Whitened.of(stage, tried))
+    start = candidate.form.at(name)
 
     def badness(value: float) -> float:
         columns = search.problem.columns(candidate.form.reshaped(**{name: value}))[search.moving]
-        return -noise.gain(transformed(columns))
+        return -worth(transformed(columns))
 
     found = minimize_scalar(
         badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": within * (high - low)}

@@ -9,12 +9,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.observations import SCALAR
+from labcal.loop.cores import each
 from labcal.loop.floor import Floor
 from labcal.loop.problem import Problem
 from labcal.loop.quick import Tries
@@ -216,7 +218,7 @@ def _signed(row: Array) -> str:
 
 def _clock(problem: Problem, declared: float) -> Finding | None:
     """The stream whose stamps are seconds off, and by how much."""
-    found = sorted((_offset(problem, stream) for stream in _streams(problem.run)), key=lambda o: o.left_nT)
+    found = sorted(each(partial(_offset, problem), _streams(problem.run)), key=lambda o: o.left_nT)
     equal = [o for o in found if o.left_nT <= AS_GOOD * found[0].left_nT]
     if found[0].left_nT * MENDED_BY_CLOCK > declared or max(abs(o.offset_s) for o in equal) < LEAST_S:
         return None
