@@ -19,11 +19,11 @@ from labcal.loop.rivals import AS_GOOD, AT_FLOOR, Contender, as_good, as_well, r
 from labcal.loop.search import Candidate, Search, Weighed, expand
 from labcal.loop.setaside import farness, outliers
 from labcal.loop.surrogates import by_chance
-from labcal.model.effects.regressors import stretches
+from labcal.model.effects.regressors import WEATHER, stretches
 
 Array = NDArray[np.float64]
 SHARE_OF_EXCESS = 0.75  # of the mean square above the noise that the effects together have to carry,
-SHARE_WITH_CHANNELS = 0.5  # and where each of them follows a channel
+SHARE_WITH_CHANNELS = 0.5  # and where each of them follows a channel that somebody switches
 REMAINS = 0.03  # of what all effects took away: as much left is an unnamed process, not a drift, a step or a mode,
 HARMONICS = 0.1  # and as much is no line with its harmonics
 REST = 1 / 3  # and as much of what a later cause took away shows that it took misfit of an earlier one's form
@@ -75,7 +75,7 @@ def proved(bare: Search, search: Search, choice: Choice, level: Floor) -> Eviden
     while True:
         honest = held_out(search, blocks, repeated(level, blocks, len(accepted)))
         rivals = tuple(tuple(as_good(search, blocks, accepted, one)) for one in accepted)
-        told = _told(honest, level, accepted, rivals)
+        told = _told(search, honest, level, accepted, rivals)
         if told == len(accepted):
             break
         accepted = accepted[:told]
@@ -249,18 +249,30 @@ def _adds(steps: Sequence[HeldOut], level: Floor) -> bool:
     return len(steps) == 1 or fall > min(SECOND * total, SECOND_OF_NOISE * level.nT**2)
 
 
-def _carries(honest: HeldOut, level: Floor, accepted: Sequence[Candidate]) -> bool:
+def _carries(search: Search, honest: HeldOut, level: Floor, accepted: Sequence[Candidate]) -> bool:
     """Whether the effects carry most of what lies above the noise: less is no explanation, whatever its name.
 
-    What is held up by channels alone may leave more: a form of another cause may look like a curve or a drift, but not
-    like a load that somebody switches.
+    What is held up by channels alone may leave more: a form of another cause may look like a curve or a drift, or like
+    the weather, but not like a load that somebody switches.
     """
     excess = honest.before**2 - level.nT**2
-    share = SHARE_WITH_CHANNELS if all(c.form.channels for c in accepted) else SHARE_OF_EXCESS
+    share = SHARE_WITH_CHANNELS if all(_switched(search, c) for c in accepted) else SHARE_OF_EXCESS
     return honest.after <= AT_FLOOR * level.nT or honest.before**2 - honest.after**2 > share * excess
 
 
-def _told(honest: HeldOut, level: Floor, accepted: Sequence[Candidate], rivals: Sequence[Sequence[Contender]]) -> int:
+def _switched(search: Search, candidate: Candidate) -> bool:
+    """Whether the effect follows a channel, and none that moves slowly of itself."""
+    names, run = candidate.form.channels, search.whole.run
+    return bool(names) and all(run.channel(name).quantity not in WEATHER for name in names)
+
+
+def _told(
+    search: Search,
+    honest: HeldOut,
+    level: Floor,
+    accepted: Sequence[Candidate],
+    rivals: Sequence[Sequence[Contender]],
+) -> int:
     """How many of the accepted effects, from the first on, may be named.
 
     Not the last where they carry too little; nor, where they miss the noise, one that as many others stand in for as
@@ -268,7 +280,7 @@ def _told(honest: HeldOut, level: Floor, accepted: Sequence[Candidate], rivals: 
     """
     if not accepted or honest.after <= AT_FLOOR * level.nT:
         return len(accepted)
-    if not _carries(honest, level, accepted):
+    if not _carries(search, honest, level, accepted):
         return len(accepted) - 1
     if level.source == "differences":
         return len(accepted)

@@ -109,11 +109,22 @@ def test_the_harmonics_of_one_wave_are_judged_by_what_they_take_together(
 def test_where_the_noise_is_missed_a_name_that_most_others_could_take_is_not_told(
     started: Started, reached: float, told: int
 ) -> None:
-    accepted = _search(started()).candidates[:2]
+    search = _search(started())
+    accepted = [next(c for c in search.candidates if c.form.channels == ("i_load",))] * 2
     contender = rivals.Contender(_found(accepted[0], 50.0), reached)
     standing_in = [(contender,) * 2, (contender,) * 4]
-    assert evidence._told(_held(2000, reached), LEVEL, accepted, standing_in) == told
-    assert evidence._told(_held(2000, reached), LEVEL, accepted, [(contender,) * 3] * 2) == 2
+    assert evidence._told(search, _held(2000, reached), LEVEL, accepted, standing_in) == told
+    assert evidence._told(search, _held(2000, reached), LEVEL, accepted, [(contender,) * 3] * 2) == 2
+
+
+@pytest.mark.parametrize(("channel", "carries"), [("i_load", True), ("temp", False)])
+def test_a_temperature_has_to_carry_as_much_as_a_curve_and_a_switched_load_less(
+    started: Started, channel: str, carries: bool
+) -> None:
+    search = _search(started())
+    follows = next(c for c in search.candidates if c.form.channels == (channel,))
+    assert evidence._carries(search, _held(1000, 600), LEVEL, [follows]) is carries
+    assert evidence._carries(search, _held(1000, 400), LEVEL, [follows])
 
 
 def test_a_file_that_leaves_more_than_was_foretold_says_so() -> None:
