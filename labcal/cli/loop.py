@@ -56,16 +56,21 @@ def _measuring(
     from labcal.measuring import Talk, close_by_measuring
 
     def consent(plan: Rehearsal) -> bool:
-        print("\n".join(["The plan:", *(f"  {line}" for line in plan.lines())]), file=sys.stderr)
-        if sure or (plan.simulated and not sys.stdin.isatty()):
-            return True
-        if not sys.stdin.isatty():
-            raise InputError("nobody is there to agree to the plan: at a terminal, or with --yes")
-        return typer.confirm("Measure this now?", err=True)
+        with display.aside():
+            print("\n".join(["The plan:", *(f"  {line}" for line in plan.lines())]), file=sys.stderr)
+            if sure or (plan.simulated and not sys.stdin.isatty()):
+                return True
+            if not sys.stdin.isatty():
+                raise InputError("nobody is there to agree to the plan: at a terminal, or with --yes")
+            return typer.confirm("Measure this now?", err=True)
+
+    def progress(step: str) -> None:
+        with display.aside():
+            _progress(step)
 
     with shown("bar") as display:
         answer = display.ask if sys.stdin.isatty() and not sure else None
-        talk = Talk(consent, answer, display.tell, _progress)
+        talk = Talk(consent, answer, display.tell, progress)
         return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Protocol
 
@@ -27,6 +27,10 @@ class Display(Protocol):
 
     def ask(self, prompt: Prompt) -> str:
         """Ask the person at the terminal."""
+        ...
+
+    def aside(self) -> AbstractContextManager[None]:
+        """What is shown stands aside while something else is said or asked."""
         ...
 
 
@@ -52,6 +56,11 @@ class Nothing:
         if not sys.stdin.isatty():
             raise InputError(f"nobody is there to answer: {prompt.text} (at a terminal, or with --yes on a simulation)")
         return _until_valid(prompt)
+
+    @contextmanager
+    def aside(self) -> Iterator[None]:
+        """Nothing is in the way."""
+        yield
 
 
 class Lines(Nothing):
@@ -90,9 +99,15 @@ class Bar(Nothing):
 
     def ask(self, prompt: Prompt) -> str:
         """Ask with the bar out of the way."""
+        with self.aside():
+            return super().ask(prompt)
+
+    @contextmanager
+    def aside(self) -> Iterator[None]:
+        """Without the bar, which would write over what is asked."""
         self._progress.stop()
         try:
-            return super().ask(prompt)
+            yield
         finally:
             self._progress.start()
 
