@@ -133,7 +133,12 @@ def _looks(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
 
 def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
     """The same cause twice; steps and periods may come twice, at another time or frequency."""
-    return candidate.family.sought == "grid" and any(c.cause == candidate.cause for c in accepted)
+    return candidate.family.sought == "grid" and any(covers(c, candidate) for c in accepted)
+
+
+def covers(one: Candidate, other: Candidate) -> bool:
+    """Whether `other` is the same cause as `one`, or its current or square: a detail of the same load."""
+    return other.form.channels == one.form.channels and other.family.id in (one.family.id, *one.family.akin)
 
 
 def neighbourhood(search: Search, accepted: Sequence[Candidate]) -> list[Array]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from labcal.loop.decide import MATERIAL, Cause, earned, looks, neighbourhood, refined
+from labcal.loop.decide import MATERIAL, Cause, covers, earned, looks, neighbourhood, refined
 from labcal.loop.holdout import HeldOut, Plan, always, held_out
 from labcal.loop.search import NAMED, Candidate, Search, Weighed
 
@@ -52,7 +52,7 @@ def rivals_of(search: Search, accepted: Sequence[Candidate], chosen: Candidate) 
 
 def _as_heavy(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:
     others = [c for c in accepted if c is not chosen]
-    open_to = [c for c in looks(search, others) if not any(_covers(o, c) for o in others)]
+    open_to = [c for c in looks(search, others) if not any(covers(o, c) for o in others)]
     kin = [refined(search, c, others) for c in _alike(open_to, chosen)]
     misfit = float(np.mean(search.residual(accepted)[search.rows] ** 2)) > AT_FLOOR**2
     always = {c.cause for c in kin if misfit and chosen.family.second_order}
@@ -61,11 +61,6 @@ def _as_heavy(search: Search, accepted: Sequence[Candidate], chosen: Candidate) 
         near = _near(search.unbinned().rank([w.candidate for w in near], others), chosen, always)
     earning = [w for w in near[1:] if earned(search, others, w)]
     return [near[0], *earning, *_larger(search, accepted, chosen)]
-
-
-def _covers(other: Candidate, c: Candidate) -> bool:
-    """Whether `c` is the same cause as one that stands already, or its current or square: a detail of the same load."""
-    return c.form.channels == other.form.channels and c.family.id in (other.family.id, *other.family.akin)
 
 
 def _larger(search: Search, accepted: Sequence[Candidate], chosen: Candidate) -> list[Weighed]:

@@ -208,6 +208,16 @@ def test_the_heat_of_a_load_follows_the_square_of_its_current_slowly(searching: 
     assert found.form.at("tau_s") == pytest.approx(tau_s, rel=0.15)
 
 
+def test_a_current_recorded_late_does_not_push_its_square_out(searching: Callable[..., Search]) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    knots = np.arange(-10.0, t[-1] + 20.0, 9.0)
+    level = np.random.default_rng(0).normal(0, 1, len(knots))
+    now, late = (np.abs(np.interp(t - by_s, knots, level)) for by_s in (0.0, 0.5))
+    added = np.outer(now**2, [300.0, -200.0, 100.0])
+    found = forward(searching({"i": late}, {"i": "current"}, added))[0]
+    assert [c.cause for c in found] == [("offset-current-squared", ("i",))]
+
+
 @pytest.mark.parametrize("tau_s", [None, 14.0])
 def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(
     searching: Callable[..., Search], tau_s: float | None
