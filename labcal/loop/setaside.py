@@ -10,7 +10,8 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-AT_RAIL = 4  # equal readings at an extreme before it can be a rail
+SURE, LIKELY = 1e-6, 0.05  # of the rows at an extreme by chance: a rail of the device, and at another axis or end
+NEXT = 10  # readings next to an extreme
 FAR = 6.0  # robust standard deviations from the neighbours
 WINDOW = 4  # neighbours on either side
 LONGEST = 2  # rows in a row: more is structure, not an outlier
@@ -69,20 +70,24 @@ def _long(mask: Mask) -> Mask:
 
 
 def at_rail(run: Run) -> Mask:
-    """Rows (n,) with an axis at a reading that the axis often stops at and never passes."""
-    out = np.zeros(len(run), dtype=bool)
-    for values in run.reading.T:
-        for extreme in (np.nanmax(values), np.nanmin(values)):
-            stuck = values == extreme
-            if stuck.sum() >= AT_RAIL and _crowded(values, float(extreme), int(stuck.sum())):
-                out |= stuck
-    return out
+    """Rows (n,) with an axis at a reading that the axis often stops at and never passes.
+
+    Where chance piles up no extreme of the run as high, the others of the same device may be low.
+    """
+    ends = [(values, extreme) for values in run.reading.T for extreme in (np.nanmax(values), np.nanmin(values))]
+    found = [(values == extreme, _by_chance(values, float(extreme))) for values, extreme in ends]
+    if min(chance for _, chance in found) > SURE:
+        return np.zeros(len(run), dtype=bool)
+    return np.asarray(np.any([stuck for stuck, chance in found if chance < LIKELY], axis=0))
 
 
-def _crowded(values: Array, extreme: float, stuck: int) -> bool:
-    """Whether far more rows lie at the extreme than at the readings next to it."""
+def _by_chance(values: Array, extreme: float) -> float:
+    """How often as many rows or more would lie at the extreme if it were as frequented as the readings next to it."""
+    from scipy.special import pdtrc
+
     distinct = np.unique(np.abs(values[np.isfinite(values)] - extreme))
-    if len(distinct) < 20:
-        return False
-    near = np.abs(values - extreme) <= distinct[10]
-    return stuck > 3 * max((int(near.sum()) - stuck) / 10, 1.0)
+    if len(distinct) < 2 * NEXT:
+        return 1.0
+    stuck = int((values == extreme).sum())
+    near = int((np.abs(values - extreme) <= distinct[NEXT]).sum()) - stuck
+    return float(pdtrc(stuck - 1, (near + 1) / NEXT))
