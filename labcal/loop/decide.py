@@ -37,6 +37,7 @@ SECANTS = 6  # rounds of a lag's own
 DIRECTIONS = 3  # in which columns are compared
 COMPANION = 0.7  # of the drop of the heaviest
 ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several shapes are searched in turn, and in the end
+ALL_BUT_WHITE = 1.5  # times the white level: no frequency of the noise left has more
 OWN_PART = 0.03  # of the drop of a cause that extends another: what is its own has to bring as much,
 OWN_PART_OF_NOISE = 0.25  # or this part of the noise's square
 
@@ -50,7 +51,12 @@ def forward(
     total, out_of_play, left = 0.0, set(refused), set[Cause]()
     while len(accepted) < most:
         open_to = [c for c in looks(search, accepted) if not _same(c, accepted)]
-        ranking = search.rank(open_to, accepted, neighbourhood(search, accepted))
+        ranking = search.rank(open_to, accepted)
+        if accepted and _nothing_left(search, accepted, ranking):
+            rankings.append(ranking)
+            break
+        if accepted:
+            ranking = search.rank(open_to, accepted, neighbourhood(search, accepted))
         rankings.append(ranking)
         best = _best(search, accepted, [w for w in ranking if w.candidate.cause not in out_of_play], total)
         if best is None:
@@ -68,6 +74,12 @@ def forward(
         else:
             out_of_play.add(best.candidate.cause)
     return accepted, rankings
+
+
+def _nothing_left(search: Search, accepted: Sequence[Candidate], ranking: Sequence[Weighed]) -> bool:
+    """Whether the accepted effects leave noise that is all but white, and nothing in it weighs half of a name."""
+    stage = search.stage(accepted)
+    return bool(stage.bands.spectra[stage.null.tried].max() < ALL_BUT_WHITE) and ranking[0].weight < NAMED / 2
 
 
 def _pair(

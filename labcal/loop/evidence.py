@@ -30,6 +30,7 @@ REST = 1 / 3  # and as much of what a later cause took away shows that it took m
 SECOND = 0.03  # of the fall of the mean square that all bring together: a second effect has to bring as much,
 SECOND_OF_NOISE = 0.25  # or this part of the noise's square
 NEAREST = 2  # causes of other physics that a doubtful one is held against
+OUT_OF_REACH = 3.0  # times the rms that another look leaves: more is no matter of refinement
 ANSWERS = 3  # names that an answer may hold in place of one
 REFUSALS = 6  # causes refused on held-out data before the loop gives up
 
@@ -346,12 +347,14 @@ def _plainer(search: Search, blocks: Plan, accepted: list[Candidate]) -> list[Ca
 
 
 def _simpler(search: Search, chosen: Candidate, others: Sequence[Candidate]) -> Iterator[Candidate]:
-    """The best look of the same cause of each smaller size, the smallest first."""
+    """The best look of the same cause of each smaller size, the smallest first; none that is far out of reach."""
     kin = [c for c in search.candidates if c.cause == chosen.cause and c.size < chosen.size]
     stage = search.stage(others)
+    enough = search.weigh(chosen, stage).likelihood.rss * OUT_OF_REACH**2
     for size in sorted({c.size for c in kin}):
         best = max(search.weigh_each([c for c in kin if c.size == size], stage), key=lambda w: w.weight)
-        yield refined(search, best.candidate, others)
+        if best.likelihood.rss < enough:
+            yield refined(search, best.candidate, others)
 
 
 def _standing(candidate: Candidate) -> tuple[int, bool]:

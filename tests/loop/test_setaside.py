@@ -1,4 +1,4 @@
-"""Rows that say nothing of the sensor: a rail is where readings pile up far beyond chance, not where a turn comes back."""
+"""Rows that say nothing of the sensor: a rail is where readings pile up beyond chance, not where a turn comes back."""
 
 from __future__ import annotations
 
