@@ -208,6 +208,24 @@ def test_the_heat_of_a_load_follows_the_square_of_its_current_slowly(searching: 
     assert found.form.at("tau_s") == pytest.approx(tau_s, rel=0.15)
 
 
+def test_the_choice_ends_where_white_noise_is_left_and_goes_on_where_it_is_not(
+    searching: Callable[..., Search], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    amps = 0.8 * (np.mod(t, 47.0) < 19.0)
+    asked: list[Candidate] = []
+    beside = decide.neighbourhood
+    monkeypatch.setattr(
+        decide, "neighbourhood", lambda search, accepted: asked.extend(accepted) or beside(search, accepted)
+    )
+    walk = np.cumsum(np.random.default_rng(0).normal(0, 4.0, (len(t), 3)), axis=0)
+    for added, goes_on in ((0.0, False), (walk, True)):
+        asked.clear()
+        found = forward(searching({"i": amps}, {"i": "current"}, np.outer(amps, [300.0, -200.0, 100.0]) + added))[0]
+        assert [c.form.channels for c in found] == [("i",)]
+        assert bool(asked) is goes_on
+
+
 def test_a_current_recorded_late_does_not_push_its_square_out(searching: Callable[..., Search]) -> None:
     t = searching({}, {}).problem.scene.t_s
     knots = np.arange(-10.0, t[-1] + 20.0, 9.0)
