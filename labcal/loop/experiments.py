@@ -25,7 +25,6 @@ GRADIENT, DIPOLE, REFERENCE = "field-gradient", "dut-dipole-at-reference", "refe
 OF_THE_BARE_CAGE = frozenset({"cage-field", REFERENCE})
 OF_LOADS = frozenset({"offset-current", "offset-current-squared", "offset-channel", "offset-mode"})
 OF_WARMTH = frozenset({"offset-temperature", "gain-temperature", "offset-current-squared", "offset-drift"})
-OF_MODES = OF_LOADS
 GAP_S = 60.0  # between the run and what is measured next
 WARMER_C = 15.0
 CYCLES = 4  # of a load, a mode or a heater that is switched
@@ -73,7 +72,7 @@ def experiments() -> tuple[Experiment, ...]:
         Experiment("turn in two more coil fields, a third and twice as large", "rotate-axis", other_fields),
         Experiment("switch every load on and off at one attitude", "current-coupling", loads, concerns=OF_LOADS),
         Experiment("warm the device and let it cool in two fields", "temperature-drift", heated, concerns=OF_WARMTH),
-        Experiment("switch the power mode there and back at one attitude", None, modes, concerns=OF_MODES),
+        Experiment("switch the power mode there and back at one attitude", None, modes, concerns=OF_LOADS),
         Experiment("move the device by 5 cm and repeat the first turns", None, repeat, ((GRADIENT, 2.0),)),
         Experiment("turn the reference by 180° and repeat the first turns", None, repeat, ((REFERENCE, -1.0),)),
         Experiment("put the reference at twice its distance and repeat the first turns", "dut-moment", repeat,
