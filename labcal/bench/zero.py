@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -18,12 +19,16 @@ ZERO_TIMEOUT_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class AtZero:
-    """How one axis ended. `fault` is what went wrong on the way; then `current_A` may be unknown (None)."""
+    """How one axis ended. `fault` is what went wrong on the way; then `current_A` may be unknown (None).
+
+    `read_s` is when it was read back, on the computer's monotonic clock.
+    """
 
     axis: str
     current_A: float | None
     opened: bool
     fault: InstrumentError | None = None
+    read_s: float | None = None
 
     @property
     def abrupt(self) -> bool:
@@ -93,11 +98,12 @@ def _released(
     _each({axis: partial(supplies[axis].set_current, 0.0) for axis in axes if axis not in arrived}, faults)
     set_to_zero = [axis for axis in axes if axis not in faults]
     currents = _each({axis: partial(wait_for_zero, axis, supplies[axis], clock) for axis in set_to_zero}, faults)
+    read_s = time.monotonic()
     _each({axis: partial(supplies[axis].output, False) for axis in currents}, faults)
     return [
         AtZero(axis, None, False, before.get(axis, faults[axis]))
         if axis in faults
-        else AtZero(axis, currents[axis], supplies[axis].can_open, before.get(axis))
+        else AtZero(axis, currents[axis], supplies[axis].can_open, before.get(axis), read_s)
         for axis in axes
     ]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+import time
 import tomllib
 import traceback
 from collections.abc import Mapping, Sequence
@@ -16,6 +17,7 @@ import labcal
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import settings
 from labcal.bench.roles import Identity
+from labcal.bench.state import NOT_READ, LabState
 from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, Reference, RunHeader
@@ -36,14 +38,19 @@ GAP_S = 1.0  # at least so much time lies between what was recorded before an in
 class Outcome:
     """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met.
 
-    `at_rest` is what was read back of the coils at the end: "coils at zero", or that they are not confirmed there.
+    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far.
     """
 
     run_id: str
     status: str
     fault: BaseException | None
     failed: tuple[Measurement, ...] = ()
-    at_rest: str = ""
+    lab: LabState | None = None
+
+    @property
+    def at_rest(self) -> str:
+        """What may be said of the coils now: "coils at zero" only as long as that was read back just now."""
+        return self.lab.sentence(time.monotonic()) if self.lab is not None else NOT_READ
 
     def raise_fault(self) -> None:
         """Raise what went wrong, or LimitNotMet where a measurement failed; return where all is well."""
@@ -96,6 +103,7 @@ def run_procedure(
         cage_sha256=cage_sha256,
     )
     writer = store.begin(header)
+    _tell_lifted(bench, writer, bench.clock.now())
     return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, 0.0)
 
 
@@ -123,7 +131,14 @@ def resume_run(
     offset = _last_time(items) + GAP_S - bench.clock.now()
     software = {"software": f"labcal {labcal.__version__}"}
     writer.write(Event(_last_time(items) + GAP_S, RESUMED, "goes on after an interruption", software))
+    _tell_lifted(bench, writer, _last_time(items) + GAP_S)
     return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, offset)
+
+
+def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
+    """Who lifted the doubt that the coils were at zero, and what was measured, into the first record after it."""
+    if (doubt := bench.cage.latch.told()) is not None:
+        writer.write(Event(t_s, "zero-in-doubt", f"{doubt.utc}: {doubt.words}; lifted: {doubt.lifted}", asdict(doubt)))
 
 
 def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
@@ -153,7 +168,8 @@ def _drive(
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)
-    return Outcome(writer.run_id, *_written(writer, ending), tuple(seen.failed.values()), seen.at_rest)
+    lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
+    return Outcome(writer.run_id, *_written(writer, ending), tuple(seen.failed.values()), lab)
 
 
 def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
@@ -175,7 +191,6 @@ class _Seen:
     tell: Tell
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
-    at_rest: str = ""
 
     def notice(self, item: Item) -> None:
         if isinstance(item, Measurement):
@@ -184,7 +199,6 @@ class _Seen:
                 self.failed[item.name] = item
         if isinstance(item, Event):
             self.energised |= item.kind == "set-point"
-            self.at_rest = item.text if item.kind == "read-back" else self.at_rest
         self.tell(item)
 
 
