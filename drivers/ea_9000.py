@@ -142,7 +142,7 @@ class EaSupply:
 
     def _refuse_alarm(self, state: int) -> None:
         if state & ALARM:
-            words = f"{self.name}: an alarm is active, its output is off."
+            words = f"{self.name}: it tripped: an alarm is active."
             raise InstrumentError(words, fault="tripped", remedy="Acknowledge the alarm on its panel.")
 
 

@@ -16,6 +16,7 @@ from labcal.errors import InstrumentError
 
 COUPLINGS = (("OUTP:PAIR?", "pairing"), ("OUTP:TRAC?", "tracking"))
 UNCOUPLED = ("OFF", "0")
+TRIPS = {"VOLT": "over-voltage", "CURR": "over-current"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +74,11 @@ class KeysightSupply(CurrentSource):
             self._refuse_coupling()
         super().output(on)
 
+    def trip(self) -> str:
+        """Which protection it says has tripped."""
+        asked = ((f"{word}:PROT:TRIP? (@{self.settings.output})", name) for word, name in TRIPS.items())
+        return " and ".join(name for question, name in asked if self.query(question) == "1")
+
     def release(self) -> None:
         """Give it back to its panel. Nothing is asked after it: any other message takes control again."""
         self._scpi.send("SYST:LOC")
@@ -87,5 +93,5 @@ class KeysightSupply(CurrentSource):
                 raise InstrumentError(
                     f"{self.name}: its outputs are coupled: {name} is {said}.",
                     fault="wrong mode",
-                    remedy=f"Switch {name} off on its panel; the output stays open.",
+                    remedy=f"Switch {name} off on its panel.",
                 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
@@ -15,6 +16,7 @@ from labcal.bench.bench import open_bench
 from labcal.bench.cage_file import CageCalibration, sha256_of, write_cage
 from labcal.bench.clock import Clock
 from labcal.bench.greet import Greeting, greet
+from labcal.bench.state import of_ends
 from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
@@ -33,6 +35,7 @@ from labcal.runner.cage import approved_cage
 from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, photos, save_bundle
 
 if TYPE_CHECKING:
+    from labcal.bench.look_again import Looked
     from labcal.fit.history import History
 
 THIS_LAB = "this lab's trust list"
@@ -343,6 +346,18 @@ def serve_bench(bench: Path, out: Path, ready: Callable[[], None]) -> None:
     serve(bench, out, ready)
 
 
+def look_again(bench: Path, clear_as: str = "") -> Looked | None:
+    """Measure again where a zero of this bench is in doubt; None where none is. `clear_as`: who answers for it."""
+    from labcal.bench.look_again import look_again
+
+    return look_again(bench, clear_as)
+
+
 def coils_off(bench: Path) -> list[AtZero]:
     """Every coil to zero and open, one report an axis."""
     return off.coils_off(bench)
+
+
+def coils_left(ended: Sequence[AtZero]) -> str:
+    """What may be said now of coils that ended so: no reference was asked."""
+    return of_ends(ended, "no reference was asked").sentence(time.monotonic())

@@ -14,6 +14,7 @@ NUMBER = r"\d+\.?\d*|\.\d+"
 COMMAND = re.compile(
     rf"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?)(?: \(@([123])\))?| ({NUMBER}|ON|OFF)(?:,\(@([123])\))?)"
 )
+TRIPPED = re.compile(r"(VOLT|CURR):PROT:TRIP\?(?: \(@([123])\))?")
 SELECT = re.compile(r"INST:(?:NSEL |SEL (?:CH|OUTP(?:UT)?))([123])")
 APPLY = re.compile(rf"APPL (?:(?:CH|OUTP(?:UT)?)([123]),)?({NUMBER}),({NUMBER})(?:,\(@([123])\))?")
 LONG = re.compile(
@@ -45,6 +46,7 @@ class KeysightEmulator(Answers):
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
         self._serial = f"MY5912{ord(min(roles)[-1])}"
         self._errors = deque[str](maxlen=QUEUE)
+        self.tripped = ""  # by which of VOLT and CURR
         self.pairing, self.tracking, self._selected = "OFF", "0", min(self._outputs)
 
     def _reply(self, t_s: float, text: str) -> bytes:
@@ -69,6 +71,9 @@ class KeysightEmulator(Answers):
                 return f"{self._selected}"
             case "SYST:LOC" | "SYST:REM" | "SYST:RWL":
                 return ""
+        if found := TRIPPED.fullmatch(short):
+            self._wired(found[2])
+            return f"{self.tripped == found[1]:d}"
         if found := SELECT.fullmatch(short):
             self._selected = self._wired(found[1])
         elif found := APPLY.fullmatch(short):

@@ -1,4 +1,4 @@
-"""Whether the reference beside the DUT sees the field that the supplies say they make: zero does not rest on their word.
+"""Whether the reference beside the DUT sees the field that the supplies state: zero does not rest on their word.
 
 Expected is b = M I + the ambient field, measured at zero since the DUT was mounted last. Allowed between the two: the
 step that also tells the sign of a coil, what a place wanders since its ambient field was measured, and with current a
@@ -20,6 +20,7 @@ OF_FIELD = 0.1
 PERSISTS_S = 2.5  # a lift that passes is gone by then or spoils the measurement, a current is still there
 NO_SAMPLE_S = 2.0
 CANDIDATE_S = 60.0
+STUCK = 20  # readings, three axes each: noise and a converter's step leave no live sensor so still
 NO_AMBIENT = "no ambient field was measured since the mounting"
 NOT_YET = "the reference has sent nothing since"
 NOT_STREAMING = "the reference is not streaming"
@@ -39,6 +40,8 @@ class FieldCheck:
         self._currents_A: Array | None = None
         self._since_s = self._settled_s = self._mounted_s = 0.0
         self._bad_s: float | None = None
+        self._last: Array | None = None
+        self._same = 0  # readings in a row
         self._moved = False  # the reference itself: what it sees of the coils is not known any more
         self.streaming = False
         self.witness = Witness(why=blind or NO_AMBIENT)
@@ -65,8 +68,8 @@ class FieldCheck:
         if self.witness.verdict == "not known":
             self.witness = Witness(why=self._why_not())
 
-    def mounted(self, now_s: float, *, reference_moved: bool = False) -> None:
-        """Something at the DUT's place was moved: what was measured before says nothing any more."""
+    def outdated(self, now_s: float, *, reference_moved: bool = False) -> None:
+        """The DUT is mounted anew, or its surroundings are not what they were: the ambient field is not known."""
         self._ambient, self._candidate, self._mounted_s, self._bad_s = None, None, now_s, None
         self._moved |= reference_moved
         if self.witness.verdict != "disagrees":
@@ -88,13 +91,16 @@ class FieldCheck:
 
     def see(self, t_s: Array, field_nT: Array) -> None:
         """Take in readings (n, 3) [nT, C] at `t_s` (n,), in order."""
+        self._count_the_same(field_nT)
         rows = t_s >= self._since_s
         if self._blind or self._currents_A is None or not rows.any():
             return
         t, field = t_s[rows], field_nT[rows]
         settled = t >= self._settled_s
         seen = np.median(field[settled], axis=0) if settled.any() else field[-1]
-        if self._ambient is not None:
+        if self._same >= STUCK:
+            self.witness = Witness(why="the reference repeats one reading")
+        elif self._ambient is not None:
             self._judge(seen, float(t[settled][0]) if settled.any() else None, float(t[-1]))
         elif self.zero_expected and settled.any() and t[settled][0] >= self._mounted_s:
             self._candidate = seen, float(t[-1])
@@ -103,6 +109,14 @@ class FieldCheck:
         if self._blind or self._ambient is None:
             return self._blind or NO_AMBIENT
         return NOT_YET if self.streaming else NOT_STREAMING
+
+    def _count_the_same(self, field_nT: Array) -> None:
+        """A sensor that repeats one reading bit for bit sees nothing any more."""
+        if len(field_nT):
+            before = field_nT[:1] if self._last is None else self._last[None, :]
+            moved = np.flatnonzero(np.any(np.diff(np.vstack([before, field_nT]), axis=0) != 0, axis=1))
+            self._same = len(field_nT) - int(moved[-1]) if len(moved) else self._same + len(field_nT)
+            self._last = field_nT[-1]
 
     def _judge(self, seen: Array, bad_since_s: float | None, now_s: float) -> None:
         assert self._ambient is not None

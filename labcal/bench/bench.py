@@ -112,10 +112,8 @@ class Bench:
     def state(self) -> LabState:
         """The lab as it was last read, each part with its time on the bench's clock."""
         watched = {watch.name: watch.last_s for watch in self._watches}
-        supplies = {
-            supply.name: coil for supply, coil in zip(self.cage.supplies.values(), self.cage.coils(), strict=True)
-        }
-        heard = [self._heard(name, watched | self._heard_s, supplies.get(name)) for name in self._instruments]
+        coils = {self.cage.supplies[coil.axis].name: coil for coil in self.cage.coils()}
+        heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
         alive = None if self._guardian is None else self._guardian.alive
         return LabState(self.cage.coils(), self.cage.check.witness, alive, tuple(heard))
 
@@ -176,7 +174,8 @@ class Bench:
 
     def events(self) -> list[Event]:
         """What the streams lost since this was asked last: gaps, wrong checksums, broken frames, their line."""
-        told = [event for source in (*self._streams, *self._watches, self._look) for event in source.events()]
+        told = [event for stream in self._streams for event in stream.events()]
+        told += [event for watch in self._watches for event in watch.events()] + self._look.events()
         return sorted(told, key=lambda event: event.t_s)
 
     def handled(self, prompt: Prompt) -> None:
@@ -185,7 +184,7 @@ class Bench:
         elsewhere = asked <= {"angle_deg", "mode"} if asked else prompt.key == "ready"
         if prompt.acts and not elsewhere:
             moved = bool(asked & {"reference_m", "reference_turned"})
-            self.cage.check.mounted(self.clock.now(), reference_moved=moved)
+            self.cage.check.outdated(self.clock.now(), reference_moved=moved)
 
     def stop(self) -> None:
         """End all streams."""
@@ -332,11 +331,11 @@ class Bench:
             self._instruments[name].identify()
         self._heard_s[name] = self.clock.now()
 
-    def _heard(self, name: str, heard_s: Mapping[str, float], coil: Coil | None) -> Heard:
+    def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: Coil | None) -> Heard:
         if coil is not None:
             return Heard(name, coil.read_s, coil.fault)
-        watch = next((one for one in (*self._watches, self._look) if one.wrong(name)), None)
-        return Heard(name, heard_s.get(name), watch.wrong(name) if watch is not None else "")
+        wrong = [self._look.wrong(name), *(watch.wrong(name) for watch in self._watches)]
+        return Heard(name, heard_s.get(name), next(filter(None, wrong), ""))
 
     def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:
         self._polled.setdefault((stream, source, columns), []).append((t_s, *values))

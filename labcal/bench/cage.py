@@ -37,8 +37,8 @@ class Cage:
     aims at the total field. `wait` is how time passes during ramps: the bench keeps its streams read meanwhile.
     `guardian` brings real coils to zero in its own process, told why. `contacts` are the axes behind reversing
     contacts, whose sign is confirmed by what `see` sees: the reference's field (3,) in C, None where there is none.
-    `check` hears what the reference sends and compares it with what ought to flow; where it does not see a zero that the
-    supplies state, `latch` keeps everything from being energised.
+    `check` hears what the reference sends and compares it with what ought to flow; where it does not see a zero that
+    the supplies state, `latch` keeps everything from being energised.
     """
 
     def __init__(
@@ -166,8 +166,8 @@ class Cage:
         raise InstrumentError(
             f"the supplies state {said} A, and the reference does not see that: {found.words}.",
             fault="not seen",
-            remedy="Is the sign and the constant of every coil right, does every supply obey, was something magnetic moved? "
-            "axes-check tells which coil it is.",
+            remedy="Does every supply obey, are signs and constants right, was something magnetic moved? axes-check "
+            "tells which coil it is.",
         )
 
     def _not_zero(self) -> InstrumentError:

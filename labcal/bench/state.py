@@ -84,10 +84,12 @@ class LabState:
 
     def sentence(self, now_s: float) -> str:
         """What may be said of the coils at `now_s`, and no more than was read back."""
+        contradicted = f"{NOT_BY_REFERENCE}: {self.reference.words}. {OPEN_THEM}"
+        unread = [coil for coil in self.coils if coil.current_A is None]
         if self.reference.verdict == "disagrees":
-            return f"{NOT_BY_REFERENCE}: {self.reference.words}. {OPEN_THEM}"
-        if any(coil.current_A is None for coil in self.coils):
-            return NOT_CONFIRMED if any(coil.fault for coil in self.coils) else NOT_READ
+            return f"{NOT_CONFIRMED}; {contradicted}" if unread else contradicted
+        if unread:
+            return NOT_CONFIRMED if any(coil.fault for coil in unread) else NOT_READ
         age_s = self.age_s(now_s)
         if flowing := [coil for coil in self.coils if not coil.zero]:
             said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)
@@ -98,11 +100,11 @@ class LabState:
 
     def at_zero(self, now_s: float) -> bool | None:
         """Whether every coil was read back below its zero just now: False where not, None where that is not known."""
-        if self.reference.verdict == "disagrees" or any(coil.current_A is None for coil in self.coils):
-            return False if self.reference.verdict == "disagrees" or any(c.fault for c in self.coils) else None
-        if not all(coil.zero for coil in self.coils):
+        known = [coil for coil in self.coils if coil.current_A is not None]
+        faulty = any(coil.fault for coil in self.coils if coil.current_A is None)
+        if self.reference.verdict == "disagrees" or faulty or not all(coil.zero for coil in known):
             return False
-        return True if self.age_s(now_s) <= FRESH_S else None
+        return True if len(known) == len(self.coils) and self.age_s(now_s) <= FRESH_S else None
 
     def age_s(self, now_s: float) -> float:
         """How long ago the coil was read that was read first."""

@@ -120,7 +120,7 @@ def wait_for_zero(axis: str, supply: CoilSupply, clock: Clock) -> float:
                 f"coil {axis}: {left:.4g} A still flows {ZERO_TIMEOUT_S:g} s after zero was set "
                 f"(zero is below {supply.zero_current_A:g} A).",
                 fault="not zero",
-                remedy="Its output stays closed: switch the supply off by hand, then look at its panel.",
+                remedy="Switch the supply off by hand, then look at its panel.",
             )
         late = clock.now() >= deadline
         clock.wait_until(clock.now() + 0.02)

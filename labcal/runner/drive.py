@@ -12,7 +12,7 @@ from typing import Any
 from labcal.bench.bench import Bench
 from labcal.bench.cage import Cage
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import LabState
+from labcal.bench.state import NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
@@ -201,7 +201,8 @@ class Drive:
         currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
         self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
         now = self.read_at_s
-        self._at_zero, self._said = self.state.at_zero(now), self.state.sentence(now)
+        self._at_zero, said = self.state.at_zero(now), self.state.sentence(now)
+        self._said = NOT_CONFIRMED if None in currents else said
         told = [_sentence(fault) for fault in faults + lost]
         return read_back(self.bench, "read-back", current_A=currents, faults=told)
 

@@ -184,7 +184,7 @@ def test_the_doubt_outlives_the_session_and_is_lifted_by_name(monkeypatch: pytes
     Latch(PORTS).set(Doubt("2026-01-01 00:00 UTC", "it sees 99", (99.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
     later = Latch(PORTS)
     assert later.doubt is not None
-    with pytest.raises(InstrumentError, match="it sees 99.* --clear-as NAME"):
+    with pytest.raises(InstrumentError, match=r"it sees 99.* --clear-as NAME"):
         raise later.doubt.error()
     assert Latch(["tcp://192.0.2.2:9221"]).doubt is None
     later.lift("Ada, 0.1 µT")

@@ -54,7 +54,7 @@ class Line:
             raise InstrumentError(
                 f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
                 fault="another instrument",
-                remedy="Coils stay at zero; plug the instruments in as bench.toml says, and begin again.",
+                remedy="Plug the instruments in as bench.toml says, and begin again.",
             )
         self._greeted.add(name)
         return who
