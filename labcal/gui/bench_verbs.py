@@ -52,7 +52,10 @@ def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
     from labcal import session
 
     ended = session.coils_off(Path(bench))
-    return [{"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None} for a in ended]
+    return [
+        {"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None, "read_s": a.read_s}
+        for a in ended
+    ]
 
 
 def run(
@@ -86,7 +89,7 @@ def _on_bench(
     talk.on_bench(simulated)
     try:
         clock = paced(pace, *_from(after)) if simulated else None
-        ended = work(answer=talk.answer, clock=clock, seed=seed, control=talk.control, tell=talk.tell)
+        ended = work(answer=talk.answer, clock=clock, seed=seed, control=talk.control, tell=talk.tell, show=talk.show)
     finally:
         talk.off_bench()
     fault = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import queue
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import closing, suppress
 from dataclasses import dataclass, field, replace
@@ -22,6 +23,7 @@ from labcal.runner.prompts import Answer, checked
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 Tell = Callable[[Item], None]
+Show = Callable[[LabState], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +43,7 @@ class Drive:
     answer: Answer
     control: Control = field(default_factory=Control)
     tell: Tell = lambda item: None
+    show: Show = lambda state: None  # how the lab is, by the computer's monotonic clock
     offset_s: float = 0.0
     _reply: str | None = field(default=None, init=False)
     state: LabState | None = field(default=None, init=False)  # of the lab, as the run left it, on the bench's clock
@@ -107,6 +110,8 @@ class Drive:
             self._keep(self._event("note", text, **data))
         for event in self.bench.events():
             self._keep(event)
+        if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
+            self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
 
     def _ask(self, prompt: Prompt) -> str:
         self.bench.handled(prompt)

@@ -25,7 +25,7 @@ from labcal.record.header import ChannelSpec
 from labcal.record.stream import Block, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
 from labcal.runner.control import Control
-from labcal.runner.drive import Drive, Ending, Tell
+from labcal.runner.drive import Drive, Ending, Show, Tell
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
 
@@ -76,6 +76,7 @@ def run_procedure(
     filled: Mapping[str, Any] | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
+    show: Show = lambda state: None,
 ) -> Outcome:
     """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
 
@@ -104,7 +105,7 @@ def run_procedure(
     )
     writer = store.begin(header)
     _tell_lifted(bench, writer, bench.clock.now())
-    return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, 0.0)
+    return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
 
 
 def resume_run(
@@ -117,6 +118,7 @@ def resume_run(
     dut_serial: str | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
+    show: Show = lambda state: None,
 ) -> Outcome:
     """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
 
@@ -132,7 +134,7 @@ def resume_run(
     software = {"software": f"labcal {labcal.__version__}"}
     writer.write(Event(_last_time(items) + GAP_S, RESUMED, "goes on after an interruption", software))
     _tell_lifted(bench, writer, _last_time(items) + GAP_S)
-    return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, offset)
+    return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, show, offset)
 
 
 def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
@@ -161,10 +163,11 @@ def _drive(
     answer: Answer,
     control: Control | None,
     tell: Tell,
+    show: Show,
     offset_s: float,
 ) -> Outcome:
     seen = _Seen(tell)
-    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, offset_s)
+    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s)
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)
