@@ -283,7 +283,7 @@ class Cage:
                 raise InstrumentError(
                     f"coil {axis}: {wanted:.4g} A was set and nothing flows.",
                     fault="tripped",
-                    remedy="Its output has gone off by itself, or the winding is open. Set the coils off, look at its "
+                    remedy="Has its output gone off by itself, is the winding open? Set the coils off, look at its "
                     "panel, and find out why before it is cleared.",
                 )
             raise InstrumentError(

@@ -82,9 +82,10 @@ class StreamWatch:
         if self._quiet:
             self._quiet = False
             self._tell(float(block.t_s[0]), "heard again", f"it sends again, after {block.t_s[0] - self._last_s:.1f} s")
-        elif self._value is not None:
-            pauses = np.diff(np.concatenate([[self._last_s], block.t_s]))
-            self._longest_s = max(self._longest_s or 0.0, float(pauses.max()))
+        else:
+            before = block.t_s[:0] if self._value is None else np.array([self._last_s])
+            pauses = np.diff(np.concatenate([before, block.t_s])).tolist()
+            self._longest_s = max([*pauses, self._longest_s or 0.0]) if pauses else self._longest_s
         self._last_s = float(block.t_s[-1])
         before = block.values[:1] if self._value is None else self._value[None, :]
         moved = np.flatnonzero(np.any(np.diff(np.vstack([before, block.values]), axis=0) != 0, axis=1))

@@ -136,7 +136,7 @@ class RunViewModel(QObject):
 
     def abort(self) -> None:
         """Coils to zero before anything else; the run ends."""
-        self._end("abort", self.tr("Coils off was said: the run ends …"))
+        self._end("abort", self.tr("Coils off: the run ends …"))
 
     def _end(self, word: str, message: str) -> None:
         if self.alive:
