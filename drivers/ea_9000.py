@@ -129,6 +129,17 @@ class EaSupply:
             words = f"{self.name}: its output did not go {'on' if on else 'off'}."
             raise InstrumentError(words, fault="read-back", remedy="Look at its panel.")
 
+    def write_current(self, current_A: float) -> None:
+        """Send the set-point and wait for nothing; before it, that this line has control."""
+        self._asked_A = current_A
+        self.registers.switch_unacknowledged(REMOTE, True)
+        type(self).current.write(self, current_A)
+
+    def write_off(self) -> None:
+        """Send "output off" and wait for nothing."""
+        self.registers.switch_unacknowledged(REMOTE, True)
+        self.registers.switch_unacknowledged(OUTPUT, False)
+
     def make_safe(self) -> None:
         """Current to zero, then output off, a failure of one not skipping the other; after both, back to its panel."""
         with ExitStack() as steps:

@@ -66,6 +66,19 @@ class CoilSupply(Instrument, Protocol):
 
 
 @runtime_checkable
+class Unacknowledged(CoilSupply, Protocol):
+    """A supply that can be written to without its reply being waited for: one that answers late hears zero in time."""
+
+    def write_current(self, current_A: float) -> None:
+        """Put the set-point on the line and return; what the supply says to it is dropped. Refused beyond limits."""
+        ...
+
+    def write_off(self) -> None:
+        """Put "output off" on the line and return."""
+        ...
+
+
+@runtime_checkable
 class PolarityRelay(Instrument, Protocol):
     """Reversing contacts that turn unipolar supplies into signed coil axes. Never switched under current."""
 

@@ -34,6 +34,7 @@ from labcal.bench.roles import (
     Magnetometer,
     PolarityRelay,
     RotationPlatform,
+    Unacknowledged,
 )
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
@@ -252,6 +253,29 @@ def test_a_supply_sets_reads_back_and_measures(supply: Rig) -> None:
     assert supply.driver.set_point() == pytest.approx(0.5, abs=0.001)
     assert supply.driver.measure_current() == pytest.approx(0.5, abs=0.01)
     assert supply.lab.coils["x"].current.now(supply.clock.now()) == pytest.approx(0.5, abs=0.001)
+
+
+def test_a_supply_whose_answers_are_all_lost_hears_zero_and_off_at_once(supply: Rig) -> None:
+    supply.driver.output(True)
+    supply.driver.set_current(0.5)
+    supply.wait(0.5)
+    begun_s, emulator = supply.clock.now(), supply.line._emulator
+    emit, emulator.emit = emulator.emit, lambda until_s: (emit(until_s), [])[1]
+    assert isinstance(supply.driver, Unacknowledged)
+    with pytest.raises(LimitError):
+        supply.driver.write_current(99.0)
+    supply.driver.write_current(0.2)
+    supply.driver.write_current(0.0)
+    took_s = supply.clock.now() - begun_s
+    supply.wait(0.3)
+    assert supply.lab.coils["x"].current.now(supply.clock.now()) == pytest.approx(0.0, abs=0.001)
+    supply.driver.write_off()
+    assert took_s < 0.6
+    emulator.emit = emit
+    supply.wait(1.0)
+    supply.line.flush()
+    assert supply.driver.set_point() == 0.0
+    assert getattr(supply.driver, "enabled", 0) == 0
 
 
 def test_a_supply_refuses_what_is_too_much_and_sends_nothing(supply: Rig) -> None:

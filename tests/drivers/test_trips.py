@@ -74,3 +74,12 @@ def test_at_zero_nobody_asks_for_trips() -> None:
     with scripted(TtiSupply, wire) as supply:
         supply.set_current(0.0)
         assert supply.measure_current() == 0.0
+
+
+def test_a_zero_that_was_only_written_asks_for_none_either() -> None:
+    set_to_1_A = tti()[:3]
+    wire = [*set_to_1_A, (b"I1 0.0000\n", SILENT), (b"I1O?\n", b"0.000A\r\n")]
+    with scripted(TtiSupply, wire) as supply:
+        supply.set_current(1.0)
+        supply.write_current(0.0)
+        assert supply.measure_current() == 0.0

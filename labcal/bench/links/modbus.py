@@ -18,6 +18,7 @@ from labcal.errors import InstrumentError
 
 logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # all that it would say on stderr is raised as well
 T = TypeVar("T")
+REPLY_S, FRAME_GAP_S = 0.1, 0.005  # by then a healthy device has answered; and its frame has ended
 EXCEPTIONS = {
     1: ": it does not know the function",
     2: ": it does not know the address",
@@ -70,9 +71,28 @@ class ModbusLink:
         """FC 16."""
         self._ask(16, lambda: self._client.write_registers(address, list(values), device_id=device), address)
 
+    def write_register_unacknowledged(self, device: int, address: int, value: int) -> None:
+        """FC 06; what comes back within the time of a healthy reply is dropped, and nothing coming is no fault."""
+        self._client.write_register(address, value, device_id=device, no_response_expected=True)
+        self._drop_reply()
+
+    def write_coil_unacknowledged(self, device: int, address: int, on: bool) -> None:
+        """FC 05, likewise."""
+        self._client.write_coil(address, on, device_id=device, no_response_expected=True)
+        self._drop_reply()
+
     def close(self) -> None:
         """Let go of the line."""
         self._line.close()
+
+    def _drop_reply(self) -> None:
+        """On a pair of wires the next request must not collide with the reply to this one."""
+        deadline, came = self._clock.now() + REPLY_S, False
+        while self._clock.now() < deadline:
+            pieces = self._line.receive(min(deadline, self._clock.now() + FRAME_GAP_S))
+            if came and not pieces:
+                return
+            came = came or bool(pieces)
 
     def _ask(self, function: int, request: Callable[[], Any], written: int | None = None) -> Any:
         """The reply, if it is one to this function and, of a write, to this address."""
