@@ -15,6 +15,7 @@ from labcal.bench import off
 from labcal.bench.bench import open_bench
 from labcal.bench.cage_file import CageCalibration, sha256_of, write_cage
 from labcal.bench.clock import Clock
+from labcal.bench.doubt import doubt_of
 from labcal.bench.greet import Greeting, greet
 from labcal.bench.state import LabState, of_ends
 from labcal.bench.zero import AtZero
@@ -363,6 +364,6 @@ def coils_off(bench: Path) -> list[AtZero]:
     return off.coils_off(bench)
 
 
-def coils_left(ended: Sequence[AtZero]) -> str:
-    """What may be said now of coils that ended so: no reference was asked."""
-    return of_ends(ended, "no reference was asked").sentence(time.monotonic())
+def coils_left(bench: Path, ended: Sequence[AtZero]) -> str:
+    """What may be said now of coils that ended so; no reference was asked, but a doubt that stands is told."""
+    return of_ends(ended, doubt_of(bench)).sentence(time.monotonic())

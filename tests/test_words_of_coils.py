@@ -164,10 +164,11 @@ def test_an_axis_that_was_not_read_back_is_never_at_zero(unread: str) -> None:
 
 def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
     ended = [AtZero(axis, 0.0005, True, None, 100.0) for axis in "xyz"]
-    assert of_ends(ended, "no reference was asked").sentence(101.0) == f"{BY_WORD}: no reference was asked"
-    assert of_ends(ended, "").sentence(110.0) == "coils last read back below their zero 10 s ago, not since"
+    assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference was asked"
+    assert of_ends(ended).sentence(110.0) == "coils last read back below their zero 10 s ago, not since"
     lost = [*ended[:2], AtZero("z", None, False, InstrumentError("supply_z: silent."))]
-    assert of_ends(lost, "").sentence(101.0) == "coils NOT confirmed at zero"
+    assert of_ends(lost).sentence(101.0) == "coils NOT confirmed at zero"
+    assert of_ends(ended, "it saw 99").sentence(101.0).startswith(f"{NOT_BY_REFERENCE}: it saw 99. Open")
 
 
 def test_the_value_goes_to_another_process_with_its_age() -> None:

@@ -13,9 +13,10 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+from labcal.bench.config import read_config
 from labcal.bench.links.ports import port_of
 from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Vector
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 from labcal.files import write_text
 from labcal.home import home
 
@@ -41,6 +42,15 @@ class Doubt:
             remedy=f"{OPEN_THEM}, then measure again: `labcal bench check FILE` lifts this where reference and "
             "supplies agree, with --clear-as NAME where a person answers for it.",
         )
+
+
+def doubt_of(path: Path) -> str:
+    """The doubt about the coils of the bench file `path`, in words; "" where there is none, or the file is spoilt."""
+    try:
+        doubt = Latch(read_config(path).guarded_links).doubt
+    except (InputError, OSError):
+        return ""
+    return "" if doubt is None else f"{doubt.utc}, {doubt.words}"
 
 
 class Latch:

@@ -18,6 +18,7 @@ BY_WORD = "zero by the supply's word only"
 NOT_CONFIRMED = "coils NOT confirmed at zero"
 NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
+NOT_ASKED = "no reference was asked"
 OPEN_THEM = "Open the outputs, or switch the supplies off at their mains"
 Verdict = Literal["agrees", "disagrees", "not known"]
 Vector = tuple[float, float, float]
@@ -47,7 +48,7 @@ class Witness:
     """
 
     verdict: Verdict = "not known"
-    why: str = "nobody has asked a reference"
+    why: str = NOT_ASKED
     seen_nT: Vector | None = None
     expected_nT: Vector | None = None
     difference_nT: float = 0.0
@@ -93,7 +94,7 @@ class LabState:
         age_s = self.age_s(now_s)
         if flowing := [coil for coil in self.coils if not coil.zero]:
             said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)
-            return f"coils NOT at zero: {said}" + ("" if age_s <= FRESH_S else f", read back {age_s:.0f} s ago")
+            return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {age_s:.0f} s ago")
         if age_s > FRESH_S:
             return f"coils last read back below their zero {age_s:.0f} s ago, not since"
         return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self._why(now_s)}"
@@ -143,9 +144,13 @@ def from_json(said: Mapping[str, Any], now_s: float) -> LabState:
     return LabState(coils, Witness(**reference), said["guardian"], instruments).shifted(now_s)
 
 
-def of_ends(ended: Iterable[AtZero], why: str) -> LabState:
-    """The coils as somebody brought them to zero who asked no reference, and `why`; times are those of their ends."""
-    return LabState(tuple(_coil(end) for end in ended), Witness(why=why))
+def of_ends(ended: Iterable[AtZero], doubt: str = "") -> LabState:
+    """The coils as somebody brought them to zero who asked no reference; times are those of their ends.
+
+    `doubt`: what a reference saw before that, where nobody has answered for it.
+    """
+    witness = Witness("disagrees", doubt) if doubt else Witness(why=NOT_ASKED)
+    return LabState(tuple(_coil(end) for end in ended), witness)
 
 
 def _coil(end: AtZero) -> Coil:

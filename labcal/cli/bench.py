@@ -60,7 +60,7 @@ def off(file: Path = FILE) -> None:
     for end in ended:
         current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
         print(f"coil {end.axis}: {current}  {end.words}")
-    print(coils_left(ended))
+    print(coils_left(file, ended))
     raise typer.Exit(INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE)
 
 

@@ -48,14 +48,16 @@ def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
 
 
 def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
-    """Every coil to zero and open, one report an axis."""
+    """Every coil to zero and open, one report an axis, with when it was read and the doubt that stands about zero."""
     from labcal import session
+    from labcal.bench.doubt import doubt_of
 
-    ended = session.coils_off(Path(bench))
+    ended, doubt = session.coils_off(Path(bench)), doubt_of(Path(bench))
     return [
-        {"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None, "read_s": a.read_s}
+        {"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None,
+         "read_s": a.read_s, "doubt": doubt}
         for a in ended
-    ]
+    ]  # fmt: skip
 
 
 def run(

@@ -170,14 +170,16 @@ class Desk(QObject):
 
     def _switch_off(self) -> None:
         self.known = None
-        self.lab.update(message=self.tr("Coils off: reading them back …"))
+        self.lab.update(coil_A=None, message=self.tr("Coils off: reading them back …"))
         self.switch.ask("off", self._off_known, self._off_failed, bench=self.bench)
 
     def _off_known(self, axes: list[dict[str, Any]]) -> None:
-        good = all(axis["ok"] for axis in axes)
+        good = all(axis["ok"] for axis in axes) and not axes[0].get("doubt")
         words = "; ".join(f"{axis['axis']}: {axis['words']}" for axis in axes)
         currents = tuple(axis["current_A"] for axis in axes)
-        self.known = state.LabState(tuple(map(_coil, axes)), state.Witness(why=self.tr("no reference was asked")))
+        doubt = str(axes[0].get("doubt", ""))
+        witness = state.Witness("disagrees", doubt) if doubt else state.Witness()
+        self.known = state.LabState(tuple(map(_coil, axes)), witness)
         said = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
         known = None if None in currents else currents
         self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=said)
@@ -217,7 +219,7 @@ class Desk(QObject):
             field_set_nT=run.field_set_nT,
             field_measured_nT=measured,
             field_U_nT=self._U(measured),
-            coil_A=run.coil_A,
+            coil_A=run.coil_A if self.known is self._taken else self.lab.state.coil_A,
             coils_at_zero=run.coils_at_zero,
             lights=self._lights(),
             message=run.message,
@@ -235,9 +237,12 @@ class Desk(QObject):
         return 2.0 * float((said["u_offset_nT"] ** 2 + (size * 1e-6 * (said.get("u_scale_ppm") or 0.0)) ** 2) ** 0.5)
 
     def _lights(self) -> tuple[tuple[str, Light, str], ...]:
+        said = self.run.fault.text if self.run.fault else ""
+        failed = "" if said.startswith(state.NOT_BY_REFERENCE) else said  # the witness has not failed
+
         def light(name: str, role: str) -> tuple[str, Light, str]:
             source = "cage" if role.startswith("coil") or role == "polarity" else name
-            if name in (self.run.fault.text if self.run.fault else ""):
+            if name in failed:
                 return name, "fault", self.tr("failed")
             if name in wrong and self.run.alive:
                 return name, "fault", wrong[name]

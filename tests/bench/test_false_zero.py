@@ -231,5 +231,5 @@ def test_a_zero_says_what_was_read(bench: Bench) -> None:
     event = next(item for item in coils_off(bench) if isinstance(item, Event))
     assert event.text == AT_ZERO
     list(drive(bench, [0.2, 0.0, 0.0]))
-    assert bench.sentence() == "coils NOT at zero: x +0.2000 A"
+    assert bench.sentence() == "coils on: x +0.2000 A"
     list(record(bench, 0.5))

@@ -34,16 +34,16 @@ def fail(window, fault, *items, coils=()):
         ((), "coils not read back in this session"),
         ((ON, ZERO), "coils at zero"),
         ((ON, UNSURE), "coils NOT confirmed at zero. Press COILS OFF (F12)"),
-        ((ON,), "coils NOT at zero: x +1.0000 A. Press COILS OFF (F12)"),
+        ((ON,), "coils on: x +1.0000 A. Press COILS OFF (F12)"),
     ],
 )
 def test_a_run_that_fails_says_how_it_left_the_coils(still, coils, words):
     card = fail(still, LOST, coils=coils)
     assert card.coils.isVisible()
-    said = "coils not read back in this session" if "NOT" in words else words  # by then they are asked for zero
+    said = "coils not read back in this session" if "Press" in words else words  # by then they are asked for zero
     assert card.coils.text().startswith(said)
     asked_for_zero = any(one[0] == "off" for one in still.desk.switch.asked)
-    assert asked_for_zero == ("NOT" in words)  # by another worker, without being told to
+    assert asked_for_zero == ("Press" in words)  # by another worker, without being told to
 
 
 def test_the_card_of_a_run_learns_that_its_coils_were_switched_off_after_it(qtbot, still):
