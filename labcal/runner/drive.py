@@ -48,7 +48,7 @@ class Drive:
     _reply: str | None = field(default=None, init=False)
     state: LabState | None = field(default=None, init=False)  # of the lab, as the run left it, on the bench's clock
     read_at_s: float = field(default=0.0, init=False)
-    _at_zero: bool | None = field(default=False, init=False)
+    _at_zero: bool = field(default=False, init=False)
     _said: str = field(default="", init=False)
 
     def run(self, procedure: Procedure) -> Ending:
@@ -193,7 +193,7 @@ class Drive:
         except Exception as fault:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
         first = next(iter(faults + lost), None)
-        if self._at_zero is not True:
+        if not self._at_zero:
             return Ending(f"failed: {self._said}: {_sentence(first)}" if first else f"failed: {self._said}", first)
         return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
 
@@ -206,8 +206,9 @@ class Drive:
         currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
         self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
         now = self.read_at_s
-        self._at_zero, said = self.state.at_zero(now), self.state.sentence(now)
-        self._said = NOT_CONFIRMED if None in currents else said
+        zero = all(coil.zero for coil in self.state.coils)  # however long a slow line took to read the three
+        self._at_zero = zero and self.state.reference.verdict != "disagrees"
+        self._said = NOT_CONFIRMED if None in currents else self.state.sentence(now)
         told = [_sentence(fault) for fault in faults + lost]
         return read_back(self.bench, "read-back", current_A=currents, faults=told)
 
