@@ -77,7 +77,7 @@ def test_after_that_the_next_session_finds_the_supplies_on_and_closes_the_contac
 
 @pytest.mark.slow
 def test_at_an_orderly_end_the_coils_are_at_zero_before_the_contact_opens(lab: Served, session: Sessions) -> None:
-    child = session("idle")
+    child = session("idle", popen=lambda: {"preexec_fn": lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)})
     child.send_signal(signal.SIGINT)
     until(lambda: not guardians())
     assert opened_s(lab) < lab.clock.now()
