@@ -45,6 +45,14 @@ def test_a_contact_that_is_found_open_is_not_closed_again() -> None:
     assert caught.value.fault == "interlock"
 
 
+def test_a_beat_that_would_come_too_late_is_not_sent_though_the_contact_was_seen_closed() -> None:
+    with scripted(WaveshareInterlock, [*ARMED, CLOSED], relay=2) as interlock:
+        interlock.arm()
+        interlock._clock.wait_until(interlock._ends_s - 0.15)
+        with pytest.raises(InstrumentError, match="falls open"):
+            interlock.feed()
+
+
 def test_a_beat_without_an_answer_is_a_fault_and_is_not_repeated() -> None:
     with scripted(WaveshareInterlock, [*ARMED, CLOSED, (HOLD[0], SILENT)], relay=2) as interlock:
         interlock.arm()
