@@ -6,15 +6,16 @@ import os
 import time
 from contextlib import closing, suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from labcal.bench.config import BenchConfig, read_config
+from labcal.bench.at_zero import AtZero
 from labcal.bench.guardian.client import Connection, ask_once, found, guarding
-from labcal.bench.guardian.keeper import Guardian
-from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.wire import zero_of
 from labcal.bench.links import ports
-from labcal.bench.zero import AtZero
 from labcal.errors import InputError, InstrumentError
+
+if TYPE_CHECKING:
+    from labcal.bench.config import BenchConfig
 
 FREE_S = 5.0
 UNTOUCHED = (
@@ -56,6 +57,8 @@ def _asked(guardian: Connection) -> list[AtZero]:
 
 
 def _readable(path: Path) -> BenchConfig:
+    from labcal.bench.config import read_config
+
     try:
         return read_config(path)
     except InputError as error:
@@ -66,6 +69,9 @@ def _readable(path: Path) -> BenchConfig:
 
 def _with_own_hands(path: Path, config: BenchConfig) -> list[AtZero]:
     """A guardian within this process, for one zero."""
+    from labcal.bench.guardian.keeper import Guardian  # half a second that is not lost where one lives already
+    from labcal.bench.guardian.logbook import note, written
+
     guardian = Guardian(path, config, note)
     try:
         return guardian.zero(f"labcal bench off, process {os.getpid()}")
