@@ -30,7 +30,7 @@ from labcal.store import RunWriter, Store
 
 RESUMED, INTERRUPTED = "resumed", "interrupted"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
-LATE_S = 0.8  # a row that is not on the disk by then takes true coils to zero
+LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
 

@@ -16,7 +16,7 @@ from labcal.store.place import BESIDE, Files, files_at, require_same
 
 PATIENCE_S = 5.0  # how long another program may hold the file
 CHECKED_BYTES = 32 << 20  # a store up to this size is looked through whenever it is opened (15 ms)
-CHECKED_BEFORE_A_RUN_BYTES = 1 << 30  # and up to this one before a run is recorded into it (0.6 s)
+CHECKED_BEFORE_A_RUN_BYTES = 512 << 20  # and up to this one before a run is recorded into it (0.3 s)
 DAMAGED = "`labcal check-store` looks through all of it; set the file aside and go on with a copy, or with a new store"
 
 
@@ -95,12 +95,15 @@ def _named(error: sqlite3.Error, path: Path) -> InputError | InstrumentError:
 
 
 def _for_this_user_alone(path: Path) -> None:
-    """The store, what SQLite keeps beside it, and the folder where it is labcal's own."""
-    if path.parent == home():
-        own_folder(path.parent)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.is_dir():
-        own_file(path)
+    """The store, what SQLite keeps beside it, and the folder where it is labcal's own. Raises InputError."""
+    try:
+        if path.parent == home():
+            own_folder(path.parent)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.is_dir():
+            own_file(path)
+    except OSError as error:
+        raise InputError(f"the store cannot be opened or written: {error.strerror}", file=path) from None
     for end in BESIDE[1:]:
         tightened(path.with_name(path.name + end))
 

@@ -17,12 +17,14 @@ import pytest
 from short_preflight import SHORT
 
 from labcal import session
-from labcal.bench import Bench, open_bench
+from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.steps import Procedure, energise
 from labcal.errors import InputError, InstrumentError
 from labcal.home import home
 from labcal.record.stream import Block, Event, Item
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
+from labcal.runner.drive import Drive
 from labcal.store import RunWriter, Store, live, writer
 
 BenchFile = Callable[..., Path]
@@ -36,7 +38,7 @@ class Broken:
         self, bench_file: BenchFile, patch: pytest.MonkeyPatch, breaks: Callable[[Broken], None], mend: bool = False
     ) -> None:
         self.breaks, self.told, self.mended = breaks, list[Item](), list[Callable[[], None]]()
-        self.writers, self.zeroed_after = list[RunWriter](), -1
+        self.writers = list[RunWriter]()
         begin = live.RunWriter
 
         def begun(*given: Any) -> RunWriter:
@@ -48,7 +50,6 @@ class Broken:
         patch.setattr(live, "RunWriter", begun)
         self.clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
         with closing(open_bench(bench_file(), clock=self.clock, seed=2)) as bench, Store.open() as store:
-            self._note_zero(bench)
             given = SHORT | {"zero_s": "3"}
             answer, found = yes_to_all(True), find("preflight")
             self.outcome: Outcome = run_procedure(
@@ -68,7 +69,6 @@ class Broken:
         try:
             self.writers[0].check()
         except (InputError, InstrumentError):
-            self.told_before = len(self.told)
             return True
         return False
 
@@ -80,16 +80,6 @@ class Broken:
             finish(status)
 
         writer.finish = mended  # type: ignore[method-assign]
-
-    def _note_zero(self, bench: Bench) -> None:
-        """How much was told before the coils went to zero."""
-        zero = bench.cage.zero
-
-        def noted() -> None:
-            self.zeroed_after = len(self.told) if self.mended and self.zeroed_after < 0 else self.zeroed_after
-            zero()
-
-        bench.cage.zero = noted  # type: ignore[method-assign]
 
 
 def wait_for(true: Callable[[], bool]) -> None:
@@ -173,11 +163,47 @@ def test_rows_for_a_file_that_lies_there_no_more_are_never_called_kept(
         mend()
 
 
+FULL = InstrumentError("the disk is full.", fault="disk full")
+
+
+@pytest.mark.parametrize("told_by", ["write", "kept"])
+def test_the_coils_are_at_zero_before_the_procedure_hears_of_it(bench_file: BenchFile, told_by: str) -> None:
+    """`write` tells with the next item, `kept` while the procedure waits inside one long look at the streams."""
+    seen, written, broken = list[float](), list[Item](), list[str]()
+
+    def procedure() -> Procedure:
+        try:
+            yield from energise(bench, bench.cage.field_nT() + [15_000.0, 0.0, 0.0], confirm_signs=False)
+            broken.append(told_by)
+            begun = bench.clock.now()
+            yield from bench.stream_until(begun + 100.0)
+        finally:
+            seen.append(float(np.abs(bench.cage.currents_A()).max()))
+            seen.append(bench.clock.now() - begun)
+
+    def write(item: Item) -> None:
+        written.append(item)
+        if "write" in broken:
+            raise FULL
+
+    def kept() -> None:
+        if "kept" in broken:
+            raise FULL
+
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
+        ending = Drive(bench, write, yes_to_all(True), kept=kept).run(procedure())
+        assert np.abs(bench.cage.currents_A()).max() < 0.002
+    assert (ending.status, ending.fault) == ("interrupted", FULL)
+    assert seen[0] < 0.01
+    assert seen[1] > 100.0 if told_by == "write" else seen[1] < 5.0
+    assert isinstance(written[-1], Event)
+    assert (written[-1].kind, written[-1].text) == ("read-back", "coils at zero"), "what follows waits in memory"
+
+
 def goes_first(run: Broken, fault: str) -> None:
     assert run.outcome.status == "interrupted"
     assert isinstance(run.outcome.fault, InstrumentError)
     assert run.outcome.fault.fault == fault
-    assert run.zeroed_after == run.told_before, "something was done before the coils went to zero"
     assert run.outcome.at_rest == "coils at zero"
     assert max(map(abs, run.currents_A)) < 1e-3
 

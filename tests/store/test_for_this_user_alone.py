@@ -104,6 +104,27 @@ def test_another_user_reads_nothing_and_locks_nothing(tmp_path: Path, monkeypatc
             assert "Permission denied" in as_nobody(path), "the file itself is closed too"
 
 
+@posix
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="only root may become another user")
+@pytest.mark.parametrize(("mode", "made"), [(0o555, False), (0o555, True)])
+def test_a_store_that_may_not_be_written_is_a_sentence(tmp_path: Path, mode: int, made: bool) -> None:
+    for folder in (tmp_path, *tmp_path.parents[:2]):
+        folder.chmod(0o755)
+    place = tmp_path / "place"
+    place.mkdir()
+    if made:
+        Store.open(place / "s.sqlite").close()
+        (place / "s.sqlite").chmod(0o444)
+    place.chmod(mode)
+    program = "from pathlib import Path; from labcal.store import Store; import os; os.setgid(65534); os.setuid(65534)"
+    told = subprocess.run(
+        [sys.executable, "-c", f"{program}; Store.open(Path({str(place / 's.sqlite')!r}))"],
+        capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2],
+    ).stderr.splitlines()[-1]  # fmt: skip
+    assert told.startswith("labcal.errors.InputError: ")
+    assert "the store cannot be opened or written" in told
+
+
 def as_nobody(path: Path) -> str:
     """What another user is told who opens `path` for reading, which is all that a lock needs."""
     program = "import os, sys; os.setgid(65534); os.setuid(65534); (os.listdir if path[-1] == '/' else open)(path)"
