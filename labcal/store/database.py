@@ -85,7 +85,7 @@ def _named(error: sqlite3.Error, path: Path) -> InputError | InstrumentError:
         remedy = "What was committed is safe; make room on the disk, then go on with the run."
         return InstrumentError(f"{path}: the disk is full or fails ({error}).", fault="disk full", remedy=remedy)
     if name.startswith(("SQLITE_BUSY", "SQLITE_LOCKED")):
-        remedy = "Close the program that holds it, then go on."
+        remedy = "Close the program that holds it, then try again, or go on with the run."
         return InstrumentError(f"{path}: another program keeps the store locked.", fault="store locked", remedy=remedy)
     if name.startswith(("SQLITE_NOTADB", "SQLITE_CORRUPT")):
         return InputError(f"the store is damaged, or is no store: {error}; {DAMAGED}", file=path)

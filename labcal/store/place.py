@@ -33,5 +33,5 @@ def require_same(path: Path, opened: Files) -> None:
             raise InstrumentError(
                 f"{path}{end}: {what}: somebody moved, removed or replaced it while it was written to.",
                 fault="store gone",
-                remedy="Put it back as it was, or restore a copy; rows written since are in neither.",
+                remedy="Put that file back, or a copy of the store, then go on with the run; the last rows were not kept.",
             )
