@@ -33,5 +33,5 @@ def require_same(path: Path, opened: Files) -> None:
             raise InstrumentError(
                 f"{path}{end}: {what}: somebody moved, removed or replaced it while it was written to.",
                 fault="store gone",
-                remedy="Put that file back, or a copy of the store, then go on with the run; the last rows were not kept.",
+                remedy="Put that file back, or a copy of the store, and go on with the run; the last rows are lost.",
             )
