@@ -66,8 +66,10 @@ class Broken:
             wait_for(self.not_kept)
 
     def not_kept(self) -> bool:
+        """Hand in one more row, large enough for a page of its own, and see whether that can be kept."""
+        self.told.append(Event(self.clock.now(), "note", "x" * 20_000))
         try:
-            self.writers[0].check()
+            self.writers[0].write(self.told[-1])
         except (InputError, InstrumentError):
             return True
         return False
