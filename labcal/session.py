@@ -30,7 +30,9 @@ from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.runner.cage import approved_cage
-from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, photos, save_bundle
+from labcal.store import Bundle, Checked, RunSummary, Store, describe, export, load_bundle, photos, save_bundle
+from labcal.store import check_store as store_check
+from labcal.store.live import FILE as STORE
 
 if TYPE_CHECKING:
     from labcal.fit.history import History
@@ -160,6 +162,11 @@ def import_bundle(path: Path) -> str:
     """Take a bundle into the local store, byte for byte; returns its run id."""
     with Store.open() as store:
         return store.add_bundle(path)
+
+
+def check_store(run: str | None = None) -> Checked:
+    """Look through the local store, or one run of it, for the first thing that does not fit."""
+    return store_check(home() / STORE, run)
 
 
 def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path) -> None:

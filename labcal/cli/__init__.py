@@ -22,7 +22,7 @@ UsageFault = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 COMMANDS = (
-    *("demo", "gui", "bench", "run", "runs", "show", "import", "export"),
+    *("demo", "gui", "bench", "run", "runs", "show", "import", "export", "check-store"),
     *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report"),
 )
 
@@ -85,14 +85,14 @@ def _report_of(error: Exception) -> str:
     from traceback import format_exception
 
     from labcal.files import write_bytes
-    from labcal.home import home
+    from labcal.home import FILE, home, own_folder
 
     what = f"a fault of labcal's own: {type(error).__name__}: {error}"
     report = home() / "last-fault.txt"
     try:
-        report.parent.mkdir(parents=True, exist_ok=True)
+        own_folder(report.parent)
         told = f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}"
-        write_bytes(report, told.encode(errors="backslashreplace"))
+        write_bytes(report, told.encode(errors="backslashreplace"), FILE)
     except OSError:
         return what
     return f"{what}; please report it with the file {report}"

@@ -14,6 +14,7 @@ from rich.table import Column, Table
 
 from labcal.cli import app
 from labcal.errors import InputError
+from labcal.home import PASSPHRASE
 
 if TYPE_CHECKING:
     from labcal.certificate import Entry
@@ -70,8 +71,11 @@ def revoke(name: str = typer.Argument(..., help="The person whose keys are lost.
 
 
 def passphrase(question: str, *, again: bool = False) -> str:
-    """The passphrase from LABCAL_PASSPHRASE, else asked at the terminal (twice for a new one). Raises InputError."""
-    if (stated := os.environ.get("LABCAL_PASSPHRASE")) is not None:
+    """The passphrase from LABCAL_PASSPHRASE, else asked at the terminal (twice for a new one). Raises InputError.
+
+    It leaves the environment as it is read: nobody whom this process starts is told.
+    """
+    if (stated := os.environ.pop(PASSPHRASE, None)) is not None:
         return stated
     if not sys.stdin.isatty():
         raise InputError("there is no terminal to ask for the passphrase; set LABCAL_PASSPHRASE")

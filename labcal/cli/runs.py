@@ -59,6 +59,23 @@ def show(run: str = RUN, json: str | None = JSON) -> None:
     return None
 
 
+@app.command("check-store", rich_help_panel="Runs")
+def check_store(
+    run: str | None = typer.Argument(None, metavar="RUN", help="A run id of the store; none: all of them."),
+) -> int:
+    """Look through the store, every page and row: exit 0 where all fits, else 1 and the first thing that does not."""
+    from labcal import session
+    from labcal.cli import DONE, NEGATIVE
+    from labcal.plain import made_plain
+
+    found = session.check_store(run)
+    if found.fault:
+        print(f"NOT SOUND: {made_plain(' '.join(found.fault.split()))}")
+        return NEGATIVE
+    print(f"sound: {found.runs} run{'s' * (found.runs != 1)}, {found.items} rows")
+    return DONE
+
+
 @app.command("import", rich_help_panel="Runs")
 def import_(bundle: Path = typer.Argument(..., metavar="BUNDLE", help="A folder, or a zip of it.")) -> None:
     """Take a bundle into the store, byte for byte; prints its run id."""

@@ -18,7 +18,7 @@ from labcal.gui.lab_vm import LabViewModel, Light
 from labcal.gui.run_vm import Order, RunViewModel
 from labcal.gui.study_vm import StudyViewModel
 from labcal.gui.wire import Fault, fault_of
-from labcal.home import home
+from labcal.home import file_at_home
 
 SILENT_S = 2.0
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
@@ -39,7 +39,7 @@ class Desk(QObject):
 
     def __init__(self, settings: QSettings | None = None) -> None:
         super().__init__()
-        self.settings = settings or QSettings(str(home() / "window.ini"), QSettings.Format.IniFormat)
+        self.settings = settings or QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
         self.clerk, self.bench_worker, self.study, self.switch = Client(self), Client(self), Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.study_vm = StudyViewModel(self.study)

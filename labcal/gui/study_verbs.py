@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from labcal.gui.talk import Talk
 from labcal.gui.wire import pack
-from labcal.home import home
+from labcal.home import home, own_folder
 from labcal.record import Run
 
 if TYPE_CHECKING:
@@ -27,8 +27,7 @@ MOST = 1500  # rows in a picture
 
 def calibration_path(run_id: str) -> Path:
     """Where the draft of a run lies: beside the earlier one where that is signed."""
-    folder = home() / "calibrations"
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = own_folder(own_folder(home()) / "calibrations")
     number = 1
     while True:
         path = folder / (f"{run_id}.json" if number == 1 else f"{run_id}.{number}.json")

@@ -14,7 +14,7 @@ from functools import cache, partial
 from queue import SimpleQueue
 
 from labcal.errors import InputError
-from labcal.home import home
+from labcal.home import file_at_home
 
 _jobs: SimpleQueue[Callable[[], None]] = SimpleQueue()
 
@@ -49,6 +49,5 @@ def _write() -> None:
 
 
 def _append(line: str) -> None:
-    home().mkdir(parents=True, exist_ok=True)
-    with (home() / "guardian.log").open("a", encoding="utf-8") as log:
+    with file_at_home("guardian.log").open("a", encoding="utf-8") as log:
         log.write(line)
