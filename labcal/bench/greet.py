@@ -30,6 +30,7 @@ def greet(path: Path) -> list[Greeting]:
     """Ask every instrument of `path` who it is. Raises InputError for a bad file."""
     config = read_config(path)
     loader = Loader(path, config, VirtualClock(datetime.now(UTC)) if config.simulated else RealClock(), 0)
+    loader.meet_group()
     with ExitStack() as afterwards:
         afterwards.callback(loader.close)
         return [_greet(loader, name) for name in config.instruments]

@@ -32,12 +32,19 @@ LOST = InstrumentError(
     remedy="See guardian.log; start the run again.",
 )
 
+NOT_OURS = InstrumentError(
+    "another user's process answers as the guardian of this bench; it is not believed.",
+    fault="in use",
+    remedy="See in the folder of [safety] whose it is; `labcal bench off` sets zero.",
+)
+
 
 class Connection:
     """One connection to a living guardian. Raises OSError where it is gone."""
 
     def __init__(self, card: wire.Card) -> None:
         self._socket = wire.connect(card, 2.0)
+        self.uid = wire.peer(self._socket)  # whose guardian it is
         self._socket.settimeout(None)
         self._received, self._number = b"", 0
         self._socket.sendall(wire.packed({"token": card["token"]}))
@@ -170,6 +177,8 @@ class GuardianClient:
                 if (connection := found(self._urls)) is not None:
                     self._connection = connection
                     hello = self._replied(connection, "hello", {"who": me, "bench": wire.fingerprint(self._path)})
+                    if wire.another_user(connection.uid):
+                        raise NOT_OURS
                     return dict(hello["facts"])
                 if time.monotonic() > self._start_after_s:
                     self._start_another()
