@@ -39,7 +39,7 @@ def locker(path: Path | str) -> int | None:
         return None
     try:
         stands = os.stat(path, follow_symlinks=False)
-        listed = (PROC / "locks").read_text(encoding="ascii")
+        listed = (PROC / "locks").read_text(encoding="utf-8")
     except (OSError, ValueError):
         return None
     place = f"{os.major(stands.st_dev):02x}:{os.minor(stands.st_dev):02x}:{stands.st_ino}"
@@ -64,8 +64,8 @@ def process(pid: int | None) -> Process | None:
 def _begun(folder: Path) -> datetime:
     if sys.platform == "win32":
         raise OSError("Windows has no /proc")
-    ticks = int((folder / "stat").read_text(errors="replace").rpartition(")")[2].split()[19])
-    booted = next(line for line in (PROC / "stat").read_text().splitlines() if line.startswith("btime"))
+    ticks = int((folder / "stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()[19])
+    booted = next(line for line in (PROC / "stat").read_text(encoding="utf-8").splitlines() if line.startswith("btime"))
     return datetime.fromtimestamp(int(booted.split()[1]) + ticks / os.sysconf("SC_CLK_TCK"), UTC)
 
 
