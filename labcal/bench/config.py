@@ -176,7 +176,7 @@ class SafetyConfig(_Table):
     @model_validator(mode="after")
     def _of_a_group(self) -> Self:
         if self.runtime is not None and self.group is None:
-            raise ValueError("runtime is the folder of a group: state group")
+            raise ValueError("runtime is the folder of a group: state group too")
         return self
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pty
+import socket
 import stat
 import tty
 from collections.abc import Iterator
@@ -420,3 +421,32 @@ def test_an_administrator_looks_into_the_places_of_all_users(common: Path, monke
         squat("folder", common / "labcal-7", common)  # a user's folder that is not that user's
         assert {"pid": alice.pid} in ports.announced()
         assert common / "labcal-7" not in places.folders()
+
+
+@pytest.mark.parametrize(
+    "link", ["tcp://localhost:{}", "tcp://127.0.0.1:{}", "modbus-rtu://socket://127.0.0.1:{}?baud=9600"]
+)
+def test_a_network_port_that_another_users_program_has_open_is_refused_with_his_name(common: Path, link: str) -> None:
+    connects = "end = socket.create_connection(('127.0.0.1', %d)); say('connected'); sys.stdin.read()"
+    tries = """
+def tries():
+    try: return ports.refuse_connected(["serial:///dev/ttyUSB7", "udp://0.0.0.0:9", "usbtmc:///dev/usbtmc0", %r])
+    except InstrumentError as fault: return [fault.fault, str(fault)]
+say(tries())
+"""
+    with socket.create_server(("127.0.0.1", 0)) as supply:
+        port = supply.getsockname()[1]
+        asked = tries % link.format(port)
+        assert done(BOB, common, asked) is None
+        with user(ALICE, common, connects % port) as alice:
+            assert alice.says() == "connected"
+            fault, said = done(BOB, common, asked)
+            assert (fault, f"a program of user {ALICE} is connected to it" in said) == ("in use", True)
+            assert done(ALICE, common, asked) is None  # his own are told apart by their locks
+            asks = f"""
+class Config: guarded_links = [{link.format(port)!r}]
+(bench := Path(common) / "bench.toml").write_text("")
+try: client.GuardianClient(bench, Config, RealClock())
+except InstrumentError as fault: say([fault.fault, str(fault)])
+"""
+            assert done(BOB, common, asks) == [fault, said]  # and no guardian was started

@@ -164,6 +164,8 @@ class GuardianClient:
         if self._started is not None and self._started.poll() is None:
             return
         if all(ports.holder(url) is None for url in self._urls):
+            if not self._start_after_s:  # a successor asks nobody
+                ports.refuse_connected(self._urls)
             self._started = spawn(self._path, *([SUCCESSOR] if self._start_after_s else []))
 
     def _meet(self) -> dict[str, dict[str, Any]]:

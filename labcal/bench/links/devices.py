@@ -56,7 +56,7 @@ if sys.platform != "win32":
     def shut(device: int, port: str) -> None:
         """Let nobody else open this terminal, until `unlocked`; not where somebody has it open: it would stay shut."""
         port = os.path.realpath(port)
-        if not port.startswith(NAMED_TERMINAL) and users_of(os.fstat(device).st_rdev) <= {os.getpid()}:
+        if not port.startswith(NAMED_TERMINAL) and users_of(port) <= {os.getpid()}:
             with suppress(OSError):  # no terminal
                 fcntl.ioctl(device, termios.TIOCEXCL)
 

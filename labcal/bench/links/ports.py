@@ -16,12 +16,14 @@ from pathlib import Path
 from typing import IO, Any
 
 from labcal.bench.links import devices, locks
-from labcal.bench.links.holders import locker, process
-from labcal.bench.links.places import folders, meet, own_folder, runtime_folder
+from labcal.bench.links.holders import connected, locker, process
+from labcal.bench.links.places import folders, meet, own_folder, runtime_folder, user, user_name
+from labcal.bench.links.urls import place, split
 from labcal.errors import InstrumentError
 
 __all__ = [
-    "announce", "announced", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of", "runtime_folder",
+    "announce", "announced", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of", "refuse_connected",
+    "runtime_folder",
 ]  # fmt: skip
 
 
@@ -116,6 +118,28 @@ def announced() -> list[dict[str, Any]]:
     """What all processes that hold ports have announced, whatever the ports, in all folders that this user may see."""
     cards = [locks.look(path) for folder in folders() for path in sorted(folder.glob("port-*.lock"))]
     return [card for card in cards if card]
+
+
+def refuse_connected(urls: Iterable[str]) -> None:
+    """Raise InstrumentError (in use) where another user's program has a connection to one of these ports.
+
+    Who has no folder in common with that user sees no lock of his. Zero asks for none of this.
+    """
+    for url in urls:
+        for uid in _connected(url) - {user()}:
+            raise InstrumentError(
+                f"{url}: a program of user {user_name(uid)} is connected to it.",
+                fault="in use",
+                remedy=f"Ask user {user_name(uid)} to end it, then begin this step again.",
+            )
+
+
+def _connected(url: str) -> set[int]:
+    scheme, address, _ = split(url)
+    if scheme not in ("tcp", "modbus-tcp") and not address.startswith("socket://"):
+        return set()
+    host, port = place(url, scheme, address.removeprefix("socket://"))
+    return connected(host or "localhost", port)
 
 
 def claim(url: str) -> Callable[[], None]:
