@@ -25,7 +25,7 @@ OF_ROOT = pytest.mark.skipif(
     sys.platform != "linux" or os.geteuid() != 0, reason="needs root, to be several users in turn"
 )
 NURSERY = """
-import json, os, pty, signal, socket, sys, time, traceback
+import json, os, pty, signal, socket, sys, tempfile, time, traceback
 from pathlib import Path
 import numpy as np
 from labcal.bench.guardian import client, logbook, memory, server, wire
@@ -38,7 +38,7 @@ def become(uid, groups, common, group, env, work):
     os.setgroups(groups); os.setresgid(uid, uid, uid); os.setresuid(uid, uid, uid)
     os.umask(0o077)  # whatever a user has, the group gets in
     os.environ.update(env)
-    places.SHARED = (Path(common),)
+    places.SHARED, tempfile.tempdir = (Path(common),), common
     exec(work, globals() | {"common": common, "group": group, "runtime": os.path.join(common, "of-group")})
 
 def say(what): print(json.dumps(what), flush=True)

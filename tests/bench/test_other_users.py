@@ -61,8 +61,8 @@ def test_no_environment_variable_says_who_holds_a_port(common: Path, tmp_path: P
 
 def squat(kind: str, place: Path, victim: Path) -> None:
     """Somebody else is first."""
-    if kind == "folder":
-        place.mkdir(mode=0o777)
+    if kind.endswith("folder"):
+        place.mkdir(mode=0o700 if kind == "closed folder" else 0o777)
     elif kind == "link":
         place.symlink_to(victim)
     elif kind == "pipe":
@@ -72,7 +72,7 @@ def squat(kind: str, place: Path, victim: Path) -> None:
     os.chown(place, CARL, CARL, follow_symlinks=False)
 
 
-@pytest.mark.parametrize("kind", ["folder", "link", "pipe", "file"])
+@pytest.mark.parametrize("kind", ["folder", "closed folder", "link", "pipe", "file"])
 def test_a_name_that_somebody_else_took_first_is_passed_by_and_all_agree(common: Path, kind: str) -> None:
     victim, second = common / "victim", common / "second"
     for folder in (victim, second):
@@ -84,7 +84,7 @@ def test_a_name_that_somebody_else_took_first_is_passed_by_and_all_agree(common:
     with user(ALICE, common, of_two + HOLDS) as first:
         assert [first.says(), first.says()] == [True, "holds"]
         assert done(ALICE, common, of_two + f"say(ports.holder({PORT!r}))") == {"pid": first.pid}
-        place.rmdir() if kind == "folder" else place.unlink()  # the squatter goes, and nobody is led astray
+        place.rmdir() if kind.endswith("folder") else place.unlink()  # the squatter goes, and nobody is led astray
         assert done(ALICE, common, of_two + f"say(ports.holder({PORT!r}))") == {"pid": first.pid}
     assert list(victim.iterdir()) == []
 
