@@ -450,3 +450,25 @@ try: client.GuardianClient(bench, Config, RealClock())
 except InstrumentError as fault: say([fault.fault, str(fault)])
 """
             assert done(BOB, common, asks) == [fault, said]  # and no guardian was started
+
+
+@pytest.mark.parametrize(
+    "lies", [{"address": 22}, {"address": []}, {"address": "\0x"}, {"address": "/x" * 99}, {"address": "/"}]
+)
+def test_a_card_that_lies_leads_nobody_astray(common: Path, of_group: Path, lies: dict[str, object]) -> None:
+    holds = f"ports.hold([port]); ports.announce({lies!r} | {{'bench': '/lab/bench.toml'}}); say(0); sys.stdin.read()"
+    looks = "\nfound = [client.found([port]), client.guarding(Path('/lab/bench.toml'))]\nsay(found)"
+    with user(ALICE, common, OF_GROUP + holds) as alice:
+        assert alice.says() == 0
+        if lies["address"] == "/x" * 99:
+            looks = "\ntry: client.found([port])\nexcept OSError: say([None, None])"
+        assert done(BOB, common, OF_GROUP + looks) == [None, None]
+
+
+def test_a_guardian_from_before_the_group_was_stated_is_found(common: Path, of_group: Path) -> None:
+    with user(ALICE, common, HOLDS) as alice:
+        assert [alice.says(), alice.says()] == [True, "holds"]
+        asks = f"say([ports.holder({PORT!r}), ports.holding({PORT!r})])"
+        assert done(ALICE, common, OF_GROUP + asks) == [{"pid": alice.pid}, alice.pid]
+        assert done(0, common, asks) == [{"pid": alice.pid}, alice.pid]  # an administrator's look
+        assert done(BOB, common, OF_GROUP + asks) == [None, None]

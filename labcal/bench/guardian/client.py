@@ -22,6 +22,7 @@ from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
 
 BEAT_S = 0.05
+NOBODY_THERE = (FileNotFoundError, ConnectionRefusedError, BlockingIOError, PermissionError, socket.timeout)
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S = 20.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
@@ -47,7 +48,7 @@ class Connection:
         self.uid = wire.peer(self._socket)  # whose guardian it is
         self._socket.settimeout(None)
         self._received, self._number = b"", 0
-        self._socket.sendall(wire.packed({"token": card["token"]}))
+        self._socket.sendall(wire.packed({"token": card.get("token", "")}))
 
     def beat(self) -> None:
         """Let it be heard; a guardian whose ear is full has heard enough."""
@@ -215,7 +216,7 @@ def found(urls: Iterable[str]) -> Connection | None:
     """A connection to the guardian that holds any of these ports; None where there is none (yet)."""
     for url in urls:
         if "address" in (card := ports.holder(url) or {}):
-            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
+            with suppress(*NOBODY_THERE):
                 return Connection(card)
     return None
 
@@ -224,6 +225,6 @@ def guarding(bench: Path) -> Connection | None:
     """A connection to the guardian that was started for this bench file, whatever the file says now."""
     for card in ports.announced():
         if card.get("bench") == str(bench.resolve()) and "address" in card:
-            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
+            with suppress(*NOBODY_THERE):
                 return Connection(card)
     return None

@@ -44,11 +44,11 @@ def listen() -> tuple[socket.socket, Card]:
 
 
 def connect(card: Card, timeout_s: float) -> socket.socket:
-    """A connection to the guardian of this card. Raises OSError where it is gone."""
-    if isinstance(card["address"], int):
-        return socket.create_connection(("127.0.0.1", card["address"]), timeout_s)
+    """A connection to the guardian of this card. Raises OSError where it is gone, or the card is none."""
     if sys.platform == "win32":
-        raise OSError("no Unix sockets here")
+        return socket.create_connection(("127.0.0.1", card["address"]), timeout_s)
+    if not isinstance(card["address"], str) or "\0" in card["address"]:  # a group's folder holds what anybody wrote
+        raise FileNotFoundError("no socket of a guardian")
     connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     connection.settimeout(timeout_s)
     try:

@@ -104,14 +104,21 @@ def announce(card: dict[str, Any]) -> None:
 
 
 def holder(url: str) -> dict[str, Any] | None:
-    """What the process that holds this port has announced ({} if nothing yet); None where nobody, or this one, does."""
+    """What the process that holds this port has announced ({} if nothing yet); None where nobody, or this one, does.
+
+    It is looked for in every folder that this user may see: a guardian may be older than the group in bench.toml.
+    """
     port = port_of(url)
-    return None if port in _held else locks.look(_lock_file(port))
+    if port in _held:
+        return None
+    cards = (locks.look(path) for path in _lock_files(port))
+    return next((card for card in cards if card is not None), None)
 
 
 def holding(url: str) -> int | None:
     """The process that holds this port, by the kernel's own word; None where nobody does, or that is not told."""
-    return locker(_lock_file(port_of(url)))
+    pids = (locker(path) for path in _lock_files(port_of(url)))
+    return next((pid for pid in pids if pid is not None), None)
 
 
 def announced() -> list[dict[str, Any]]:
@@ -210,6 +217,11 @@ def _opened(url: str, port: str) -> InstrumentError:
 
 def _since(when: datetime) -> str:
     return f" since {when:%Y-%m-%d %H:%M} UTC"
+
+
+def _lock_files(port: str) -> list[Path]:
+    here = _lock_file(port)
+    return list(dict.fromkeys([here, *(folder / here.name for folder in folders())]))
 
 
 def _lock_file(port: str) -> Path:
