@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import atexit
-import grp
 import json
 import os
 import shutil
@@ -75,6 +74,8 @@ def common_folder() -> Iterator[Path]:
 
 def some_group() -> tuple[str, int]:
     """A group of this computer that is not root's."""
+    import grp
+
     found = next(one for one in grp.getgrall() if one.gr_gid > 0)
     return found.gr_name, found.gr_gid
 
