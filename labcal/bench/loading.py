@@ -22,7 +22,7 @@ from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
 from labcal.bench.hands import SimulatedHands
-from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link
+from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link, ports
 from labcal.bench.links.urls import split
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
@@ -122,6 +122,15 @@ class Loader:
             if other != name and self.line_of(other) == self.line_of(name):
                 self.refuse(f"an interlock needs a line of its own, and {other} has this one too",
                             ("instruments", name, "link"))  # fmt: skip
+
+    def meet_group(self) -> None:
+        """See that locks lie where the group of `[safety]` finds them, if one is named. Raises InputError."""
+        if self.config.simulated:
+            return
+        try:
+            ports.meet(self.config.safety.group, self.config.safety.runtime)
+        except InputError as error:
+            self.refuse(error.what, ("safety", "group"))
 
     def link(self, name: str) -> Link:
         """The link of one instrument; instruments that state the same link share it."""
@@ -228,6 +237,7 @@ def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
         raise InputError("a virtual clock is for a bench whose links are all emulated", file=path)
     loader = Loader(path, config, clock, seed or 0)
     loader.look_over()  # what is wrong with the file is said here, not by another process
+    loader.meet_group()
     with ExitStack() as on_failure:
         guardian = _guardian(loader)
         if guardian is not None:

@@ -37,6 +37,8 @@ def coils_off(path: Path) -> list[AtZero]:
             if (guardian := guarding(path)) is not None:
                 return _asked(guardian)
         config = _readable(path)
+        with suppress(InputError):  # the group's folder is not there: it goes on without
+            ports.meet(config.safety.group, config.safety.runtime)
         real = config.guarded_links
         with suppress(OSError):
             if (guardian := found(real)) is not None:

@@ -109,7 +109,7 @@ class Watch:
 def take_over(url: str, how: str) -> None:
     """Wait until the port of the guardian before is free; one that hangs is killed."""
     card = ports.holder(url) or {}
-    if how == "silent" and "pid" in card:
+    if how == "silent" and "pid" in card and ports.holding(url) in (None, card["pid"]):  # what a card says is no proof
         note(f"guardian {card['pid']} hangs and is killed")
         with suppress(OSError):
             os.kill(card["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
@@ -124,6 +124,8 @@ def main(path: Path, how: str) -> None:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     config, fingerprint, handed = read_config(path), wire.fingerprint(path), Handover()
+    with suppress(InputError):  # a session has been told; who takes over does so without the group's folder too
+        ports.meet(config.safety.group, config.safety.runtime)
     urls = config.guarded_links
     if how == STANDBY:
         with suppress(InputError):
