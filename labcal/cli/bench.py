@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.table import Table
 
 from labcal.cli import DONE, INSTRUMENT_FAILED, app
+from labcal.cli.results import FORCE
 
 bench = typer.Typer(help="Instruments: check, serve emulated ones, coils off.", no_args_is_help=True)
 app.add_typer(bench, name="bench", rich_help_panel="Bench")
@@ -34,11 +35,12 @@ def check(file: Path = FILE) -> None:
 def serve(
     file: Path = FILE,
     out: Path = typer.Option(..., "--out", metavar="SERVED.toml", help="The bench file with the served links."),
+    force: bool = FORCE,
 ) -> None:
     """Serve FILE's emulated instruments on TCP ports and ptys until Ctrl-C."""
     from labcal.session import serve_bench
 
-    serve_bench(file, out, lambda: print("ready", flush=True))
+    serve_bench(file, out, lambda: print("ready", flush=True), force=force)
 
 
 @bench.command()
@@ -60,10 +62,11 @@ def cage(
     out: Path = typer.Option(
         ..., "--out", metavar="CAGE.json", help="The file for `[cage] calibration` of bench.toml."
     ),
+    force: bool = FORCE,
 ) -> None:
     """Approve the cage calibration of RUN, a draft until then."""
     from labcal.session import approve_cage
 
-    found = approve_cage(run, name, out)
+    found = approve_cage(run, name, out, force=force)
     print(f"{out}: the cage as run {found.run_id} found it, approved by {found.approved_by}")
     print(f'Put calibration = "{out.name}" into [cage] of the bench file, in place of its matrix.')

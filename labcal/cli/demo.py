@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from labcal.cli import app
+from labcal.cli.results import FORCE
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -22,13 +23,16 @@ if TYPE_CHECKING:
 def demo(
     seed: int = typer.Option(0, min=0, help="Repeats everything: the simulated lab and the effect that it hides."),
     out: Path = typer.Option(Path("demo-out"), metavar="DIR", help="The folder for what the demo writes."),
+    force: bool = FORCE,
 ) -> None:
     """Run the whole preflight on the simulated bench: cage check, record, fit, close the loop, sign, verify, report."""
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     from labcal.demo import demo as run_demo
+    from labcal.demo_folder import make_room
 
+    make_room(out, force=force)
     began = time.monotonic()
     columns = (TextColumn("{task.description:<34}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=Console(stderr=True)) as progress:

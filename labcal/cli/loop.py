@@ -10,8 +10,10 @@ import typer
 
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.progress import shown
-from labcal.cli.results import JSON, write_json
+from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.errors import InputError
+from labcal.outputs import claim
+from labcal.toml_file import named_files
 
 if TYPE_CHECKING:
     from labcal.loop import ClosedLoop
@@ -32,25 +34,28 @@ def close_loop(
     bench: Path | None = typer.Option(None, help="The bench to measure on."),
     yes: bool = typer.Option(False, "--yes", help="Agree to the plans; on a real bench prompts still need a person."),
     seed: int | None = typer.Option(None, help="Of the simulated lab: that of the run."),
+    force: bool = FORCE,
 ) -> int:
     """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
     from labcal import session
 
+    read = [*session.paths(run), *(named_files(bench) if bench else ())]
+    claim("close-loop", out, report, json_path(json_file), inputs=read, force=force)  # before the work, not after it
     if measure:
         if bench is None:
             raise InputError("--measure needs a bench: say --bench FILE")
-        closed = _measuring(run, bench, out, report, seed, sure=yes)
+        closed = _measuring(run, bench, out, report, seed, sure=yes, force=force)
     else:
-        closed = session.close_loop(run, out, _progress, report=report)
+        closed = session.close_loop(run, out, _progress, report=report, force=force)
     if json_file is not None:
-        write_json(closed.to_json(), json_file)
+        write_json(closed.to_json(), json_file, "close-loop", inputs=read, force=force)
     if json_file != "-":
         _show(closed)
     return DONE if closed.done else NEGATIVE
 
 
 def _measuring(
-    run: str, bench: Path, out: Path | None, report: Path | None, seed: int | None, *, sure: bool
+    run: str, bench: Path, out: Path | None, report: Path | None, seed: int | None, *, sure: bool, force: bool
 ) -> ClosedLoop:
     """Plans and progress go to stderr, for stdout belongs to the result."""
     from labcal.measuring import Talk, close_by_measuring
@@ -71,7 +76,7 @@ def _measuring(
     with shown("bar") as display:
         answer = display.ask if sys.stdin.isatty() and not sure else None
         talk = Talk(consent, answer, display.tell, progress)
-        return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed)
+        return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed, force=force)
 
 
 def _progress(step: str) -> None:

@@ -13,7 +13,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from labcal.cli import app
-from labcal.cli.results import JSON, write_json
+from labcal.cli.results import FORCE, JSON, write_json
 
 RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the path of a bundle.")
 
@@ -28,7 +28,7 @@ class Format(StrEnum):
 
 
 @app.command(rich_help_panel="Runs")
-def runs(json: str | None = JSON) -> None:
+def runs(json: str | None = JSON, force: bool = FORCE) -> None:
     """List the runs of the store, the oldest first, with how each ended."""
     from dataclasses import asdict
 
@@ -36,7 +36,7 @@ def runs(json: str | None = JSON) -> None:
 
     found = session.runs()
     if json is not None:
-        return write_json([asdict(run) for run in found], json)
+        return write_json([asdict(run) for run in found], json, "runs", force=force)
     table = Table("run", "started", "status", "DUT", "procedure", "operator")
     for run in found:
         procedure = f"{run.procedure} (simulated)" if run.simulated else run.procedure
@@ -45,13 +45,13 @@ def runs(json: str | None = JSON) -> None:
 
 
 @app.command(rich_help_panel="Runs")
-def show(run: str = RUN, json: str | None = JSON) -> None:
+def show(run: str = RUN, json: str | None = JSON, force: bool = FORCE) -> None:
     """Show what a run is: DUT, reference, segments and what each offers, channels, measurements."""
     from labcal import session
 
     told = session.describe_run(run)
     if json is not None:
-        return write_json(told, json)
+        return write_json(told, json, "show", inputs=session.paths(run), force=force)
     console = _console()
     for table in (_head(told), _segments(told), _channels(told), _measurements(told)):
         if table.row_count:
@@ -72,11 +72,12 @@ def export(
     run: str = RUN,
     format_: Format = typer.Option(..., "--format", help="bundle, csv (its samples), hdf5 or mat."),
     out: Path = typer.Option(..., "--out", metavar="PATH", help="Where to; a bundle is a zip where it ends in .zip."),
+    force: bool = FORCE,
 ) -> None:
     """Write a run for other programs; the same run gives the same bytes."""
     from labcal import session
 
-    session.export_run(run, format_.value, out)
+    session.export_run(run, format_.value, out, force=force)
     print(out)
 
 

@@ -10,8 +10,10 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
 
+from labcal.files import replacing
 from labcal.gui.widgets import button
 from labcal.gui.words import say
+from labcal.outputs import claim
 
 PICTURE = "PNG (*.png)"
 
@@ -33,8 +35,14 @@ def take_away(parent: QWidget, picture: Callable[[], QWidget]) -> tuple[QPushBut
 
 
 def save(picture: QWidget, out: str) -> None:
-    """Write a picture to the .png file `out`."""
-    picture.grab().save(out if out.lower().endswith(".png") else f"{out}.png", "PNG")
+    """Write a picture to the .png file `out`, whole or not at all; a dialogue has asked for just this name.
+
+    Raises InputError where no picture may lie there.
+    """
+    named = out if out.lower().endswith(".png") else f"{out}.png"
+    [output] = claim("picture", Path(named), force=named == out)
+    with output.writing() as file, replacing(file) as part:
+        picture.grab().save(str(part), "PNG")
 
 
 def numbers(picture: QWidget) -> str:

@@ -1,6 +1,15 @@
 """Keeping what was measured: bundles for exchange and the live store."""
 
-from labcal.store.bundle import Bundle, bundle_of, bundle_sha256, load_bundle, read_bundle, save_bundle, write_bundle
+from labcal.store.bundle import (
+    Bundle,
+    bundle_files,
+    bundle_of,
+    bundle_sha256,
+    load_bundle,
+    read_bundle,
+    save_bundle,
+    write_bundle,
+)
 from labcal.store.live import RunSummary, Store
 from labcal.store.summary import describe
 from labcal.store.table import Table, read_table
@@ -12,6 +21,7 @@ __all__ = [
     "RunWriter",
     "Store",
     "Table",
+    "bundle_files",
     "bundle_of",
     "bundle_sha256",
     "describe",
