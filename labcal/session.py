@@ -20,7 +20,7 @@ from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
-from labcal.files import replaceable, write_bytes
+from labcal.files import write_bytes
 from labcal.fit import Fit
 from labcal.home import home
 from labcal.loop import ClosedLoop
@@ -157,17 +157,7 @@ def hand_out(calibration: Path, folder: Path) -> None:
 
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
-    [trust] = claim("hand out", folder / "allowed_signers")
-    copies = {folder / f.name: f.read_bytes() for f in (calibration, *certificate.signature_files(calibration))}
-    for copy, content in copies.items():
-        replaceable(copy)
-        if copy.exists() and copy.read_bytes() != content:
-            raise InputError("another file of this name is there already", file=copy)
-    for copy, content in copies.items():
-        write_bytes(copy, content)
-    with trust.writing():
-        lines = [entry.signer.line() for entry in trusted_keys() if not entry.revoked]
-        write_bytes(trust.path, "".join(f"{line}\n" for line in lines).encode())
+    certificate.hand_out(calibration, folder, [entry.signer for entry in trusted_keys() if not entry.revoked])
 
 
 def import_bundle(path: Path) -> str:
@@ -185,7 +175,7 @@ def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: 
         if format_ == "bundle":
             save_bundle(bundle, out)
         elif format_ == "csv":
-            write_bytes(out, bundle.samples_csv)
+            write_bytes(out, export.csv_table(bundle))
         else:
             write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
 

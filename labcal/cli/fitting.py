@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,7 @@ import typer
 
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.results import FORCE, JSON, json_path, write_json
+from labcal.cli.screen import console, say
 from labcal.outputs import claim
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def fit(
     chosen = next((f for f in fits if f.method == "ml"), fits[0])
     if out is not None and chosen.ok:
         session.draft(run, chosen, out, force=force)
-        print(f"draft calibration: {out}", file=sys.stderr)
+        say(f"draft calibration: {out}", err=True)
     return DONE if chosen.ok else NEGATIVE
 
 
@@ -64,7 +64,6 @@ def apply(
 
 
 def _show_fits(fits: list[Fit]) -> None:
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(box=None)
@@ -72,15 +71,15 @@ def _show_fits(fits: list[Fit]) -> None:
         table.add_column(name, no_wrap=True, justify="left" if name in ("Method", "Frame") else "right")
     for found in fits:
         table.add_row(found.method, *_cells(found)) if found.ok else table.add_row(found.method, "none", style="yellow")
-    console = Console()
-    console.print(table)
-    console.print(FIT_WORDS, style="dim", highlight=False)
+    screen = console()
+    screen.print(table)
+    screen.print(FIT_WORDS, style="dim", highlight=False)
     why_not: dict[str, list[str]] = {}
     for found in fits:
         if not found.ok:
             why_not.setdefault(str(found.why_not), []).append(found.method)
     for reason, methods in why_not.items():
-        console.print(f"{', '.join(methods)}: {reason}", style="yellow", highlight=False)
+        screen.print(f"{', '.join(methods)}: {reason}", style="yellow", highlight=False)
 
 
 def _cells(found: Fit) -> tuple[str, ...]:
@@ -94,4 +93,4 @@ def _show_applied(applied: Applied, out: Path) -> None:
 
     counts = Counter(word for flag in applied.flags for word in flag.split())
     flagged = ", ".join(f"{word} {n}" for word, n in counts.most_common()) or "none"
-    print(f"{len(applied.flags)} rows corrected into {out}; flagged: {flagged}")
+    say(f"{len(applied.flags)} rows corrected into {out}; flagged: {flagged}")

@@ -11,6 +11,7 @@ import typer
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.progress import shown
 from labcal.cli.results import FORCE, JSON, json_path, write_json
+from labcal.cli.screen import console, say, say_lines
 from labcal.errors import InputError
 from labcal.outputs import claim
 from labcal.toml_file import named_files
@@ -62,7 +63,7 @@ def _measuring(
 
     def consent(plan: Rehearsal) -> bool:
         with display.aside():
-            print("\n".join(["The plan:", *(f"  {line}" for line in plan.lines())]), file=sys.stderr)
+            say_lines(["The plan:", *(f"  {line}" for line in plan.lines())], err=True)
             if sure or (plan.simulated and not sys.stdin.isatty()):
                 return True
             if not sys.stdin.isatty():
@@ -81,20 +82,19 @@ def _measuring(
 
 def _progress(step: str) -> None:
     if sys.stderr.isatty():
-        print(f"{step} …", file=sys.stderr)
+        say(f"{step} …", err=True)
 
 
 def _show(closed: ClosedLoop) -> None:
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console()
-    console.print(f"{closed.verdict}: {closed.summary}", highlight=False)
+    screen = console()
+    screen.print(f"{closed.verdict}: {closed.summary}", highlight=False)
     table = Table("", "in sample nT", "held out nT", box=None)
     for when, errors in (("before", closed.before), ("after", closed.after)):
         table.add_row(when, f"{errors.train_rms_nT:.1f}", f"{errors.holdout_rms_nT:.1f}")
     table.add_row("noise alone", "", f"{closed.noise_floor_nT:.1f}")
-    console.print(table)
+    screen.print(table)
     if closed.accepted:
         effects = Table("Cause", "Channel", "Parameter", "Value", "u", "Unit", box=None)
         for effect in closed.accepted:
@@ -102,11 +102,11 @@ def _show(closed: ClosedLoop) -> None:
             for number, p in enumerate(effect.parameters):
                 first = (name, ", ".join(effect.channels)) if number == 0 else ("", "")
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
-        console.print(effects)
+        screen.print(effects)
     for remark in closed.remarks:
         if remark not in closed.summary:
-            console.print(remark, highlight=False)
+            screen.print(remark, highlight=False)
     for done in closed.rounds:
-        console.print(f"Measured: {done.procedure} (run {done.run_id}), then {done.verdict}.", highlight=False)
+        screen.print(f"Measured: {done.procedure} (run {done.run_id}), then {done.verdict}.", highlight=False)
     if closed.next_experiment is not None:
-        console.print(f"Next: {closed.next_experiment.do} ({closed.next_experiment.why}).", highlight=False)
+        screen.print(f"Next: {closed.next_experiment.do} ({closed.next_experiment.why}).", highlight=False)

@@ -8,6 +8,7 @@ import typer
 
 from labcal.cli import app
 from labcal.cli.results import FORCE
+from labcal.cli.screen import say
 
 
 @app.command(rich_help_panel="Certificate")
@@ -21,4 +22,4 @@ def report(
     from labcal import session
 
     session.report(source, out, allowed_signers, force=force)
-    print(out)
+    say(out)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import typer
 
 from labcal.files import write_text
 from labcal.outputs import claim
+from labcal.plain import escaped
 
 JSON = typer.Option(None, "--json", metavar="FILE", help="Write the result as JSON to FILE; - is standard output.")
 FORCE = typer.Option(
@@ -23,9 +25,9 @@ def write_json(result: Any, where: str, command: str, *, inputs: Iterable[Path] 
 
     Raises InputError where `command`, which read `inputs`, may not write there (`labcal.outputs`).
     """
-    text = json.dumps(result, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    text = escaped(json.dumps(result, indent=1, ensure_ascii=False, allow_nan=False)) + "\n"
     if where == "-":
-        print(text, end="")
+        sys.stdout.write(text)
         return
     [output] = claim(command, Path(where), inputs=inputs, force=force)
     with output.writing() as file:

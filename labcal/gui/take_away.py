@@ -14,6 +14,8 @@ from labcal.files import replacing
 from labcal.gui.widgets import button
 from labcal.gui.words import say
 from labcal.outputs import claim
+from labcal.plain import one_line
+from labcal.spreadsheet import shielded
 
 PICTURE = "PNG (*.png)"
 
@@ -50,7 +52,7 @@ def numbers(picture: QWidget) -> str:
     columns: list[list[str]] = []
     plots = [picture] if isinstance(picture, pg.PlotWidget) else picture.findChildren(pg.PlotWidget)
     for plot in plots:
-        names = [plot.getPlotItem().getAxis(side).labelText for side in ("bottom", "left")]
+        names = [shielded(one_line(plot.getPlotItem().getAxis(side).labelText)) for side in ("bottom", "left")]
         for item in plot.getPlotItem().items:
             columns += [[name, *texts(values)] for name, values in zip(names, points(item), strict=False)]
     return "\n".join("\t".join(row) for row in zip_longest(*columns, fillvalue=""))
