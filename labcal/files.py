@@ -57,7 +57,11 @@ def replaceable(path: Path) -> None:
 
 def _beside(path: Path) -> Path:
     """An empty file of a new name in the folder of `path`."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:60]}.", suffix=".part")
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:60]}.", suffix=".part")
+    except OSError as error:
+        error.filename = str(path)
+        raise
     os.close(handle)
     return Path(name)
 

@@ -39,12 +39,15 @@ class Output:
 
     def check(self) -> None:
         """Raise InputError where the file may not be written, or only with `--force`."""
-        for name in {self.path, _real(self.path)}:
+        there = _real(self.path)  # also where a folder on the way is not there yet
+        for name in {self.path, there}:
             self._refuse_by_name(name)
-        self._refuse_inputs()
-        if not self.with_folder or self.path.parent.exists():
-            replaceable(self.path)
-        if self.path.exists() and not self.force and not _wrote(self.command, self.path):
+        if self.with_folder and there.parent == _real(home()):
+            self._refuse("would lie among what is labcal's own; name another folder")
+        self._refuse_inputs(there)
+        if not self.with_folder or there.exists():
+            replaceable(there if self.with_folder else self.path)
+        if there.exists() and not self.force and not _wrote(self.command, there):
             self._refuse("is there already; --force replaces it")
 
     @contextmanager
@@ -76,10 +79,10 @@ class Output:
         if signature := _signature_beside(name):
             self._refuse(f"is signed ({signature}): nothing replaces it, --force neither")
 
-    def _refuse_inputs(self) -> None:
+    def _refuse_inputs(self, there: Path) -> None:
         for given in self.inputs:
             for read in (given, *(_files_in(given) if given.is_dir() else ())):
-                if read.exists() and self.path.exists() and self.path.samefile(read):
+                if read.exists() and there.exists() and there.samefile(read):
                     self._refuse("is what this command reads: write the result to another file")
 
     def _refuse(self, what: str) -> NoReturn:

@@ -60,5 +60,6 @@ def where(error: BaseException) -> tuple[str | None, int | None]:
 
 def line_in(error: BaseException, file: Path) -> int | None:
     """The line of `file` where the fault came from."""
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if Path(frame.filename) == file]
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == file.resolve()]
     return lines[-1] if lines else None

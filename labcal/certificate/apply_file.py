@@ -39,6 +39,8 @@ def apply_file(calibration: Calibration, source: Path, out: Path) -> Applied:
     """
     if out.exists() and out.samefile(source):
         raise InputError("is the recording itself; write what is corrected to another file", file=out)
+    if source.is_char_device():
+        raise InputError("is a device, no recording", file=source)
     table = _table(calibration, source)
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is left empty
         applied = apply(calibration, _readings(table))

@@ -206,3 +206,17 @@ def test_the_same_command_replaces_what_it_wrote_and_nobody_touched(case: str, p
     assert out.read_bytes() != first + b" "
     other = next(c for c in FAST if c.split()[0] != case.split()[0] and "report" not in c)
     assert place.ask(other, out) == 2
+
+
+def test_a_way_through_a_folder_that_is_not_there_is_no_way_around(place: Place) -> None:
+    before = bytes_below(place.folder)
+    run = str(place.folder / "bundle")
+    for out in (run, "not there/../bundle", "./bundle/"):
+        assert labcal(["export", run, "--format", "bundle", "--out", out, "--force"]) == 2
+    assert bytes_below(place.folder) == before
+
+
+def test_a_bundle_lies_in_no_folder_of_labcal_s_own(place: Place, home_of_its_own: Path) -> None:
+    for out in (home_of_its_own, home_of_its_own / "keys"):
+        assert labcal(["export", str(place.folder / "bundle"), "--format", "bundle", "--out", str(out), "--force"]) == 2
+    assert not list(home_of_its_own.iterdir())
