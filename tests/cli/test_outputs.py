@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import re
 import shutil
 import sqlite3
 from collections.abc import Iterator
@@ -15,10 +16,12 @@ import typer
 from typer.models import OptionInfo
 
 import labcal.cli.commands
+from labcal import outputs
 from labcal.cli import _run as labcal
 from labcal.cli import app
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store import Store, write_bundle
+from labcal.store.live import FILE
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 SIMULATED = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -220,3 +223,10 @@ def test_a_bundle_lies_in_no_folder_of_labcal_s_own(place: Place, home_of_its_ow
     for out in (home_of_its_own, home_of_its_own / "keys"):
         assert labcal(["export", str(place.folder / "bundle"), "--format", "bundle", "--out", str(out), "--force"]) == 2
     assert not list(home_of_its_own.iterdir())
+
+
+def test_every_name_that_labcal_uses_in_its_folder_is_known_as_its_own() -> None:
+    texts = [file.read_text("utf-8") for file in Path(outputs.__file__).parent.rglob("*.py")]
+    names = {name for text in texts for name in re.findall(r'home\(\) / "([^"]+)"', text)}
+    assert names - {"calibrations"} <= set(outputs.OWN)
+    assert outputs.STORE == FILE
