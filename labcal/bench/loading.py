@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
 
+from labcal import outside
 from labcal.bench.bench import Bench, Reopens, temperatures_of
 from labcal.bench.cage_file import CageCalibration, calibrated
 from labcal.bench.clock import Clock, RealClock, VirtualClock
@@ -207,7 +208,10 @@ class Loader:
         if name not in found:
             what = "driver" if group == DRIVERS else "emulator" if group == EMULATORS else "twin"
             self.refuse(f"there is no {what} {name!r}; there are {', '.join(sorted(found))}", keys)
-        return found[name].load()
+        try:
+            return outside.load(found[name])
+        except InputError as error:
+            self.refuse(str(error), keys)
 
 
 @cache

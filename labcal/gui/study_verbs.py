@@ -87,7 +87,7 @@ def draft(talk: Talk, run: str, method: str) -> str:
     from labcal import session
 
     path = calibration_path(_run(run).run_id)
-    session.draft(run, _fit(run, method), path)
+    session.draft(run, _fit(run, method), path, force=True)  # a draft of the window's own
     return str(path)
 
 
@@ -98,7 +98,7 @@ def loop(talk: Talk, run: str) -> dict[str, Any]:
 
     measured = _run(run)
     path = calibration_path(measured.run_id)
-    closed = session.close_loop(run, path, lambda text: talk.say("progress", text=text))
+    closed = session.close_loop(run, path, lambda text: talk.say("progress", text=text), force=True)
     document = closed.to_json()
     write_text(path.with_suffix(".loop"), json.dumps(document))
     said = {"loop": document, "remarks": list(closed.remarks), "draft": str(path)}

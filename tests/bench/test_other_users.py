@@ -224,6 +224,7 @@ class Coils:
     coils, unresolved, energised, heard = {}, {}, False, []
     def zero(self, why, *, by_session=False): self.heard.append(why); return []
     def give_back(self): pass
+    def order_zero(self, why, *, by_session=False): pass
     def facts(self): return {}
     def set_current(self, axis, current_A): self.heard.append(current_A)
     identify = reopen = modbus = set_point = measure_current = output = facts

@@ -15,13 +15,14 @@ from queue import SimpleQueue
 
 from labcal.errors import InputError
 from labcal.home import file_at_home
+from labcal.plain import one_line
 
 _jobs: SimpleQueue[Callable[[], None]] = SimpleQueue()
 
 
 def note(text: str) -> None:
     """Append a line with the UTC time of now and the process."""
-    later(partial(_append, f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%S.%f}Z [{os.getpid()}] {text}\n"))
+    later(partial(_append, f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%S.%f}Z [{os.getpid()}] {one_line(text)}\n"))
 
 
 def later(write: Callable[[], None]) -> None:

@@ -19,7 +19,7 @@ from labcal.bench.links import devices, locks
 from labcal.bench.links.holders import connected, locker, process
 from labcal.bench.links.places import folders, meet, own_folder, runtime_folder, user, user_name
 from labcal.bench.links.urls import place, split
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 
 __all__ = [
     "announce", "announced", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of", "refuse_connected",
@@ -142,7 +142,10 @@ def refuse_connected(urls: Iterable[str]) -> None:
 
 
 def _connected(url: str) -> set[int]:
-    scheme, address, _ = split(url)
+    try:
+        scheme, address, _ = split(url)
+    except InputError:  # whoever opens it says so, with the line in the file
+        return set()
     if scheme not in ("tcp", "modbus-tcp") and not address.startswith("socket://"):
         return set()
     host, port = place(url, scheme, address.removeprefix("socket://"))
