@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
@@ -105,6 +105,7 @@ class Bench:
         self._limits: list[TemperatureLimit] = []
         self._field_limit = self._limit_of_the_field_seen()
         self._streaming = False
+        self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
         self._heard_s: dict[str, float] = {}  # what is polled, by name
         self._look = Look(self._at_rest_only(), self._ask_again)
@@ -218,6 +219,7 @@ class Bench:
 
     def _wait_until(self, t_s: float) -> None:
         while self._streaming and self.clock.now() < t_s:
+            self.look()
             self.clock.wait_until(min(t_s, self._next_angle_s, self._next_coils_s))
             self._poll()
         self.clock.wait_until(t_s)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import time
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
@@ -15,7 +16,8 @@ from pathlib import Path
 
 from labcal.bench.config import read_config
 from labcal.bench.links.ports import port_of
-from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Vector
+from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Vector, of_ends
+from labcal.bench.zero import AtZero
 from labcal.errors import InputError, InstrumentError
 from labcal.files import write_text
 from labcal.home import home
@@ -51,6 +53,11 @@ def doubt_of(path: Path) -> str:
     except (InputError, OSError):
         return ""
     return "" if doubt is None else f"{doubt.utc}, {doubt.words}"
+
+
+def left_so(path: Path, ended: Iterable[AtZero]) -> str:
+    """What may be said now of coils that ended so; no reference was asked, but a doubt that stands is told."""
+    return of_ends(ended, doubt_of(path)).sentence(time.monotonic())
 
 
 class Latch:

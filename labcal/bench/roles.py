@@ -96,6 +96,30 @@ class PolarityRelay(Instrument, Protocol):
 
 
 @runtime_checkable
+class Watched(Protocol):
+    """What switches off by itself where it is not heard in time: a supply with a watchdog, or an interlock."""
+
+    watchdog_s: float  # after so long a silence; 0 where it has none, or it is not used
+
+    def feed(self) -> None:
+        """Be heard: at least every third of `watchdog_s`. Raises InstrumentError where it is silent or has opened."""
+        ...
+
+
+@runtime_checkable
+class Interlock(Instrument, Watched, Protocol):
+    """A contact that lets the coils' currents through for `watchdog_s` after each beat, and falls open without."""
+
+    def arm(self) -> None:
+        """Close it, with the coils at zero. Raises InstrumentError where it would not fall open by itself."""
+        ...
+
+    def disarm(self) -> None:
+        """Open it now."""
+        ...
+
+
+@runtime_checkable
 class RotationPlatform(Instrument, Protocol):
     """The platform that turns the DUT; angles are the contract's: right-handed about the platform axis, degrees."""
 

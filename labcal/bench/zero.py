@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from typing import TypeVar
 
+from labcal.bench.at_zero import AtZero as AtZero  # what the way to zero ends with
 from labcal.bench.clock import Clock
 from labcal.bench.roles import CoilSupply, Unacknowledged
 from labcal.errors import InstrumentError
@@ -19,32 +19,6 @@ from labcal.errors import InstrumentError
 T = TypeVar("T")
 RAMP_STEP_S = 0.1
 ZERO_TIMEOUT_S = 1.0
-
-
-@dataclass(frozen=True, slots=True)
-class AtZero:
-    """How one axis ended. `fault` is what went wrong on the way; then `current_A` may be unknown (None).
-
-    `read_s`: when the current was read back, on `time.monotonic`.
-    """
-
-    axis: str
-    current_A: float | None
-    opened: bool
-    fault: InstrumentError | None = None
-    read_s: float | None = None
-
-    @property
-    def abrupt(self) -> bool:
-        """Whether it came to zero without its ramp: that changes the magnetic history of what is near."""
-        return self.fault is not None and self.current_A is not None
-
-    @property
-    def words(self) -> str:
-        """The end state in words: "zero, open", "zero, not open", or the fault."""
-        if self.fault is not None:
-            return str(self.fault)
-        return "zero, open" if self.opened else "zero, not open"
 
 
 def to_zero(

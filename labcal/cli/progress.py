@@ -9,9 +9,9 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Protocol
 
-from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn
 
+from labcal.cli.screen import console, say
 from labcal.errors import InputError
 
 if TYPE_CHECKING:
@@ -43,8 +43,8 @@ def shown(how: str) -> Iterator[Display]:
     if how != "bar":
         yield Lines() if how == "json" else Nothing()
         return
-    columns = (TextColumn("{task.description:<28}"), BarColumn(), TextColumn("{task.fields[left]}"))
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    columns = (TextColumn("{task.description:<28}", markup=False), BarColumn(), TextColumn("{task.fields[left]}"))
+    with Progress(*columns, console=console(stderr=True), transient=True) as progress:
         yield Bar(progress)
 
 
@@ -77,7 +77,7 @@ class Lines(Nothing):
             return
         verdict = {"verdict": item.verdict} if isinstance(item, Measurement) else {}
         said = {"item": type(item).__name__.lower(), **asdict(item), **verdict}
-        print(json.dumps(said, default=str), file=sys.stderr, flush=True)
+        say(json.dumps(said, default=str), err=True)
 
 
 class Bar(Nothing):
@@ -127,7 +127,7 @@ def _until_valid(prompt: Prompt) -> str:
     choices, only = "/".join(prompt.choices), len(prompt.choices) == 1
     shown = f" [{choices}{', or Enter' if only else ''}]" if choices else ""
     while True:
-        print(f"{prompt.text}{shown} ", end="", file=sys.stderr, flush=True)
+        say(f"{prompt.text}{shown} ", end="", err=True)
         given = sys.stdin.readline()
         if not given:
             raise InputError(f"nobody answered: {prompt.text}")
@@ -138,4 +138,4 @@ def _until_valid(prompt: Prompt) -> str:
             return prompt.choices[0]
         if said.lower() in prompt.choices:
             return said.lower()
-        print(f"{said!r} is no answer here: say {choices}.", file=sys.stderr)
+        say(f"{said!r} is no answer here: say {choices}.", err=True)

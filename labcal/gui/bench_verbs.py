@@ -118,15 +118,16 @@ def plan(talk: Talk, procedure: str, bench: str, given: Mapping[str, str], seed:
 
 
 def procedures(talk: Talk) -> list[dict[str, Any]]:
-    """What there is to run, with what each may be told."""
-    from labcal.runner import procedures as installed
+    """What there is to run, with what each may be told; of one that does not load its name and the fault."""
+    from labcal.runner import catalogue
 
     def words(found: Found) -> dict[str, Any]:
         parameters = [asdict(p) for p in found.parameters]
         said = ("name", "title", "resumable", "needs", "lasts_min")
         return {name: getattr(found, name) for name in said} | {"parameters": parameters}
 
-    return [words(found) for found in installed().values()]
+    found, broken = catalogue()
+    return [words(one) for one in found.values()] + [{"name": name, "fault": str(e)} for name, e in broken.items()]
 
 
 VERBS: dict[str, Callable[..., Any]] = {

@@ -9,9 +9,10 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
 
 from labcal.gui.wire import Fault
+from labcal.home import SECRETS
 
 Then = Callable[[Any], None]
 AT_MOST_S = 0.01  # of one turn of the event loop for what the worker said
@@ -63,6 +64,7 @@ class Client(QObject):
         process.readyReadStandardError.connect(self._read_errors)
         process.finished.connect(self._ended)
         process.errorOccurred.connect(self._not_started)
+        process.setProcessEnvironment(_environment())
         self._process, self._errors, self._begun = process, "", b""
         process.start(sys.executable, list(self._command))
 
@@ -160,3 +162,10 @@ class Client(QObject):
         waiting, self._open = list(self._open.values()), {}
         for _, failed in waiting:
             failed(Fault("crash", text, "", self._errors))
+
+
+def _environment() -> QProcessEnvironment:
+    found = QProcessEnvironment.systemEnvironment()
+    for name in SECRETS:
+        found.remove(name)
+    return found

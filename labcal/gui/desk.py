@@ -21,7 +21,7 @@ from labcal.gui.lab_vm import LabViewModel, Light
 from labcal.gui.run_vm import Order, RunViewModel
 from labcal.gui.study_vm import StudyViewModel
 from labcal.gui.wire import Fault, fault_of
-from labcal.home import home
+from labcal.home import file_at_home
 
 SILENT_S = 2.0
 AGES_MS = 500  # what was read grows old
@@ -43,7 +43,7 @@ class Desk(QObject):
 
     def __init__(self, settings: QSettings | None = None) -> None:
         super().__init__()
-        self.settings = settings or QSettings(str(home() / "window.ini"), QSettings.Format.IniFormat)
+        self.settings = settings or QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
         self.clerk, self.bench_worker, self.study, self.switch = Client(self), Client(self), Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.study_vm = StudyViewModel(self.study)
@@ -241,7 +241,7 @@ class Desk(QObject):
         failed = "" if said.startswith(state.NOT_BY_REFERENCE) else said  # the witness has not failed
 
         def light(name: str, role: str) -> tuple[str, Light, str]:
-            source = "cage" if role.startswith("coil") or role == "polarity" else name
+            source = "cage" if role.startswith("coil") or role in ("polarity", "interlock") else name
             if name in failed:
                 return name, "fault", self.tr("failed")
             if name in wrong and self.run.alive:

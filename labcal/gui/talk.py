@@ -52,7 +52,7 @@ class Talk:
         self._on_bench, self.hold_when_paused, self.control = True, simulated, Control()
 
     def off_bench(self) -> None:
-        """The coils are at zero and the links are closed."""
+        """The run has ended and the links are closed."""
         self.flush()
         self._on_bench = False
 

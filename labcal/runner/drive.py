@@ -6,7 +6,7 @@ import queue
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing, suppress
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -15,9 +15,9 @@ from labcal.bench.cage import Cage
 from labcal.bench.clock import VirtualClock
 from labcal.bench.state import NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
-from labcal.errors import InstrumentError, Stopped
+from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
-from labcal.runner.control import Aborted, Control, Left
+from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
@@ -36,7 +36,10 @@ class Ending:
 
 @dataclass
 class Drive:
-    """One procedure on one bench into one record. `offset_s` shifts the bench's time onto the run's."""
+    """One procedure on one bench into one record. `offset_s` shifts the bench's time onto the run's.
+
+    `kept` raises as `write` does where what was written does not reach the disk; neither ever waits for it.
+    """
 
     bench: Bench
     write: Callable[[Item], None]
@@ -45,11 +48,13 @@ class Drive:
     tell: Tell = lambda item: None
     show: Show = lambda state: None  # how the lab is, by the computer's monotonic clock
     offset_s: float = 0.0
+    kept: Callable[[], None] = lambda: None
     _reply: str | None = field(default=None, init=False)
     state: LabState | None = field(default=None, init=False)  # of the lab, as the run left it, on the bench's clock
     read_at_s: float = field(default=0.0, init=False)
     _at_zero: bool = field(default=False, init=False)
     _said: str = field(default="", init=False)
+    _rows_wait: bool = field(default=False, init=False)
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -61,6 +66,7 @@ class Drive:
         try:
             with closing(procedure):
                 self.bench.start()
+                self.bench.look = self._look
                 for item in self._items(procedure):
                     self._refuse_mode(item)
                     self._keep(item)
@@ -72,6 +78,8 @@ class Drive:
             return Ending("finished")
         except Left as fault:
             return Ending("interrupted", fault)
+        except NotKept as fault:
+            return Ending("interrupted", fault.fault)
         except Aborted as fault:
             return Ending(f"failed: {fault}", fault)
         except (Stopped, KeyboardInterrupt) as fault:
@@ -104,7 +112,8 @@ class Drive:
 
     def _keep(self, item: Item) -> None:
         item = _later(item, self.offset_s) if self.offset_s else item
-        self.write(item)
+        with self._zero_unless_kept():
+            self.write(item)
         self.tell(item)
         for text, data in self.control.notes():
             self._keep(self._event("note", text, **data))
@@ -160,6 +169,23 @@ class Drive:
                 self.bench.cage.zero()
             raise
 
+    def _look(self) -> None:
+        with self._zero_unless_kept():
+            self.kept()
+
+    @contextmanager
+    def _zero_unless_kept(self) -> Iterator[None]:
+        """Where the record is not kept the coils go to zero before anybody hears of it; from then on rows only wait."""
+        try:
+            yield
+        except (InputError, InstrumentError) as fault:
+            if self._rows_wait:
+                return
+            self._rows_wait = True
+            with suppress(Exception):  # tried again, and told, on the way to rest
+                self.bench.cage.zero()
+            raise NotKept(fault) from None
+
     def _listen(self) -> None:
         self._check()
         for block in self.bench.stream_until(self.bench.clock.now() + LISTEN_S):
@@ -177,6 +203,7 @@ class Drive:
     def _at_rest(self, ending: Ending) -> Ending:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
         bench, faults = self.bench, list[Exception]()
+        self._rows_wait = True  # whoever writes the last one tells where that cannot be
         for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop):
             try:
                 come_to_rest()

@@ -15,6 +15,7 @@ import numpy as np
 
 import labcal
 from labcal.bench.bench import Bench
+from labcal.bench.clock import VirtualClock
 from labcal.bench.parameters import settings
 from labcal.bench.roles import Identity
 from labcal.bench.state import NOT_READ, LabState
@@ -31,6 +32,7 @@ from labcal.store import RunWriter, Store
 
 RESUMED, INTERRUPTED = "resumed", "interrupted"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
+LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
 
@@ -82,7 +84,7 @@ def run_procedure(
 
     `filled` are keywords that no text can state, such as a calibration that was read from its file.
     Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
-    wrong later is in the Outcome, and the coils are at zero.
+    wrong later is in the Outcome, and so is how the coils were left.
     """
     values = settings(procedure.parameters, given)
     _refuse_modes(bench, values)
@@ -167,7 +169,9 @@ def _drive(
     offset_s: float,
 ) -> Outcome:
     seen = _Seen(tell)
-    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s)
+    if not isinstance(bench.clock, VirtualClock):
+        writer.late_s = LATE_S
+    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s, writer.check)
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)

@@ -184,7 +184,7 @@ runpy.run_module("labcal.bench.guardian", run_name="__main__")
 
 
 def test_a_guardian_that_fails_lets_go_of_its_ports_though_somebody_waits_for_it(tmp_path: Path) -> None:
-    link = f"tcp://{tmp_path.name}:1"
+    link = f"tcp://{'-'.join(tmp_path.parts[-3:])}:1"  # nobody else tests with it
     text = EXAMPLE.read_text(encoding="utf-8")
     file = tmp_path / "bench.toml"
     file.write_text(text[: text.rindex("[twin]")].replace("emulated://", link, 1), encoding="utf-8")

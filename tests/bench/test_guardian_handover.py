@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import re
+import signal
+import subprocess
+import sys
 import threading
+import time
 from collections.abc import Iterator
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -53,6 +59,30 @@ def test_one_that_is_silent_is_replaced_with_what_it_said_last(monkeypatch: pyte
     monkeypatch.setattr(threading.Thread, "start", begun)  # what was said has been heard before the silence is timed
     assert stand_by(said(), hung_s=0.01) == ("silent", KNOWN)
     over.set()
+
+
+LISTENS = """
+import sys
+from labcal.bench.guardian.handover import stand_by
+print("listening", flush=True)
+print(stand_by(sys.stdin, hung_s=5.0)[0])
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGSTOP, which Windows lacks")
+def test_who_was_stopped_itself_replaces_nobody_when_it_wakes() -> None:
+    with subprocess.Popen([sys.executable, "-c", LISTENS], stdin=-1, stdout=-1, text=True, bufsize=1) as standby:
+        assert standby.stdin is not None
+        assert standby.stdout is not None
+        assert standby.stdout.readline() == "listening\n"
+        standby.stdin.write(KNOWN.line() + "\n")
+        os.kill(standby.pid, signal.SIGSTOP)
+        time.sleep(6.0)  # longer than a guardian may be silent, and nothing is said meanwhile
+        os.kill(standby.pid, signal.SIGCONT)
+        time.sleep(1.0)
+        with suppress(BrokenPipeError):
+            standby.stdin.write(DONE + "\n")
+        assert standby.stdout.read() == f"{DONE}\n"
 
 
 class Pair:

@@ -55,11 +55,13 @@ class Watch:
         self._guardian.zero("a guardian was killed, its successor begins" if self._succeeds else "a session begins")
         server.ready.set()
         self._standbys.start()
+        self._guardian.heartbeats.start()
         try:
             self._watch(server)
         finally:
             wire.unlisten(listener, card)
             self._standbys.dismiss()
+            self._guardian.heartbeats.stop()
             self._guardian.close()
 
     def _watch(self, server: Server) -> None:
@@ -70,6 +72,7 @@ class Watch:
             time.sleep(LOOK_S)
             in_doubt = in_doubt or self._guardian.energised
             self._look_after(server)
+            self._look_at_heartbeats()
             self._guardian.look_at_duty()
             if self._guardian.unresolved and time.monotonic() - retried > RETRY_S:
                 self._guardian.try_again()
@@ -81,6 +84,13 @@ class Watch:
             needless = server.dismissed.is_set() or (server.session is None and lonely)
             if needless and not (in_doubt and self._guardian.unresolved):
                 return
+
+    def _look_at_heartbeats(self) -> None:
+        """Let them know that this loop lives; zero where one went wrong."""
+        guardian = self._guardian
+        guardian.heartbeats.see(at_rest=not guardian.energised, in_doubt=bool(guardian.unresolved))
+        if (fault := guardian.heartbeats.fault) is not None and guardian.energised:
+            guardian.zero(fault.what, fault=fault)
 
     def _look_after(self, server: Server) -> None:
         """Zero where the session is gone, or silent for longer than the ramp leaves of two seconds."""
@@ -99,7 +109,7 @@ class Watch:
 def take_over(url: str, how: str) -> None:
     """Wait until the port of the guardian before is free; one that hangs is killed."""
     card = ports.holder(url) or {}
-    if how == "silent" and "pid" in card:
+    if how == "silent" and "pid" in card and ports.holding(url) in (None, card["pid"]):  # what a card says is no proof
         note(f"guardian {card['pid']} hangs and is killed")
         with suppress(OSError):
             os.kill(card["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
@@ -114,6 +124,8 @@ def main(path: Path, how: str) -> None:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     config, fingerprint, handed = read_config(path), wire.fingerprint(path), Handover()
+    with suppress(InputError):  # a session has been told; who takes over does so without the group's folder too
+        ports.meet(config.safety.group, config.safety.runtime)
     urls = config.guarded_links
     if how == STANDBY:
         with suppress(InputError):

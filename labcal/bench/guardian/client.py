@@ -11,17 +11,20 @@ import time
 from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from labcal.bench.clock import Clock
-from labcal.bench.config import BenchConfig
+from labcal.bench.at_zero import AtZero
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
-from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
 
+if TYPE_CHECKING:
+    from labcal.bench.clock import Clock
+    from labcal.bench.config import BenchConfig
+
 BEAT_S = 0.05
+NOBODY_THERE = (FileNotFoundError, ConnectionRefusedError, BlockingIOError, PermissionError, socket.timeout)
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S = 20.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
@@ -32,15 +35,22 @@ LOST = InstrumentError(
     remedy="See guardian.log; start the run again.",
 )
 
+NOT_OURS = InstrumentError(
+    "another user's process answers as the guardian of this bench; it is not believed.",
+    fault="in use",
+    remedy="See in the folder of [safety] whose it is; `labcal bench off` sets zero.",
+)
+
 
 class Connection:
     """One connection to a living guardian. Raises OSError where it is gone."""
 
     def __init__(self, card: wire.Card) -> None:
         self._socket = wire.connect(card, 2.0)
+        self.uid = wire.peer(self._socket)  # whose guardian it is
         self._socket.settimeout(None)
         self._received, self._number = b"", 0
-        self._socket.sendall(wire.packed({"token": card["token"]}))
+        self._socket.sendall(wire.packed({"token": card.get("token", "")}))
 
     def beat(self) -> None:
         """Let it be heard; a guardian whose ear is full has heard enough."""
@@ -162,6 +172,8 @@ class GuardianClient:
         if self._started is not None and self._started.poll() is None:
             return
         if all(ports.holder(url) is None for url in self._urls):
+            if not self._start_after_s:  # a successor asks nobody
+                ports.refuse_connected(self._urls)
             self._started = spawn(self._path, *([SUCCESSOR] if self._start_after_s else []))
 
     def _meet(self) -> dict[str, dict[str, Any]]:
@@ -175,6 +187,8 @@ class GuardianClient:
                 if (connection := found(self._urls)) is not None:
                     self._connection = connection
                     hello = self._replied(connection, "hello", {"who": me, "bench": wire.fingerprint(self._path)})
+                    if wire.another_user(connection.uid):
+                        raise NOT_OURS
                     return dict(hello["facts"])
                 if time.monotonic() > self._start_after_s:
                     self._start_another()
@@ -199,7 +213,12 @@ def ask_once(connection: Connection, order: str, **what: Any) -> Any:
     number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
     while (reply := connection.reply(number, 0.1)) is None:
         if time.monotonic() > deadline:
-            raise LOST
+            raise InstrumentError(
+                f"the guardian has not answered for {REPLY_S:g} s: it hangs, or was stopped; how the coils are is not "
+                "known.",
+                fault="guardian lost",
+                remedy="Switch the supplies off by hand; guardian.log names its process: end it, then say off again.",
+            )
     if "error" in reply:
         raise wire.fault_of(reply["error"])
     return reply["value"]
@@ -209,7 +228,7 @@ def found(urls: Iterable[str]) -> Connection | None:
     """A connection to the guardian that holds any of these ports; None where there is none (yet)."""
     for url in urls:
         if "address" in (card := ports.holder(url) or {}):
-            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
+            with suppress(*NOBODY_THERE):
                 return Connection(card)
     return None
 
@@ -218,6 +237,6 @@ def guarding(bench: Path) -> Connection | None:
     """A connection to the guardian that was started for this bench file, whatever the file says now."""
     for card in ports.announced():
         if card.get("bench") == str(bench.resolve()) and "address" in card:
-            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
+            with suppress(*NOBODY_THERE):
                 return Connection(card)
     return None

@@ -15,6 +15,7 @@ from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.guardian.coil import Coil
 from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.handover import Handover, Held
+from labcal.bench.guardian.heartbeat import Heartbeats
 from labcal.bench.guardian.limits import TogetherLimit
 from labcal.bench.guardian.lines import Line, open_lines, relay_of
 from labcal.bench.guardian.memory import Memory
@@ -33,6 +34,7 @@ class Guardian:
     def __init__(self, path: Path, config: BenchConfig, note: Note, handed: Handover | None = None) -> None:
         self._lines = open_lines(path, config)
         self._note = note
+        self.heartbeats = Heartbeats(config, self._lines, note)
         relay = relay_of(config, self._lines)
         names = {str(entry.role): name for name, entry in config.instruments.items()}
         limits = config.cage.limits
@@ -85,6 +87,8 @@ class Guardian:
         Zero is always accepted, and says that the session knows of the zero before.
         """
         coil = self.coils[axis]
+        if current_A != 0:
+            self.heartbeats.refuse()
         with coil.line.lock:
             if current_A == 0:
                 coil.tripped = None
@@ -108,6 +112,8 @@ class Guardian:
     def output(self, axis: str, on: bool) -> None:
         """Close or open the output, confirmed. Closing is refused while zero is not confirmed."""
         coil = self.coils[axis]
+        if on:
+            self.heartbeats.refuse()
         with coil.line.lock, coil.doubting():
             if on:
                 self._refuse(coil)

@@ -49,7 +49,8 @@ class Line:
                 try:
                     self._open[name] = self.loader.instrument(name)
                 except InputError as error:  # in the file; a session says so before it starts a guardian
-                    raise InstrumentError(f"{error}.", fault="not reached") from error
+                    remedy = "Correct the file and say off again, or switch this supply off by hand."
+                    raise InstrumentError(f"{error}.", fault="not reached", remedy=remedy) from error
             return self._open[name]
 
     def identify(self, name: str) -> Identity:

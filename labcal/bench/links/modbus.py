@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import logging
+import struct
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 from pymodbus.client.base import ModbusBaseSyncClient
 from pymodbus.exceptions import ModbusException
 from pymodbus.framer import FramerType
+from pymodbus.pdu.bit_message import WriteSingleCoilRequest
 from pymodbus.transport import CommParams, CommType
 
 from labcal.bench.clock import Clock
@@ -62,6 +64,12 @@ class ModbusLink:
     def write_coil(self, device: int, address: int, on: bool) -> None:
         """FC 05: on or off, never a toggle."""
         self._ask(5, lambda: self._client.write_coil(address, on, device_id=device), address)
+
+    def pulse(self, device: int, address: int, value: int) -> None:
+        """FC 05 with a number where on or off stands: some boards take a time so."""
+        request = _Pulse(address=address, bits=[True], dev_id=device)
+        request.value = value
+        self._ask(5, lambda: self._client.execute(False, request), address)
 
     def write_register(self, device: int, address: int, value: int) -> None:
         """FC 06."""
@@ -126,6 +134,15 @@ class ModbusLink:
 
     def _wait_for_quiet(self) -> None:
         wait_for_quiet(self._line, self._clock, self._quiet_s)
+
+
+class _Pulse(WriteSingleCoilRequest):
+    """A write of one coil with any value, which pymodbus itself turns into on or off."""
+
+    value = 0
+
+    def encode(self) -> bytes:
+        return struct.pack(">HH", self.address, self.value)
 
 
 class _LineClient(ModbusBaseSyncClient):
