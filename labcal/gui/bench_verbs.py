@@ -36,7 +36,7 @@ def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
 
 
 def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
-    """Ask every instrument who it is."""
+    """Ask every instrument who it is; where the reference did not see a zero, measure that again and say so in each."""
     from labcal import session
 
     def words(greeting: Any) -> dict[str, Any]:
@@ -44,7 +44,10 @@ def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
         said = ("name", "role", "link", "identity")
         return {name: getattr(greeting, name) for name in said} | {"fault": fault}
 
-    return [words(greeting) for greeting in session.greetings(Path(bench))]
+    answers = [words(greeting) for greeting in session.greetings(Path(bench))]
+    looked = session.look_again(Path(bench))
+    doubt = None if looked is None else {"words": looked.words, "lifted": looked.lifted}
+    return [answer | {"doubt": doubt} for answer in answers]
 
 
 def off(talk: Talk, bench: str) -> list[dict[str, Any]]:

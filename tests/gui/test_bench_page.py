@@ -59,3 +59,15 @@ def test_reconnect_lets_go_reads_the_file_again_and_asks_everybody(qtbot, still,
     said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
     assert said["supply_x"] == "✕ supply_x does not answer. Switch it on."
     assert said["stage"] == "✓ answers"
+
+
+def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench):
+    answer = {"name": "supply_x", "role": "coil-x", "link": "tcp://x", "identity": "a supply", "fault": None}
+    bench.check_all()
+    still.desk.switch.answer("greet", [answer | {"doubt": {"words": "NOT at zero by the reference", "lifted": False}}])
+    assert bench.fault.isVisible()
+    assert bench.fault.text.text() == "NOT at zero by the reference"
+    assert "--clear-as NAME" in bench.fault.remedy.text()
+    bench.check_all()
+    still.desk.switch.answer("greet", [answer | {"doubt": {"words": "they agree again", "lifted": True}}])
+    assert still.desk.lab.state.message == "they agree again"
