@@ -1,0 +1,37 @@
+"""What is wrong in a trial's record, in the words of the table."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from kinds import kinds
+
+LATE_S = 0.1  # of the machine itself, beyond which a trial says nothing about two seconds
+
+
+def in_time_can_be_told(record: dict[str, Any]) -> bool:
+    """Whether the machine let a process run that only sleeps: else no process could have been in time."""
+    return bool(record["machine_late_s"] <= LATE_S)
+
+
+def late_by_itself(record: dict[str, Any], took_s: float | None) -> bool:
+    """Whether it took longer than the limit, by more than the machine kept a process waiting meanwhile."""
+    return took_s is None or took_s > record["limit_s"] + record["machine_late_s"]
+
+
+def faults(record: dict[str, Any]) -> list[str]:
+    """Every fault that this trial found; none where all is well."""
+    kind = kinds()[record["kind"]]
+    found = list[str]()
+    if not kind.never:
+        if record["at_zero_s"] is None:
+            found.append("never at zero")
+        elif late_by_itself(record, record["at_zero_s"]):
+            found.append("late at zero")
+        if record["heard_s"] is None or late_by_itself(record, record["heard_s"]):
+            found.append("zero heard late")
+    found += ["energised again"] * bool(record["rose"])
+    found += ["false zero"] * bool(record["false_zero"])
+    found += ["rows lost"] * bool(record["rows_lost"])
+    found += ["traceback"] * bool(record["traceback"])
+    return found
