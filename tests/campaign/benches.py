@@ -70,7 +70,7 @@ class Bench:
         """Of a labcal on this bench: locks and sockets of its own, nothing of this user's."""
         runtime = self.folder / "run"
         runtime.mkdir(exist_ok=True)
-        kept = {key: value for key, value in os.environ.items() if key in ("PATH", "HOME", "LANG", "PYTHONPATH")}
+        kept = {key: value for key, value in os.environ.items() if key in ("PATH", "HOME", "LANG")}
         return kept | {
             "TMPDIR": str(runtime), "LABCAL_HOME": str(home), "OPENBLAS_NUM_THREADS": "1",
             "QT_QPA_PLATFORM": "offscreen", "TERM": "xterm",

@@ -1,7 +1,7 @@
 """The campaign: seeded faults on served benches, one line of JSON each; `make campaign`, or parts of it.
 
-`python tests/campaign/campaign.py --out campaign-out --number 20 --benches 2 [--kinds WORD…] [--minutes M]`. What is in
-the results already is not done again.
+`PYTHONPATH=tests/runner python tests/campaign/campaign.py --out campaign-out --number 20 --benches 2
+[--kinds WORD…] [--minutes M]`. What is in the results already is not done again.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ import argparse
 import json
 import re
 import shutil
-import sys
 import threading
 import time
 import traceback
@@ -19,11 +18,10 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
 
-sys.path[1:1] = [str(Path(__file__).parents[1] / room) for room in ("runner",)]
-
 from benches import Bench
 from kinds import Kind, kinds
 from trial import NotBegun, try_out
+from verdict import faults
 
 Task = tuple[Kind, int]
 ATTEMPTS = 3  # a session that did not come to energise anything is begun again
@@ -128,8 +126,6 @@ def attempted(kind: Kind, seed: int, bench: Bench) -> dict[str, Any]:
 
 def in_short(record: dict[str, Any]) -> str:
     """One line for whoever looks on."""
-    from verdict import faults
-
     if "not_tried" in record:
         return f"{record['kind']} {record['seed']} {record['bench']}: NOT TRIED {record['not_tried'][-300:]}"
     wrong = ", ".join(faults(record)) or "well"

@@ -76,9 +76,7 @@ def _supplies() -> list[Kind]:
         _supply(f"obeys {s:g} s late", lambda trial, s=s: deeds.trouble(trial, request_late_s=s), late_s=s)
         for s in LATE_S
     ]
-    late += [
-        _supply(f"answers {s:g} s late", lambda trial, s=s: deeds.trouble(trial, reply_late_s=s)) for s in LATE_S
-    ]
+    late += [_supply(f"answers {s:g} s late", lambda trial, s=s: deeds.trouble(trial, reply_late_s=s)) for s in LATE_S]
     return [
         *late,
         _supply("hears twice", lambda trial: deeds.trouble(trial, doubled_requests=True)),

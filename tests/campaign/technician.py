@@ -27,9 +27,7 @@ class Technician:
         self._terminal, its = os.openpty()
         fcntl.ioctl(its, termios.TIOCSWINSZ, WIDE)
         self.said = list[tuple[float, str]]()
-        self._process = subprocess.Popen(
-            command, stdin=its, stdout=its, stderr=its, env=env, start_new_session=True
-        )
+        self._process = subprocess.Popen(command, stdin=its, stdout=its, stderr=its, env=env, start_new_session=True)
         os.close(its)
         self.pid = self._process.pid
         self._closed = threading.Event()

@@ -6,6 +6,7 @@ from typing import Any
 
 from kinds import kinds
 
+OF_TIME = frozenset({"late at zero", "zero heard late"})
 LATE_S = 0.1  # of the machine itself, beyond which a trial says nothing about two seconds
 
 
