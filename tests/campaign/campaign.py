@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import argparse
 import json
+import random
 import re
 import shutil
+import signal
 import threading
 import time
 import traceback
@@ -44,10 +46,11 @@ def results(path: Path) -> list[dict[str, Any]]:
 
 
 def tasks(words: list[str], number: int, done: set[tuple[str, int]]) -> list[Task]:
-    """What is left to do, a round over all kinds for each seed: whoever stops early has some of each."""
+    """What is left to do, a round over all kinds for each seed, mixed: whoever stops early has some of each."""
     wanted = [kind for name, kind in kinds().items() if not words or any(re.search(word, name) for word in words)]
     able = [kind for kind in wanted if not kind.needs or shutil.which(kind.needs)]
-    return [(kind, seed) for seed in range(number) for kind in able if (kind.name, seed) not in done]
+    in_turn = sorted(able, key=lambda kind: random.Random(kind.name).random())
+    return [(kind, seed) for seed in range(number) for kind in in_turn if (kind.name, seed) not in done]
 
 
 class Campaign:
@@ -61,6 +64,10 @@ class Campaign:
         self._writing = threading.Lock()
         self._taken = threading.Lock()
         self._busy = dict[str, int]()
+
+    def stop(self) -> None:
+        """Do no more than the trials that are going on."""
+        self._until = 0.0
 
     def run(self, benches: int) -> None:
         """Until all is done, or the time is up."""
@@ -147,7 +154,10 @@ def main() -> None:
     done = {(record["kind"], record["seed"]) for record in results(path) if "not_tried" not in record}
     left = tasks(given.kinds, given.number, done)
     print(f"{len(done)} done, {len(left)} to do")
-    Campaign(path, left, 60 * given.minutes).run(given.benches)
+    campaign = Campaign(path, left, 60 * given.minutes)
+    for name in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(name, lambda *_: campaign.stop())
+    campaign.run(given.benches)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ one JSON object a line, {"do": NAME, …}, and answers with one: labcal does not
 from __future__ import annotations
 
 import json
+import os
 import random
 import select
 import socket
@@ -229,11 +230,12 @@ class Telling:
 
 
 def main(bench: Path, out: Path, address: str) -> None:
-    """Serve until the process is ended."""
+    """Serve until the process is ended, or the one that began it is gone."""
+    parent = os.getppid()
     lab = FaultyLab(bench, out)
     telling = Telling(address, lab)
     print("ready", flush=True)
-    while True:
+    while os.getppid() == parent:
         for line in lab.lines.values():
             line.carry(lab.clock.now())
         now = lab.clock.now()
