@@ -20,6 +20,7 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
 
+import lateness
 from benches import Bench
 from kinds import Kind, kinds
 from trial import NotBegun, try_out
@@ -71,6 +72,7 @@ class Campaign:
 
     def run(self, benches: int) -> None:
         """Until all is done, or the time is up."""
+        lateness.begin()
         workers = [threading.Thread(target=self._work) for _ in range(benches)]
         for worker in workers:
             worker.start()

@@ -31,6 +31,7 @@ ATTACHED_S = 15.0
 
 def _pids(trial: Trial, who: Sequence[str]) -> list[int]:
     every = {"session": trial.session.pid, "guardian": trial.guardian, "standby": trial.standby}
+    every["worker"] = trial.worker
     return [every[name] for name in who if every[name]]
 
 
@@ -239,9 +240,13 @@ def truck(trial: Trial) -> None:
 # the store
 
 
+def _store_files(trial: Trial) -> list[Path]:
+    return [path for path in trial.home.glob("store.sqlite*") if path.is_file()]
+
+
 def store_full(trial: Trial) -> None:
     """No file of the session's grows any more."""
-    most = max(path.stat().st_size for path in trial.home.glob("store.sqlite*"))
+    most = max(path.stat().st_size for path in _store_files(trial))
     _, hard = resource.prlimit(trial.session.pid, resource.RLIMIT_FSIZE)
     resource.prlimit(trial.session.pid, resource.RLIMIT_FSIZE, (most, hard))
 
@@ -265,7 +270,7 @@ def slow_disk(trial: Trial) -> None:
 
 def store_unlinked(trial: Trial) -> None:
     """Somebody has tidied up."""
-    for path in trial.home.glob("store.sqlite*"):
+    for path in _store_files(trial):
         path.unlink()
 
 

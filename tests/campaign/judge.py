@@ -94,8 +94,3 @@ def _least_flowing(truth: Mapping[str, Any], axis: str, t_s: float) -> float:
     flow, tau_s = truth["flow"][axis], truth["tau_s"][axis]
     moments = [t_s - READ_LATE_S * k / 10 for k in range(11)]
     return min(flowing(flow, tau_s, moment) for moment in moments)
-
-
-def kept_waiting(late: Sequence[Sequence[float]], from_s: float, to_s: float) -> float:
-    """How long a process of this machine that only sleeps was kept from running in this time [s]."""
-    return sum(over for begun, over in late if from_s - over <= begun <= to_s)

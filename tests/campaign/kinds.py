@@ -34,7 +34,8 @@ class Kind:
 
     `stops`: somebody presses Ctrl-C a while after the deed. `hears`: zero can reach every supply. `obeys`: the supplies
     do what they hear. `late_s`: that they obey later. `never`: labcal cannot bring the coils to zero, and says so in
-    docs/safety.md. `needs`: a program that is not everywhere.
+    docs/safety.md. `needs`: a program that is not everywhere. `window`: the run
+    is begun in the window.
     """
 
     name: str
@@ -50,6 +51,7 @@ class Kind:
     standby_ready: bool = False
     session_stopped: bool = False
     any_procedure: bool = True
+    window: bool = False
 
 
 def _process(how: str, whom: str) -> Kind:
@@ -151,8 +153,20 @@ def _machine() -> list[Kind]:
     return kinds
 
 
+def _window() -> list[Kind]:
+    whom = {"window": ("session",), "window's worker": ("worker",), "window and its worker": ("session", "worker")}
+    return [
+        Kind(
+            f"{name} {how}", "window", lambda trial, h=how, w=who: SIGNALS[h](trial, w, True),  # type: ignore[misc]
+            window=True, session_stopped=True,
+        )
+        for name, who in whom.items()
+        for how in ("killed", "stopped", "told to end")
+    ]  # fmt: skip
+
+
 def kinds() -> dict[str, Kind]:
     """Every kind by its name."""
     processes = [_process(how, whom) for how in SIGNALS for whom in WHO]
-    every = [*processes, *_supplies(), *_sensors(), *_store(), *_machine()]
+    every = [*processes, *_supplies(), *_sensors(), *_store(), *_machine(), *_window()]
     return {kind.name: kind for kind in every}

@@ -60,8 +60,8 @@ def _in_all(tried: Sequence[dict[str, Any]]) -> str:
     untold = sum(not in_time_can_be_told(record) for record in tried)
     at = f"load {load[0]:.1f} to {load[-1]:.1f}, median {load[len(load) // 2]:.1f}, on two cores"
     return (
-        f"{len(tried)} faults ({at}). In {untold} of them the machine kept a process that only sleeps waiting for more "
-        "than 0.1 s between the deed and zero: they are judged by all but the time.\n"
+        f"{len(tried)} faults ({at}). In {untold} of them the machine kept a process that hardly works waiting for "
+        "more than 0.1 s between the deed and zero: they are judged by all but the time.\n"
     )
 
 

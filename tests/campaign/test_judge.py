@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 import pytest
-from judge import claims, false_claims, flowing, kept_waiting, rises, zero_for_good, zero_heard
+from judge import claims, false_claims, flowing, rises, zero_for_good, zero_heard
+from lateness import sum_between
 
 TAU_S = 0.02
 UP_AND_DOWN = [[0.0, 0.0, 0.0], [10.0, 0.0, 1.0], [20.0, 1.0, 0.0004]]
@@ -67,5 +68,5 @@ def test_a_claim_is_false_while_current_flows_and_true_after() -> None:
 
 
 def test_only_the_time_in_which_the_machine_kept_others_waiting_counts() -> None:
-    late = [[5.0, 1.0], [10.2, 0.3], [30.0, 2.0]]
-    assert kept_waiting(late, 10.0, 12.0) == pytest.approx(0.3)
+    late = [(5.0, 1.0), (10.2, 0.3), (30.0, 2.0)]
+    assert sum_between(late, 10.0, 12.0) == pytest.approx(0.3)

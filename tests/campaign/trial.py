@@ -9,6 +9,7 @@ import shutil
 import signal
 import sqlite3
 import subprocess
+import sys
 import tempfile
 import time
 from contextlib import suppress
@@ -17,8 +18,9 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import lateness
 from benches import Bench, until
-from judge import false_claims, flowing, kept_waiting, rises, zero_for_good, zero_heard
+from judge import false_claims, flowing, rises, zero_for_good, zero_heard
 from short_preflight import SHORT
 from technician import Technician, processes_of
 
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from kinds import Kind
 
 HERE = Path(__file__).parent
+WINDOW = HERE / "window_at_work.py"
 BEGINS_S, ENDS_S = 90.0, 20.0  # a session's start on a busy machine; its end, after zero was due
 IN_TIME_S = 2.0
 LONGER_S = 1.5  # the coils are watched so long after everything seems over
@@ -55,6 +58,11 @@ class Trial:
     def store(self) -> Path:
         """The session's store."""
         return self.home / "store.sqlite"
+
+    @property
+    def worker(self) -> int:
+        """The process in which the window's run goes on, as it has said; 0 at a terminal."""
+        return next((int(words) for _, words in self.session.said if words.isdigit()), 0)
 
     @property
     def line(self) -> str:
@@ -93,7 +101,7 @@ def try_out(kind: Kind, seed: int, bench: Bench) -> dict[str, Any]:
     bench.ask("well")
     bench.ask("begin")
     begun_utc = time.time() - time.monotonic()
-    session = Technician.runs(_words(kind, chance, bench), bench.env(home) | {"CAMPAIGN_CLOCK": str(home / "clock")})
+    session = _begun(kind, chance, bench, home)
     trial = None
     try:
         trial = _at_work(kind, chance, bench, home, session)
@@ -102,6 +110,14 @@ def try_out(kind: Kind, seed: int, bench: Bench) -> dict[str, Any]:
         left = _cleared_away(bench, session, trial)
         shutil.rmtree(home, ignore_errors=True)
     return record | {"left": left}
+
+
+def _begun(kind: Kind, chance: random.Random, bench: Bench, home: Path) -> Technician:
+    """Somebody begins a run, at a terminal or in the window."""
+    env = bench.env(home) | {"CAMPAIGN_CLOCK": str(home / "clock")}
+    if kind.window:
+        return Technician([sys.executable, str(WINDOW), str(bench.file), str(home / "window.ini")], env)
+    return Technician.runs(_words(kind, chance, bench), env)
 
 
 def _words(kind: Kind, chance: random.Random, bench: Bench) -> list[str]:
@@ -185,7 +201,7 @@ def _judged(
         "zero_of": zero, "heard_of": heard, "rose": {axis: found for axis, found in rose.items() if found},
         "false_zero": [[round(t - deed_s, 2), axis, round(i, 3), w] for t, axis, i, w in false_claims(said, truth)],
         "left_A": {axis: round(i, 3) for axis, i in left.items() if i > FLOWS_A},
-        "machine_late_s": round(kept_waiting(truth["late"], trial.due_s, late), 3),
+        "machine_late_s": round(lateness.kept_waiting(trial.due_s, late), 3),
         "limit_s": IN_TIME_S + kind.late_s,
     }  # fmt: skip
 

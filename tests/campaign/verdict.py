@@ -11,7 +11,7 @@ LATE_S = 0.1  # of the machine itself, beyond which a trial says nothing about t
 
 
 def in_time_can_be_told(record: dict[str, Any]) -> bool:
-    """Whether the machine let a process run that only sleeps: else no process could have been in time."""
+    """Whether the machine let a process run that hardly works: else none could have been in time."""
     return bool(record["machine_late_s"] <= LATE_S)
 
 
