@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
+
+import pytest
+
+if sys.platform == "win32":
+    pytest.skip("the campaign needs ptys and signals, which Windows lacks", allow_module_level=True)
 
 from kinds import WHO, kinds
 
