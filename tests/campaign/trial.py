@@ -61,8 +61,8 @@ class Trial:
 
     @property
     def worker(self) -> int:
-        """The process in which the window's run goes on, as it has said; 0 at a terminal."""
-        return next((int(words) for _, words in self.session.said if words.isdigit()), 0)
+        """The process in which the window's run goes on; 0 at a terminal."""
+        return worker_of(self.session)
 
     @property
     def line(self) -> str:
@@ -88,6 +88,11 @@ class Trial:
     def wait(self, shortest_s: float, longest_s: float) -> None:
         """A while that the seed says."""
         time.sleep(self.chance.uniform(shortest_s, longest_s))
+
+
+def worker_of(session: Technician) -> int:
+    """The process of which the window has said that its run goes on there; 0 at a terminal."""
+    return next((int(words) for _, words in session.said if words.isdigit()), 0)
 
 
 class NotBegun(Exception):
@@ -280,9 +285,13 @@ def _cleared_away(bench: Bench, session: Technician, trial: Trial | None) -> lis
     for helper in trial.helpers if trial else ():
         helper.kill()
         helper.wait()
+    worker = worker_of(session)
     bench.ask("well")
     for somebody in (session, *(trial.others if trial else ())):
         somebody.leave()
+    if worker:
+        with suppress(ProcessLookupError):
+            os.kill(worker, signal.SIGKILL)
     for pid in _guardians(bench):
         with suppress(OSError):
             os.kill(pid, signal.SIGCONT)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
-from kinds import kinds
+from kinds import Kind, kinds
 
+OF_THE_STORE = re.compile(r"session: .*\b(store|disk|file)\b", re.IGNORECASE)
+NOT_AT_ZERO = re.compile(r"\bNOT\b|unknown|still flows|not zero|no reply|link is lost|another instrument|switch .* off")
 OF_TIME = frozenset({"late at zero", "zero heard late"})
 LATE_S = 0.1  # of the machine itself, beyond which a trial says nothing about two seconds
 
@@ -33,6 +36,16 @@ def faults(record: dict[str, Any]) -> list[str]:
             found.append("zero heard late")
     found += ["energised again"] * bool(record["rose"])
     found += ["false zero"] * bool(record["false_zero"])
-    found += ["rows lost"] * bool(record["rows_lost"])
+    found += ["rows lost"] * bool(record["rows_lost"] and not _said(record, OF_THE_STORE))
+    found += ["current not told"] * bool(record["left_A"] and not kind.never and not _said(record, NOT_AT_ZERO))
     found += ["traceback"] * bool(record["traceback"])
-    return found
+    return found + ["session goes on"] * _goes_on(kind, record)
+
+
+def _said(record: dict[str, Any], what: re.Pattern[str]) -> bool:
+    return any(what.search(words) for _, words in record["words"])
+
+
+def _goes_on(kind: Kind, record: dict[str, Any]) -> bool:
+    """Whether a session that could end did not within twenty seconds of the time when zero was due."""
+    return record["code"] is None and not (kind.never or kind.session_stopped or kind.window)
