@@ -57,6 +57,11 @@ def zero_heard(heard: Orders, due_s: float) -> float | None:
     return next((t_s for t_s, level in heard if t_s > due_s and level <= SAME_A), None)
 
 
+def first_zero(orders: Orders, since_s: float) -> float:
+    """When zero or off was first among the orders after `since_s`; never (inf) where it was not."""
+    return next((t_s for t_s, level in orders if t_s >= since_s and level <= SAME_A), math.inf)
+
+
 def rises(sent: Orders, ordered_s: float) -> list[tuple[float, float, float]]:
     """Orders since zero was ordered that are larger than one already sent since: (when, level, least before)."""
     least, found = math.inf, list[tuple[float, float, float]]()

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 import lateness
 from benches import Bench, until
-from judge import false_claims, flowing, rises, zero_for_good, zero_heard
+from judge import false_claims, first_zero, flowing, rises, zero_for_good, zero_heard
 from short_preflight import SHORT
 from technician import Technician, processes_of
 
@@ -182,11 +182,16 @@ def _done_and_watched(kind: Kind, seed: int, trial: Trial, begun_utc: float) -> 
         "rows_before": rows[0], "rows_lost": rows_lost(trial.store, rows),
         "traceback": any("Traceback" in words for _, words in said),
         "words": [[round(t_s - deed_s, 2), words] for t_s, words in said],
-    } | _judged(kind, trial, truth, said, min(last, default=trial.due_s), deed_s)  # fmt: skip
+    } | _judged(kind, trial, truth, said, min(last, default=None), deed_s)  # fmt: skip
 
 
 def _judged(
-    kind: Kind, trial: Trial, truth: dict[str, Any], said: list[tuple[float, str]], ordered_s: float, deed_s: float
+    kind: Kind,
+    trial: Trial,
+    truth: dict[str, Any],
+    said: list[tuple[float, str]],
+    by_log_s: float | None,
+    deed_s: float,
 ) -> dict[str, Any]:
     assert trial.due_s is not None
     zero, heard, rose = dict[str, float | None](), dict[str, float | None](), dict[str, Any]()
@@ -194,6 +199,7 @@ def _judged(
         due_s = max(trial.due_s, trial.due_of.get(axis, 0.0))
         at = zero_for_good(truth["flow"][axis], truth["tau_s"][axis], truth["now_s"])
         got = zero_heard(truth["heard"][axis], due_s)
+        ordered_s = first_zero(truth["sent"][axis], due_s) if by_log_s is None else by_log_s
         zero[axis] = None if at is None else round(max(at - due_s, 0.0), 3)
         heard[axis] = None if got is None else round(got - due_s, 3)
         rose[axis] = [[round(t_s - deed_s, 3), *levels] for t_s, *levels in rises(truth["sent"][axis], ordered_s)]
