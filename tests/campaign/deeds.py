@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import resource
 import signal
 import sqlite3
@@ -308,23 +307,25 @@ def out_of_handles(trial: Trial, whom: str) -> None:
 
 
 def call_fails(trial: Trial, whom: str, call: str) -> None:
-    """The next one of each thread fails, once."""
+    """One of the next fails, once."""
     calls, error = CALLS[call]
-    _injected(trial, _of(trial, whom), calls, f"error={error}:when={trial.chance.randint(1, 4)}")
+    _injected(trial, _of(trial, whom), calls, f"error={error}:when={trial.chance.randint(1, 4)}", once=True)
 
 
-def _injected(trial: Trial, pid: int, calls: str, what: str) -> None:
+def _injected(trial: Trial, pid: int, calls: str, what: str, *, once: bool = False) -> None:
     """The kernel answers so from now on."""
-    command = ["strace", "-f", "-p", str(pid), "-o", os.devnull, "-e", f"trace={calls}", "-e", f"inject={calls}:{what}"]
+    command = ["strace", "-f", "-p", str(pid), "-e", f"trace={calls}", "-e", f"inject={calls}:{what}"]
     tracer = subprocess.Popen(command, stderr=subprocess.PIPE)
     trial.helpers.append(tracer)
     assert tracer.stderr is not None
     tracer.stderr.readline()  # "attached"
-    threading.Thread(target=_drained, args=(tracer,), daemon=True).start()
+    threading.Thread(target=_heard_out, args=(tracer, once), daemon=True).start()
 
 
-def _drained(tracer: subprocess.Popen[bytes]) -> None:
+def _heard_out(tracer: subprocess.Popen[bytes], once: bool) -> None:
+    """Read what the tracer says; it lets go after the first call that has failed, where it is to be one."""
     assert tracer.stderr is not None
     with suppress(ValueError, OSError):
-        while tracer.stderr.read(4096):
-            pass
+        for line in tracer.stderr:
+            if once and b"INJECTED" in line:
+                tracer.terminate()

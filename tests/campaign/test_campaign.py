@@ -28,11 +28,11 @@ SHORT_FORM = {
     "session killed": "riden-pair",
     "session stopped": "tti",
     "guardian killed": "tti",
-    "session and guardian killed": "korad",
+    "session and guardian killed": "kepco",
     "terminal closed": "kepco",
     "Ctrl-C": "tti",
     "supply answers corrupt bytes": "tti",
-    "supply dropped": "korad",
+    "supply dropped": "tti",
     "store full": "kepco",
     "two labcals on one bench": "riden-pair",
 }
