@@ -12,10 +12,12 @@ import random
 import re
 import shutil
 import signal
+import subprocess
 import threading
 import time
 import traceback
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
@@ -65,6 +67,7 @@ class Campaign:
         self._writing = threading.Lock()
         self._taken = threading.Lock()
         self._busy = dict[str, int]()
+        self._of = code()
 
     def stop(self) -> None:
         """Do no more than the trials that are going on."""
@@ -115,11 +118,19 @@ class Campaign:
             record = attempted(kind, seed, bench)
         except Exception:
             record = {"kind": kind.name, "seed": seed, "bench": bench.kind, "not_tried": traceback.format_exc()}
-        record |= {"took_s": round(time.monotonic() - begun, 1)}
+        record |= {"of": self._of, "took_s": round(time.monotonic() - begun, 1)}
         with self._writing, self._path.open("a", encoding="utf-8") as file:
             file.write(json.dumps(record) + "\n")
         print(in_short(record), flush=True)
         return "not_tried" not in record and bench.at_rest()
+
+
+def code() -> str:
+    """Which labcal is tried: the commit of this folder, where git knows."""
+    asked = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
+    with suppress(OSError):
+        return subprocess.run(asked, capture_output=True, text=True, check=False).stdout.strip()
+    return ""
 
 
 def attempted(kind: Kind, seed: int, bench: Bench) -> dict[str, Any]:

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,23 +15,27 @@ from campaign import results
 from kinds import Kind, kinds
 from verdict import faults, in_time_can_be_told
 
+SAID_WRONGLY = {"current not told", "traceback"}
 BEGINS, ENDS = "<!-- campaign: begin -->", "<!-- campaign: end -->"
 HEAD = (
     "| kind | n | at zero in time | worst, s | zero heard in time | worst, s | energised again | rows lost "
-    "| false zero |\n"
-    "|---|---|---|---|---|---|---|---|---|\n"
+    "| false zero | otherwise said wrongly | read by people: true |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|\n"
 )
 
 
-def table(records: Sequence[dict[str, Any]]) -> str:
-    """A row for each kind that was tried."""
+Read = Mapping[tuple[str, int], bool]
+
+
+def table(records: Sequence[dict[str, Any]], read: Read) -> str:
+    """A row for each kind that was tried; `read`: whether people found all words of a trial true."""
     tried = [record for record in records if "not_tried" not in record]
     of_kind = {name: [r for r in tried if r["kind"] == name] for name in kinds()}
-    rows = [_row(kinds()[name], found) for name, found in of_kind.items() if found]
+    rows = [_row(kinds()[name], found, read) for name, found in of_kind.items() if found]
     return HEAD + "".join(rows) + "\n" + _in_all(tried)
 
 
-def _row(kind: Kind, found: Sequence[dict[str, Any]]) -> str:
+def _row(kind: Kind, found: Sequence[dict[str, Any]], read: Read) -> str:
     wrong = [faults(record) for record in found]
     told = [record for record in found if in_time_can_be_told(record)]
     in_time = _share(told, {"never at zero", "late at zero"}) if not kind.never else "never"
@@ -40,8 +44,21 @@ def _row(kind: Kind, found: Sequence[dict[str, Any]]) -> str:
         kind.name, str(len(found)), in_time, _worst(r["at_zero_s"] for r in found), heard,
         _worst(r["heard_s"] for r in found), str(sum("energised again" in w for w in wrong)),
         str(sum(r["rows_lost"] for r in found)), str(sum("false zero" in w for w in wrong)),
+        str(sum(bool(SAID_WRONGLY & set(w)) for w in wrong)), _by_people(found, read),
     ]  # fmt: skip
     return f"| {' | '.join(cells)} |\n"
+
+
+def _by_people(found: Sequence[dict[str, Any]], read: Read) -> str:
+    true = [read[r["kind"], r["seed"]] for r in found if (r["kind"], r["seed"]) in read]
+    return f"{sum(true)} of {len(true)}" if true else "none read"
+
+
+def read_by_people(path: Path) -> Read:
+    """What stands in `path`: one line a trial, KIND, SEED, true or false, and why, apart by tabs."""
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    cells = [line.split("\t") for line in lines if line.strip()]
+    return {(kind, int(seed)): verdict == "true" for kind, seed, verdict, *_ in cells}
 
 
 def _share(told: Sequence[dict[str, Any]], bad: set[str]) -> str:
@@ -59,8 +76,9 @@ def _in_all(tried: Sequence[dict[str, Any]]) -> str:
     load = sorted(record["load"] for record in tried)
     untold = sum(not in_time_can_be_told(record) for record in tried)
     at = f"load {load[0]:.1f} to {load[-1]:.1f}, median {load[len(load) // 2]:.1f}, on two cores"
+    of = ", ".join(sorted({record.get("of") or "unknown" for record in tried}))
     return (
-        f"{len(tried)} faults ({at}). In {untold} of them the machine kept a process that hardly works waiting for "
+        f"{len(tried)} faults of the code {of} ({at}). In {untold} of them the machine kept a process that hardly works waiting for "
         "more than 0.1 s between the deed and zero: they are judged by all but the time.\n"
     )
 
@@ -89,6 +107,6 @@ def put(report: Path, between: str) -> None:
 if __name__ == "__main__":
     found = results(Path(sys.argv[2]) / "results.jsonl")
     if sys.argv[1] == "table":
-        put(Path(sys.argv[3]), table(found))
+        put(Path(sys.argv[3]), table(found, read_by_people(Path(sys.argv[2]) / "read.tsv")))
     else:
         print(words(found, int(sys.argv[3])))

@@ -47,6 +47,7 @@ class Trial:
     guardian: int
     standby: int
     axis: str  # whose supply the deed is about, where it is about one
+    energised_s: float
     due_s: float | None = None
     due_of: dict[str, float] = field(default_factory=dict)
     excused: str = ""
@@ -143,6 +144,7 @@ def _at_work(kind: Kind, chance: random.Random, bench: Bench, home: Path, sessio
     flows = until(lambda: session.ended or max(bench.ask("currents").values()) > FLOWS_A, BEGINS_S)
     if session.ended or not flows:
         raise NotBegun("\n".join(line for _, line in session.said[-8:]))
+    energised_s = time.monotonic()
     time.sleep(chance.choice((chance.uniform(0.0, 0.4), chance.uniform(0.4, 3.5))))
     until(lambda: bool(processes_of(bench.file)["standby"]), 10.0)
     if kind.standby_ready:
@@ -153,7 +155,7 @@ def _at_work(kind: Kind, chance: random.Random, bench: Bench, home: Path, sessio
         raise NotBegun("\n".join(line for _, line in session.said[-8:]))
     return Trial(
         bench, chance, home, session, (found["guardian"] or [0])[0], (found["standby"] or [0])[0],
-        chance.choice(at_work),
+        chance.choice(at_work), energised_s,
     )  # fmt: skip
 
 
@@ -175,6 +177,7 @@ def _done_and_watched(kind: Kind, seed: int, trial: Trial, begun_utc: float) -> 
     last = list(_ordered(trial.home, begun_utc, deed_s))
     return {
         "kind": kind.name, "seed": seed, "bench": trial.bench.kind, "load": round(load, 2),
+        "moment_s": round(deed_s - trial.energised_s, 2),
         "axis": trial.axis, "flowed_A": {a: round(i, 3) for a, i in flowed.items()},
         "due_after_deed_s": round(trial.due_s - deed_s, 3),
         "ordered_s": round(min(last) - deed_s, 3) if last else None,
