@@ -78,8 +78,8 @@ def _in_all(tried: Sequence[dict[str, Any]]) -> str:
     at = f"load {load[0]:.1f} to {load[-1]:.1f}, median {load[len(load) // 2]:.1f}, on two cores"
     of = ", ".join(sorted({record.get("of") or "unknown" for record in tried}))
     return (
-        f"{len(tried)} faults of the code {of} ({at}). In {untold} of them the machine kept a process that hardly works waiting for "
-        "more than 0.1 s between the deed and zero: they are judged by all but the time.\n"
+        f"{len(tried)} faults of the code {of} ({at}). In {untold} of them the machine kept a process that hardly "
+        "works waiting for more than 0.1 s between the deed and zero: they are judged by all but the time.\n"
     )
 
 
