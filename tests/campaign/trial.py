@@ -49,6 +49,7 @@ class Trial:
     axis: str  # whose supply the deed is about, where it is about one
     energised_s: float
     due_s: float | None = None
+    rows: list[Any] = field(default_factory=list)  # committed just before the deed
     due_of: dict[str, float] = field(default_factory=dict)
     excused: str = ""
     others: list[Technician] = field(default_factory=list)
@@ -114,8 +115,9 @@ def try_out(kind: Kind, seed: int, bench: Bench) -> dict[str, Any]:
         record = _done_and_watched(kind, seed, trial, begun_utc)
     finally:
         left = _cleared_away(bench, session, trial)
+        lost = rows_lost(home / "store.sqlite", trial.rows if trial else [])
         shutil.rmtree(home, ignore_errors=True)
-    return record | {"left": left}
+    return record | {"left": left, "rows_lost": lost}
 
 
 def _begun(kind: Kind, chance: random.Random, bench: Bench, home: Path) -> Technician:
@@ -160,7 +162,7 @@ def _at_work(kind: Kind, chance: random.Random, bench: Bench, home: Path, sessio
 
 
 def _done_and_watched(kind: Kind, seed: int, trial: Trial, begun_utc: float) -> dict[str, Any]:
-    rows = committed(trial.store)
+    trial.rows = committed(trial.store)
     flowed, load = trial.bench.ask("currents"), os.getloadavg()[0]
     deed_s = time.monotonic()
     kind.does(trial)
@@ -182,7 +184,7 @@ def _done_and_watched(kind: Kind, seed: int, trial: Trial, begun_utc: float) -> 
         "due_after_deed_s": round(trial.due_s - deed_s, 3),
         "ordered_s": round(min(last) - deed_s, 3) if last else None,
         "code": trial.session.code,
-        "rows_before": rows[0], "rows_lost": rows_lost(trial.store, rows),
+        "rows_before": len(trial.rows),
         "traceback": any("Traceback" in words for _, words in said),
         "words": [[round(t_s - deed_s, 2), words] for t_s, words in said],
     } | _judged(kind, trial, truth, said, min(last, default=None), deed_s)  # fmt: skip
@@ -268,22 +270,21 @@ def _ordered(home: Path, begun_utc: float, since_s: float) -> list[float]:
     return [t_s for t_s, words in log_of(home, begun_utc) if "] to zero:" in words and t_s > since_s]
 
 
-def committed(store: Path) -> tuple[int, list[Any]]:
-    """How many rows another program sees in the store, and what they are."""
+def committed(store: Path) -> list[Any]:
+    """The rows that another program sees in the store; none where it sees no store."""
     with suppress(sqlite3.Error):
-        reader = sqlite3.connect(f"file:{store}?mode=ro", uri=True, timeout=2.0)
+        reader = sqlite3.connect(f"file:{store}?mode=ro", uri=True, timeout=5.0)
         try:
-            rows = reader.execute("SELECT number, kind, t_s, length(content), length(samples) FROM item").fetchall()
-            return len(rows), rows
+            return reader.execute("SELECT number, kind, t_s, length(content), length(samples) FROM item").fetchall()
         finally:
             reader.close()
-    return 0, []
+    return []
 
 
-def rows_lost(store: Path, before: tuple[int, list[Any]]) -> int:
+def rows_lost(store: Path, before: list[Any]) -> int:
     """How many of the rows that were committed are not there any more, or are others."""
-    after = {row[0]: row for row in committed(store)[1]}
-    return sum(after.get(row[0]) != row for row in before[1])
+    after = {row[0]: row for row in committed(store)}
+    return sum(after.get(row[0]) != row for row in before)
 
 
 def _cleared_away(bench: Bench, session: Technician, trial: Trial | None) -> list[str]:
