@@ -35,6 +35,14 @@ class CurrentSource:
             self.compliance = self.settings.compliance_V
         self.enabled = on
 
+    def write_current(self, current_A: float) -> None:
+        """Send the set-point and wait for nothing."""
+        type(self).current.write(self, current_A)
+
+    def write_off(self) -> None:
+        """Send "output off" and wait for nothing."""
+        type(self).enabled.write(self, 0)
+
     def make_safe(self) -> None:
         """Current to zero, then output off, a failure of one not skipping the other; after both, back to its panel."""
         with ExitStack() as steps:

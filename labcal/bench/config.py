@@ -18,7 +18,7 @@ Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
 Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
 Vector = tuple[Finite, Finite, Finite]
 Matrix = tuple[Vector, Vector, Vector]
-RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut"]
+RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut"]
 
 
 def _each_axis(value: Any) -> Any:
@@ -189,8 +189,9 @@ class BenchConfig(_Table):
 
     @property
     def guarded(self) -> list[str]:
-        """The instruments that can hurt, by name: supplies and polarity relays."""
-        return [name for name, entry in self.instruments.items() if entry.role.startswith(("coil-", "polarity"))]
+        """The instruments that can hurt, or keep from it, by name: supplies, polarity relays and the interlock."""
+        heads = ("coil-", "polarity", "interlock")
+        return [name for name, entry in self.instruments.items() if entry.role.startswith(heads)]
 
     @property
     def guarded_links(self) -> list[str]:

@@ -109,9 +109,19 @@ class Loader:
                 split(entry.link)
             except InputError as error:
                 self.refuse(error.what, ("instruments", name, "link"))
+            self._refuse_shared_interlock(name)
             place = (self.line_of(name), *(getattr(settings, which, None) for which in WHICH))
             if (other := places.setdefault(place, name)) != name:
                 self.refuse(f"{other} has the same link, address and output", ("instruments", name))
+
+    def _refuse_shared_interlock(self, name: str) -> None:
+        """What hangs on an interlock's line could keep its heartbeat back, or what it cuts could share its fault."""
+        if self.config.instruments[name].role != "interlock":
+            return
+        for other in self.config.instruments:
+            if other != name and self.line_of(other) == self.line_of(name):
+                self.refuse(f"an interlock needs a line of its own, and {other} has this one too",
+                            ("instruments", name, "link"))  # fmt: skip
 
     def link(self, name: str) -> Link:
         """The link of one instrument; instruments that state the same link share it."""

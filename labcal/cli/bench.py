@@ -44,7 +44,7 @@ def serve(
 @bench.command()
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
-    from labcal.session import coils_off
+    from labcal.bench.off import coils_off  # not by way of the session, which loads for a second
 
     ended = coils_off(file)
     for end in ended:

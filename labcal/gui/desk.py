@@ -210,7 +210,7 @@ class Desk(QObject):
 
     def _lights(self) -> tuple[tuple[str, Light, str], ...]:
         def light(name: str, role: str) -> tuple[str, Light, str]:
-            source = "cage" if role.startswith("coil") or role == "polarity" else name
+            source = "cage" if role.startswith("coil") or role in ("polarity", "interlock") else name
             if name in (self.run.fault.text if self.run.fault else ""):
                 return name, "fault", self.tr("failed")
             if source not in self.run.heard_s:

@@ -49,7 +49,7 @@ class Coils:
 
     def ignore(self, *_: Any, **__: Any) -> None: ...
 
-    identify = reopen = modbus = set_point = measure_current = output = ignore
+    identify = reopen = modbus = set_point = measure_current = output = order_zero = ignore
 
 
 class Ear:

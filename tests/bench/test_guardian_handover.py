@@ -14,7 +14,7 @@ from served_lab import three_on_one_pair
 
 from labcal.bench.clock import VirtualClock
 from labcal.bench.config import read_config
-from labcal.bench.guardian.handover import DONE, Handover, Held, handover_of, stand_by
+from labcal.bench.guardian.handover import DONE, Handover, Held, handover_of, stand_by, unknown
 from labcal.bench.guardian.keeper import Guardian
 from labcal.bench.roles import Identity
 
@@ -27,9 +27,9 @@ CURRENT, SERIAL = b"\0\x09", 2  # of a Riden's registers
     ("said", "heard"),
     [
         ([Handover().line(), KNOWN.line()], ("ended", KNOWN)),
-        ([KNOWN.line(), KNOWN.line()[:40]], ("ended", Handover())),
-        ([KNOWN.line(), "[1]", '{"exchanges_s": null}'], ("ended", Handover())),
-        ([], ("ended", Handover())),
+        ([KNOWN.line(), KNOWN.line()[:40]], ("ended", unknown())),
+        ([KNOWN.line(), "[1]", '{"exchanges_s": null}'], ("ended", unknown())),
+        ([], ("ended", unknown())),
         ([KNOWN.line(), DONE, KNOWN.line()], (DONE, Handover())),
     ],
     ids=["killed", "killed in a word", "spoilt", "killed at once", "done"],
@@ -120,7 +120,7 @@ def test_a_step_on_its_way_is_asked_for(pair: Pair, monkeypatch: pytest.MonkeyPa
     assert [frame[0] for frame in pair.sent[:first_write] if frame[2:4] == CURRENT] == [2]
 
 
-def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair) -> None:
+def test_another_supply_than_before_hears_zero_and_off_before_it_is_refused(pair: Pair) -> None:
     handed = handed_over(pair)
     who = handed.coils["y"].who
     assert who is not None
@@ -130,7 +130,9 @@ def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair)
     assert [ended[axis].words for axis in "xz"] == ["zero, open"] * 2
     assert ended["y"].fault is not None
     assert ended["y"].fault.fault == "another instrument"
-    assert all(frame[0] != 2 or frame[1] == 3 for frame in pair.sent)
+    assert {frame[:6] for frame in pair.sent if frame[0] == 2 and frame[1] != 3} == {
+        b"\x02\x06\x00\x09\x00\x00", b"\x02\x06\x00\x12\x00\x00"
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize("end", ["close", "give_back"])

@@ -14,7 +14,7 @@ import pytest
 
 from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
-from labcal.bench.guardian.__main__ import patience
+from labcal.bench.guardian.handover import patience
 from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.memory import Memory

@@ -11,15 +11,17 @@ import time
 from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from labcal.bench.clock import Clock
-from labcal.bench.config import BenchConfig
+from labcal.bench.at_zero import AtZero
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
-from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
+
+if TYPE_CHECKING:
+    from labcal.bench.clock import Clock
+    from labcal.bench.config import BenchConfig
 
 BEAT_S = 0.05
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports

@@ -105,12 +105,18 @@ class Server:
                 return
             caller.heard_s = time.monotonic()
             if "order" in message:
+                self._hasten(caller, message)
                 caller.room.acquire()
                 worker.submit(self._answer, caller, message)
 
+    def _hasten(self, caller: Caller, message: Message) -> None:
+        """Zero waits for no order before it: what is under way on the lines ends now."""
+        if message["order"] == "zero" and isinstance(message.get("with", {}), dict) and self.ready.is_set():
+            self._guardian.order_zero(_why(caller, message), by_session=caller is self.session)
+
     def _answer(self, caller: Caller, message: Message) -> None:
         try:
-            reply = {"value": self._obey(caller, message["order"], message.get("with", {}))}
+            reply = {"value": self._obey(caller, message)}
         except InstrumentError as fault:
             reply = {"error": fault_message(fault)}
         except Exception as error:  # whatever it is, the caller hears of it and the guardian lives
@@ -119,7 +125,8 @@ class Server:
         caller.room.release()
         caller.send({"id": message.get("id")} | reply)
 
-    def _obey(self, caller: Caller, order: str, what: Message) -> Any:
+    def _obey(self, caller: Caller, message: Message) -> Any:
+        order, what = message["order"], message.get("with", {})
         self.ready.wait()
         if order == "hello":
             return self._welcome(caller, **what)
@@ -127,7 +134,7 @@ class Server:
             return {"energised": self._guardian.energised, "unresolved": sorted(self._guardian.unresolved)}
         if order == "zero":
             by_session = caller is self.session
-            ended = self._guardian.zero(str(what.get("why", f"{caller.who} said so")), by_session=by_session)
+            ended = self._guardian.zero(_why(caller, message), by_session=by_session)
             if not by_session:  # a person at the bench
                 self._guardian.give_back()
             return [zero_message(end) for end in ended]
@@ -166,3 +173,7 @@ class Server:
         raise InstrumentError(
             f"{other.who} drives this bench.", fault="in use", remedy="End it first; `labcal bench off` sets zero now."
         )
+
+
+def _why(caller: Caller, message: Message) -> str:
+    return str(message.get("with", {}).get("why", f"{caller.who} said so"))

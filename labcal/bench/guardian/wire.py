@@ -13,8 +13,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from labcal.bench.at_zero import AtZero
 from labcal.bench.links.ports import runtime_folder
-from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError, LimitError
 
 Message = dict[str, Any]

@@ -21,7 +21,7 @@ from labcal.gui.widgets import Card, button, label
 from labcal.gui.wire import Fault
 
 READINGS_MS = 500
-ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut")
+ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")
 HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state")
 
 
