@@ -34,7 +34,7 @@ SHORT_FORM = {
     "supply answers corrupt bytes": "tti",
     "supply dropped": "tti",
     "store full": "kepco",
-    "two labcals on one bench": "riden-pair",
+    "two labcals on one bench": "tti",
 }
 
 
