@@ -115,14 +115,14 @@ def test_a_coil_that_comes_to_zero_without_its_ramp_is_an_event_in_the_record(
     def hiccup(bench: Bench, lab: Any, patch: pytest.MonkeyPatch) -> None:
         silent(bench, lab, patch)
         supply: Any = bench.cage.supplies["z"]
-        set_current, once = supply.set_current, iter([InstrumentError("supply_z: no reply.", fault="silent")])
+        write_current, once = supply.write_current, iter([InstrumentError("supply_z: no reply.", fault="silent")])
 
         def fails_once(current_A: float) -> None:
             if (fault := next(once, None)) is not None:
                 raise fault
-            set_current(current_A)
+            write_current(current_A)
 
-        patch.setattr(supply, "set_current", fails_once)
+        patch.setattr(supply, "write_current", fails_once)
 
     held_until(bench_file, monkeypatch, hiccup, "held")
     with Store.open() as store:
