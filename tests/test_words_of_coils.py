@@ -59,7 +59,9 @@ NO_CLAIM = {
     "Each coil goes to ±{} µT. Hands off?": ASKED,
     "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
     "The coils go to {} µT and the platform turns. Hands off?": ASKED,
-    "the guardian was killed; its successor takes the coils to zero.": REFUSED,
+    "the guardian was killed, or the connection to it failed; it takes the coils to zero, or its successor does.": (
+        REFUSED
+    ),
     "to zero: {}": REFUSED,
     "taken to zero": REFUSED,
     "coil {} was taken to zero: {}.": REFUSED,

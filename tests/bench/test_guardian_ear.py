@@ -32,7 +32,8 @@ class Coils:
     def __init__(self) -> None:
         self.coils: dict[str, Any] = {}
         self.unresolved: dict[str, Any] = {}
-        self.energised, self.heard = False, list[tuple[Any, ...]]()
+        self.energised = self.in_hand = False
+        self.heard = list[tuple[Any, ...]]()
 
     def zero(self, why: str, *, by_session: bool = False) -> list[Any]:
         self.heard.append(("zero", why, by_session))
@@ -107,7 +108,7 @@ def ear() -> Iterator[Ear]:
 def test_who_does_not_know_the_token_is_hung_up_on(ear: Ear, first: bytes) -> None:
     with ear.call(first) as caller:
         assert hung_up(caller)
-    assert ear.asked({"order": "status"})[0]["value"] == {"energised": False, "unresolved": []}
+    assert ear.asked({"order": "status"})[0]["value"] == {"energised": False, "in_hand": False, "unresolved": []}
 
 
 @pytest.mark.parametrize(

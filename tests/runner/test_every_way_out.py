@@ -98,14 +98,14 @@ def failing_clean_up(lab: Lab) -> None:
     """Stopped, and the procedure's own undo fails the first time."""
     lab.control.stop()
     supply, failures = lab.bench.cage.supplies["x"], iter(range(2))
-    set_current = supply.set_current
+    measure_current = supply.measure_current
 
-    def failing(current_A: float) -> None:
+    def failing() -> float:
         if next(failures, None) is not None:
             raise InstrumentError("coil x: no answer.", fault="silent")
-        set_current(current_A)
+        return measure_current()
 
-    supply.set_current = failing
+    supply.measure_current = failing
 
 
 UNPLUGGED = "failed: ({0}: the link is gone|{0}: no sample for|no samples came from {0})"  # whichever is noticed first

@@ -125,7 +125,7 @@ def test_a_coil_that_comes_to_zero_without_its_ramp_is_an_event_in_the_record(
                 raise fault
             write_current(current_A)
 
-        patch.setattr(supply, "write_current", fails_once)  # on the ramp
+        patch.setattr(supply, "write_current", fails_once)
 
     held_until(bench_file, monkeypatch, hiccup, "held")
     with Store.open() as store:

@@ -77,6 +77,8 @@ class Watch:
             if self._guardian.unresolved and time.monotonic() - retried > RETRY_S:
                 self._guardian.try_again()
                 retried = time.monotonic()
+            if self._guardian.broken is not None:
+                raise self._guardian.broken
             if self._told_to_end.is_set():
                 self._guardian.zero("the guardian was told to end")
                 return
@@ -144,8 +146,10 @@ def main(path: Path, how: str) -> None:
 if __name__ == "__main__":
     try:
         main(Path(sys.argv[1]), "".join(sys.argv[2:]))
-    except Exception:
-        traceback.print_exc()  # into guardian.log; its standby takes the ports, which this process must let go of
-        os._exit(1)
+    except BaseException:
+        try:
+            traceback.print_exc()  # into guardian.log
+        finally:
+            os._exit(1)  # with or without memory for that; its standby takes the ports, which this process lets go of
     written(at_most_s=2.0)
     os._exit(0)  # wait for no thread that still listens to a silent instrument

@@ -30,9 +30,9 @@ START_S = 20.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 CLOSE_S = 5.0
 LOST = InstrumentError(
-    "the guardian was killed; its successor takes the coils to zero.",
+    "the guardian was killed, or the connection to it failed; it takes the coils to zero, or its successor does.",
     fault="guardian lost",
-    remedy="See guardian.log; start the run again.",
+    remedy="guardian.log says what was read back; start the run again.",
 )
 
 NOT_OURS = InstrumentError(

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from threading import Event, RLock
+from threading import Barrier, Event, RLock
 from typing import Any
 
 from labcal.bench.config import AXES, BenchConfig
@@ -44,6 +44,8 @@ class Guardian:
         }
         self._together = TogetherLimit(config, Memory(config.guarded_links))
         self._zeroing = RLock()
+        self._workers = _ready_threads(len({coil.line.url for coil in self.coils.values()}))
+        self.broken: Exception | None = None  # why this guardian cannot go on; its successor can
         self._exchanges_s = 0.0  # how long zero takes where nothing flows: three supplies on one slow line take longest
         self.changed = Event()  # what is handed over to a successor
         self.tell: Callable[[], None] = self.changed.set  # it, before anything else is done
@@ -186,11 +188,17 @@ class Guardian:
         self.give_back()
         for line in self._lines.values():
             line.close()
+        self._workers.shutdown(wait=False)
 
     @property
     def energised(self) -> bool:
         """Whether any coil may carry current."""
         return any(coil.energised for coil in self.coils.values())
+
+    @property
+    def in_hand(self) -> bool:
+        """Whether any coil may carry current that zero was not ordered for; the others are tried again and again."""
+        return any(coil.energised and coil.unresolved is None for coil in self.coils.values())
 
     @property
     def way_down_s(self) -> float:
@@ -225,13 +233,23 @@ class Guardian:
         """Each line its own way, so that a silent instrument delays no other line."""
         lines = {coil.line.url: coil.line for coil in coils}
         on_line = [[coil for coil in coils if coil.line is line] for line in lines.values()]
-        with ThreadPoolExecutor(max(1, len(on_line))) as together:
-            ended = [end for ended in together.map(self._line_down, on_line) for end in ended]
+        try:
+            ended = [end for ended in self._workers.map(self._line_down, on_line) for end in ended]
+        except Exception as error:  # out of memory, of handles, or a fault of our own: another process takes over
+            self.broken = error
+            raise
         return sorted(ended, key=lambda end: AXES.index(end.axis))
 
     def _line_down(self, coils: Sequence[Coil]) -> list[AtZero]:
         others = [coil.name for coil in self.coils.values() if coil not in coils]
         return line_down(coils, others, self.tell)
+
+
+def _ready_threads(number: int) -> ThreadPoolExecutor:
+    """One thread for each line, begun now: when it counts there may be no memory for a new one."""
+    workers, all_there = ThreadPoolExecutor(number), Barrier(number)
+    list(workers.map(lambda _: all_there.wait(), range(number)))
+    return workers
 
 
 def _read_back(end: AtZero) -> str:

@@ -153,7 +153,12 @@ class Server:
         if order == "hello":
             return self._welcome(caller, **what)
         if order == "status":
-            return {"energised": self._guardian.energised, "unresolved": sorted(self._guardian.unresolved)}
+            guardian = self._guardian
+            return {
+                "energised": guardian.energised,
+                "in_hand": guardian.in_hand,
+                "unresolved": sorted(guardian.unresolved),
+            }
         if order == "zero":
             by_session = caller is self.session
             ended = self._guardian.zero(_why(caller, message), by_session=by_session)
