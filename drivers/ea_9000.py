@@ -149,7 +149,7 @@ class EaSupply:
             raise InstrumentError(
                 f"{self.name}: it has left remote control, as it does after a silence of {self.watchdog_s:g} s.",
                 fault="tripped",
-                remedy="Its output is off, if its menu says so. See its panel, then begin this step again.",
+                remedy="What its output does then is set in its menu. See its panel, then begin this step again.",
             )
 
     def make_safe(self) -> None:
@@ -165,7 +165,7 @@ class EaSupply:
 
     def _refuse_alarm(self, state: int) -> None:
         if state & ALARM:
-            words = f"{self.name}: an alarm is active, its output is off."
+            words = f"{self.name}: it tripped: an alarm is active."
             raise InstrumentError(words, fault="tripped", remedy="Acknowledge the alarm on its panel.")
 
 

@@ -19,6 +19,7 @@ from labcal.errors import InstrumentError
 
 COUPLINGS = (("OUTP:PAIR?", "pairing"), ("OUTP:TRAC?", "tracking"))
 UNCOUPLED = ("OFF", "0")
+TRIPS = {"VOLT": "over-voltage", "CURR": "over-current"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +91,18 @@ class KeysightSupply(CurrentSource):
             self._watch()
         super().output(on)
 
+    def trip(self) -> str:
+        """Which protection it says has tripped."""
+        asked = ((f"{word}:PROT:TRIP? (@{self.settings.output})", name) for word, name in TRIPS.items())
+        return " and ".join(name for question, name in asked if self.query(question) == "1")
+
     def feed(self) -> None:
         """Be heard, where it watches. Raises InstrumentError where it does so no longer: it was switched off and on."""
         if self._armed and not self.watching:
             raise InstrumentError(
                 f"{self.name}: its watchdog is off.",
                 fault="tripped",
-                remedy="Was it switched off and on? Coils go to zero; begin this step again.",
+                remedy="Was it switched off and on? Begin this step again.",
             )
 
     def release(self) -> None:
@@ -115,7 +121,7 @@ class KeysightSupply(CurrentSource):
         try:
             self.watchdog_delay, self.watching = self.watchdog_s, 1
         except InstrumentError as fault:
-            remedy = "Leave watchdog_s out of its settings where this model has no watchdog; the output stays open."
+            remedy = "Leave watchdog_s out of its settings where this model has no watchdog."
             raise InstrumentError(fault.what, fault=fault.fault, remedy=remedy) from fault
         self._armed = True
 
@@ -125,5 +131,5 @@ class KeysightSupply(CurrentSource):
                 raise InstrumentError(
                     f"{self.name}: its outputs are coupled: {name} is {said}.",
                     fault="wrong mode",
-                    remedy=f"Switch {name} off on its panel; the output stays open.",
+                    remedy=f"Switch {name} off on its panel.",
                 )

@@ -80,6 +80,10 @@ class KoradSupply(CurrentSource):
             reply += self._link.ask(b"", end=4, timeout_s=self.settings.timeout_s)
         return reply.decode("latin-1")
 
+    def trip(self) -> str:
+        """It says that its output is off, and not by which of its two protections."""
+        return "" if self.enabled else "over-voltage or over-current"
+
     def command(self, text: str) -> None:
         """Tell. It never says whether it heard."""
         self.write(text)

@@ -27,6 +27,8 @@ EXECUTION = {
     200: "another interface holds the lock",
 }
 
+TRIPS = {4: "over-voltage", 8: "over-current", 16: "power", 64: "thermal"}  # the last one needs its mains off and on
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -82,6 +84,13 @@ class TtiSupply(CurrentSource):
         if not on and self.settings.interface_lock:
             self.query("IFUNLOCK")
 
+    def trip(self) -> str:
+        """Which protection its limit event register remembers; reading clears it."""
+        said = self.query(f"LSR{self.settings.output}?")
+        if not said.isdigit():
+            return ""
+        return " and ".join(name for bit, name in TRIPS.items() if int(said) & bit)
+
     def release(self) -> None:
         """Give it back to its panel. Nothing is asked after it: any other message takes control again."""
         self._scpi.send("LOCAL")
@@ -98,7 +107,7 @@ class TtiSupply(CurrentSource):
             raise InstrumentError(
                 f"{self.name}: {text!r} failed: {self._why(events)}.",
                 fault="restarted" if events == "128" else "refused",
-                remedy="Coils go to zero; look at the supply's panel.",
+                remedy="Look at the supply's panel.",
             )
 
     def _lock(self) -> None:

@@ -125,7 +125,7 @@ class WaveshareInterlock:
         return InstrumentError(
             f"{self.name}: the interlock {what}.",
             fault="interlock",
-            remedy="Coils go to zero; look at the relay board, its supply and its cable.",
+            remedy="Look at the relay board, its supply and its cable.",
         )
 
     def _in_turn(self) -> ModbusLink:

@@ -15,6 +15,7 @@ from labcal.bench.bench import open_bench
 from labcal.bench.cage_file import CageCalibration, sha256_of, write_cage
 from labcal.bench.clock import Clock
 from labcal.bench.greet import Greeting, greet
+from labcal.bench.state import LabState
 from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
@@ -48,6 +49,7 @@ from labcal.store.live import FILE as STORE
 from labcal.toml_file import named_files
 
 if TYPE_CHECKING:
+    from labcal.bench.look_again import Looked
     from labcal.fit.history import History
 
 THIS_LAB = "this lab's trust list"
@@ -67,10 +69,12 @@ def run(
     store: Path | None = None,
     control: Control | None = None,
     tell: Callable[[Item], None] = lambda item: None,
+    show: Callable[[LabState], None] = lambda state: None,
 ) -> Outcome:
     """Run a procedure (its name, or a file) on a bench into the store, with `given` settings {key: text}.
 
     Without `answer`, prompts are answered as far as `--yes` may. The clock is virtual where all links are emulated.
+    `show` hears how the lab is, whenever it was read.
     """
     found, texts, filled = find(procedure), dict(given or {}), dict[str, Any]()
     if found.takes("calibration") and "calibration" in texts:
@@ -79,7 +83,7 @@ def run(
         return run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
-            run_id=run_id, control=control, tell=tell,
+            run_id=run_id, control=control, tell=tell, show=show,
         )  # fmt: skip
 
 
@@ -94,6 +98,7 @@ def resume(
     seed: int | None = None,
     control: Control | None = None,
     tell: Callable[[Item], None] = lambda item: None,
+    show: Callable[[LabState], None] = lambda state: None,
 ) -> Outcome:
     """Go on with an interrupted run of the local store after its last finished step.
 
@@ -101,7 +106,9 @@ def resume(
     """
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
-        return resume_run(lab, found, run, store=kept, answer=ask, dut_serial=dut, control=control, tell=tell)
+        return resume_run(
+            lab, found, run, store=kept, answer=ask, dut_serial=dut, control=control, tell=tell, show=show
+        )
 
 
 def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> CageCalibration:
@@ -390,6 +397,13 @@ def serve_bench(bench: Path, out: Path, ready: Callable[[], None], *, force: boo
         ready()
 
     serve(bench, out, written)
+
+
+def look_again(bench: Path, clear_as: str = "") -> Looked | None:
+    """Measure again where a zero of this bench is in doubt; None where none is. `clear_as`: who answers for it."""
+    from labcal.bench.look_again import look_again
+
+    return look_again(bench, clear_as)
 
 
 def coils_off(bench: Path) -> list[AtZero]:

@@ -15,6 +15,7 @@ NUMBER = r"\d+\.?\d*|\.\d+"
 COMMAND = re.compile(
     rf"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?)(?: \(@([123])\))?| ({NUMBER}|ON|OFF)(?:,\(@([123])\))?)"
 )
+TRIPPED = re.compile(r"(VOLT|CURR):PROT:TRIP\?(?: \(@([123])\))?")
 WATCH = re.compile(r"OUTP:PROT:WDOG(:DEL)?(?::STAT)?(?:(\?)| (\d+|ON|OFF))")
 SELECT = re.compile(r"INST:(?:NSEL |SEL (?:CH|OUTP(?:UT)?))([123])")
 APPLY = re.compile(rf"APPL (?:(?:CH|OUTP(?:UT)?)([123]),)?({NUMBER}),({NUMBER})(?:,\(@([123])\))?")
@@ -49,6 +50,7 @@ class KeysightEmulator(Answers):
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
         self._serial = f"MY5912{ord(min(roles)[-1])}"
         self._errors = deque[str](maxlen=QUEUE)
+        self.tripped = ""  # by which of VOLT and CURR
         self.has_watchdog, self._watching, self._delay_wd_s, self._ends_s = True, False, 60, math.inf
         self.pairing, self.tracking, self._selected = "OFF", "0", min(self._outputs)
 
@@ -94,6 +96,9 @@ class KeysightEmulator(Answers):
                 return f"{self._selected}"
             case "SYST:LOC" | "SYST:REM" | "SYST:RWL":
                 return ""
+        if found := TRIPPED.fullmatch(short):
+            self._wired(found[2])
+            return f"{self.tripped == found[1]:d}"
         if short == "OUTP:PROT:CLE":
             self._ends_s = math.inf
             self._hear(t_s)

@@ -78,7 +78,7 @@ class quantity:
             raise InstrumentError(
                 f"{device.name}: {self.label} was set to {value:g} {self.unit} and reads back {held:g} {self.unit}.",
                 fault="read-back",
-                remedy="Coils go to zero; look at the instrument's panel.",
+                remedy="Look at the instrument's panel.",
             )
 
     def write(self, device: Any, value: float) -> None:

@@ -89,7 +89,7 @@ class ReversedSupply:
             raise InstrumentError(
                 f"coil {self._axis}: the contacts did not switch to {sign:+d}.",
                 fault="polarity not confirmed",
-                remedy="The output is open and stays open; look at the relay and its supply.",
+                remedy="Look at the relay and its supply.",
             )
         self._supply.output(self._closed)
 

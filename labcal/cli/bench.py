@@ -18,9 +18,14 @@ FILE = typer.Argument(help="bench.toml", show_default=False)
 
 
 @bench.command()
-def check(file: Path = FILE) -> None:
-    """Ask every instrument of FILE who it is."""
-    from labcal.session import greetings
+def check(
+    file: Path = FILE,
+    clear_as: str = typer.Option(
+        "", metavar="NAME", help="Who answers for a zero that the reference did not see; measures again first."
+    ),
+) -> None:
+    """Ask every instrument of FILE who it is; where the reference did not see a zero, measure that again."""
+    from labcal.session import greetings, look_again
 
     table = Table("instrument", "role", "link", "answers as")
     silent = 0
@@ -29,7 +34,12 @@ def check(file: Path = FILE) -> None:
         said = Text(f"✕ {greeting.fault}", "red") if greeting.fault else Text(f"✓ {greeting.identity}")
         table.add_row(greeting.name, greeting.role, greeting.link, said)
     console().print(table)
-    raise typer.Exit(INSTRUMENT_FAILED if silent else DONE)
+    looked = look_again(file, clear_as)
+    if looked is not None:
+        say(looked.words)
+    elif clear_as:
+        say("No zero of this bench is in doubt; there is nothing to clear.")
+    raise typer.Exit(INSTRUMENT_FAILED if silent or (looked is not None and not looked.lifted) else DONE)
 
 
 @bench.command()
@@ -47,12 +57,14 @@ def serve(
 @bench.command()
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
+    from labcal.bench.doubt import left_so
     from labcal.bench.off import coils_off  # not by way of the session, which loads for a second
 
     ended = coils_off(file)
     for end in ended:
         current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
         say(f"coil {end.axis}: {current}  {end.words}")
+    say(left_so(file, ended))
     raise typer.Exit(INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE)
 
 

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from labcal.record.stream import Item, Prompt
 
 
+AT_ONCE = ("silent", "link lost", "heard again", "reconnected")  # of an instrument, while the run still goes on
+
+
 class Display(Protocol):
     """Shows items as they come, and asks what has to be asked."""
 
@@ -78,7 +81,7 @@ class Lines(Nothing):
 
 
 class Bar(Nothing):
-    """Step n of m with the lab time left; measurements with their verdict as they are made."""
+    """Step n of m with the lab time left; measurements with their verdict, and instruments lost, as they are told."""
 
     def __init__(self, progress: Progress) -> None:
         self._progress = progress
@@ -86,8 +89,10 @@ class Bar(Nothing):
 
     def tell(self, item: Item) -> None:
         """Move the bar at a step, print a measurement that has a limit."""
-        from labcal.record.stream import Measurement, Step
+        from labcal.record.stream import Event, Measurement, Step
 
+        if isinstance(item, Event) and item.kind == "stream" and item.data.get("fault") in AT_ONCE:
+            self._progress.console.print(f"! {item.text}", highlight=False, markup=False)
         if isinstance(item, Step):
             left = f"step {item.number} of {item.total} · {clock_face(item.left_s)} left"
             self._progress.update(

@@ -23,6 +23,7 @@ class Works(Protocol):
     """What view-models need of a worker."""
 
     items: Any  # Signal(list)
+    states: Any  # Signal(dict)
     progress: Any  # Signal(str)
 
     def ask(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
@@ -42,6 +43,7 @@ class Client(QObject):
     """One worker process, started at the first request, and started again after it died."""
 
     items = Signal(list)  # items as JSON, in order
+    states = Signal(dict)  # of the lab, as JSON, by the computer's monotonic clock
     progress = Signal(str)
 
     def __init__(self, parent: QObject | None = None, command: tuple[str, ...] = ("-m", "labcal.gui.worker")) -> None:
@@ -126,6 +128,8 @@ class Client(QObject):
         kind = said.pop("said")
         if kind == "items":
             self.items.emit(said["items"])
+        elif kind == "state":
+            self.states.emit(said["state"])
         elif kind == "progress":
             self.progress.emit(said["text"])
         elif (waiting := self._open.pop(said.pop("id"), None)) is not None:

@@ -19,6 +19,7 @@ class Deaf(QObject):
     """A worker that answers only when it is told to."""
 
     items = Signal(list)
+    states = Signal(dict)
     progress = Signal(str)
 
     def __init__(self):

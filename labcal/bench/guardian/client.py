@@ -113,6 +113,11 @@ class GuardianClient:
             self._lost = False
             raise LOST from error
 
+    @property
+    def alive(self) -> bool:
+        """Whether it is connected."""
+        return self._connection is not None
+
     def zero(self, why: str) -> list[AtZero]:
         """Every coil to zero and open."""
         return [wire.zero_of(end) for end in self.ask("zero", why=why)]
