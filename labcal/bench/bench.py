@@ -86,6 +86,8 @@ class Bench:
         self.platform, self.reference, self.dut = platform, reference, dut
         self.by_hand = next((i for i in instruments.values() if isinstance(i, ByHand)), None)
         self._guardian = guardian
+        if guardian is not None:
+            guardian.look = lambda: self.look()
         self.cage = Cage(
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
             guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
@@ -218,10 +220,12 @@ class Bench:
             steps.callback(self.make_safe)
 
     def _wait_until(self, t_s: float) -> None:
-        while self._streaming and self.clock.now() < t_s:
+        if self._streaming:  # however late it is: on a slow line a ramp has no time left to wait
             self.look()
+        while self._streaming and self.clock.now() < t_s:
             self.clock.wait_until(min(t_s, self._next_angle_s, self._next_coils_s))
             self._poll()
+            self.look()
         self.clock.wait_until(t_s)
         if self._streaming:
             self._listen()

@@ -55,6 +55,7 @@ class Drive:
     _at_zero: bool = field(default=False, init=False)
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
+    _told_to_end: bool = field(default=False, init=False)
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -170,8 +171,18 @@ class Drive:
             raise
 
     def _look(self) -> None:
+        """While anybody waits. Who wants the end does not wait for the end of a ramp: it stops where it is.
+
+        Told once: what the procedure then undoes is not broken off. Nothing breaks off the way to zero.
+        """
         with self._zero_unless_kept():
             self.kept()
+        if self.bench.cage.on and not self._told_to_end:
+            try:
+                self._check()
+            except Stopped:
+                self._told_to_end = True
+                raise
 
     @contextmanager
     def _zero_unless_kept(self) -> Iterator[None]:

@@ -145,6 +145,32 @@ def test_an_abort_zeroes_the_coils_before_the_procedure_undoes_anything_and_a_st
     assert seen == [pytest.approx(on_the_way_out, abs=0.01)]
 
 
+@pytest.mark.parametrize("say", [Control.stop, Control.abort, Control.leave])
+def test_who_wants_the_end_does_not_wait_for_the_end_of_a_ramp(
+    bench_file: BenchFile, say: Callable[[Control], None]
+) -> None:
+    told, control = list[float](), Control()
+
+    def procedure() -> Procedure:
+        yield from energise(bench, bench.cage.field_nT() + [90_000.0, 0.0, 0.0], confirm_signs=False)
+
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
+        supply: Any = bench.cage.supplies["x"]
+        set_current = supply.set_current
+
+        def listening(current_A: float) -> None:
+            told.append(current_A)
+            if len(told) == 4:
+                say(control)
+            set_current(current_A)
+
+        supply.set_current = listening
+        drive = Drive(bench, list[Item]().append, yes_to_all(True), control)
+        assert drive.run(procedure()).fault is not None
+        assert np.abs(bench.cage.currents_A()).max() < 0.002
+    assert max(told) == told[3] < 0.8  # of the 1.8 A that were wanted
+
+
 def test_a_supply_that_cannot_be_asked_is_said_to_be_unconfirmed_and_the_other_coils_are_at_zero(
     bench_file: BenchFile,
 ) -> None:

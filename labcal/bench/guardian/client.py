@@ -8,7 +8,7 @@ import select
 import socket
 import subprocess
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -93,6 +93,7 @@ class GuardianClient:
         self._next_beat_s = 0.0
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
         self._started: subprocess.Popen[bytes] | None = None
+        self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet()
         clock.while_waiting(self._beat)
 
@@ -136,6 +137,8 @@ class GuardianClient:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
         while (reply := connection.reply(number, 0.002)) is None:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
+            if order != "zero":
+                self.look()
             if self._connection is None or time.monotonic() > deadline:
                 raise ConnectionError("no reply")
         if "error" in reply:
