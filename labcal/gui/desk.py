@@ -78,6 +78,7 @@ class Desk(QObject):
         return self.ask("bench", partial(self._bench_known, path), bench=path)
 
     def _bench_known(self, path: str, facts: dict[str, Any]) -> None:
+        self.known = self.known if path == self.bench else None  # what was read on another bench says nothing of this
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts["dut"]["nominal_nT_per_unit"]
