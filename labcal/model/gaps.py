@@ -9,6 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.record import period_s
+
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 JUMP = 0.2  # of the span: a larger move between two rows is a switch
@@ -51,4 +53,4 @@ def _memory_s(t: Array, x: Array) -> float:
     rows = np.unique(np.geomspace(1, max(len(x) // 2, 1), 30).astype(int))
     moved = np.array([np.mean((x[m:] - x[:-m]) ** 2) if m < len(x) else 0.0 for m in rows])
     far = rows[moved > np.var(x)]
-    return float(np.median(np.diff(t))) * float(far[0] if len(far) else len(x))
+    return period_s(t) * float(far[0] if len(far) else len(x))
