@@ -92,7 +92,7 @@ def resume(
 def approve_cage(run: str, name: str, out: Path) -> CageCalibration:
     """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
     with Store.open() as kept:
-        found = approved_cage(kept.header(run), kept.status(run), kept.items(run), name)
+        found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
     write_cage(found, out)
     return found
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from labcal.errors import InputError, InstrumentError
@@ -48,6 +48,11 @@ CREATE TABLE bundle (  -- imported runs, byte for byte
     for table in ("run", "status", "item", "bundle")
     for verb in ("UPDATE", "DELETE")
 )
+
+
+CORRECTED = "serial-corrected"  # an Event of this kind: from here on the run is of another DUT's serial
+IS_CORRECTION = f"kind = 'event' AND content LIKE '%\"{CORRECTED}\"%'"
+CORRECTIONS = f"CREATE INDEX IF NOT EXISTS correction_of_run ON item (run, number) WHERE {IS_CORRECTION}"
 
 
 def connect(path: Path) -> sqlite3.Connection:
@@ -114,6 +119,7 @@ def _set_up(connection: sqlite3.Connection, path: Path) -> None:
             _check_version(connection, path)
             for pragma in ("journal_mode = WAL", "synchronous = FULL", "foreign_keys = ON"):
                 connection.execute(f"PRAGMA {pragma}")
+            _index(connection)
             return
         except sqlite3.OperationalError as error:
             busy = error.sqlite_errorname.startswith(("SQLITE_BUSY", "SQLITE_LOCKED"))
@@ -122,6 +128,12 @@ def _set_up(connection: sqlite3.Connection, path: Path) -> None:
             if connection.in_transaction:
                 connection.execute("ROLLBACK")
             time.sleep(0.02)
+
+
+def _index(connection: sqlite3.Connection) -> None:
+    """So that a list of runs need not look at their items; a store that cannot have it now is slower, no worse."""
+    with suppress(sqlite3.OperationalError):
+        connection.execute(CORRECTIONS)
 
 
 def _create(connection: sqlite3.Connection, path: Path) -> None:
