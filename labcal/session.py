@@ -25,7 +25,6 @@ from labcal.fit import Fit
 from labcal.home import home
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
-from labcal.model.apply import Applied
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
@@ -294,7 +293,7 @@ def _proposing(closed: ClosedLoop) -> ClosedLoop:
     return replace(closed, next_experiment=replace(proposed, procedure=next(fitting, None)))
 
 
-def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:
+def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> certificate.AppliedFile:
     """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
     found = load_calibration(calibration)
     if dut is not None and dut != found.dut.serial:

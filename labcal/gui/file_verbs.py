@@ -196,7 +196,7 @@ def apply(talk: Talk, path: str, source: str, out: str, dut: str) -> str:
     from labcal import session
 
     applied = session.apply_calibration(Path(path), Path(source), Path(out), dut or None)
-    return f"{len(applied.flags)} rows, {sum(1 for flag in applied.flags if flag)} with a flag: {out}"
+    return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {out}"
 
 
 def hand_out(talk: Talk, path: str, folder: str) -> str:

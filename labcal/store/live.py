@@ -15,10 +15,12 @@ from labcal.errors import InputError
 from labcal.home import home
 from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
+from labcal.record.run_id import as_file_name, checked_run_id
 from labcal.record.stream import Event, Item
 from labcal.store.bundle import Bundle, bundle_of, load_bundle
 from labcal.store.database import CORRECTED, IS_CORRECTION, connect, named_faults, transaction
 from labcal.store.items import Row, from_row, header_from_json, to_json, to_row
+from labcal.store.limits import shortened
 from labcal.store.liveness import Alive, is_alive
 from labcal.store.summary import describe
 from labcal.store.writer import INSERT_ITEM, INSERT_STATUS, RunWriter, utc_now
@@ -75,6 +77,7 @@ class Store:
         """Begin a run. Raises InputError where its run id is taken."""
         if not header.dut.serial:
             raise InputError("a run needs the serial number of its DUT")
+        _refuse_name(header.run_id)
         self._require_free(header.run_id)
         alive = Alive(self._lock_file(header.run_id))
         try:
@@ -207,12 +210,13 @@ class Store:
     def _number(self, run_id: str) -> int:
         found = self._all("SELECT number FROM run WHERE run_id = ?", run_id)
         if not found:
-            raise InputError(f"the store has no run called {run_id}; `labcal runs` lists those it has", file=self.path)
+            name = as_file_name(shortened(run_id))
+            raise InputError(f"the store has no run called {name}; `labcal runs` lists those it has", file=self.path)
         return int(found[0][0])
 
     def _imported(self, run_id: str) -> Bundle | None:
         found = self._all("SELECT run_json, samples_csv FROM bundle WHERE run = ?", self._number(run_id))
-        return Bundle(found[0][0], found[0][1], Path(run_id)) if found else None
+        return Bundle(found[0][0], found[0][1], Path(run_id), of_store=True) if found else None
 
     def _summary(self, run_id: str, head: str | None, status: str, correction: str | None) -> RunSummary:
         started_utc, serial, simulated, operator, procedure = json.loads(head) if head else [None] * 5
@@ -234,12 +238,18 @@ class Store:
         return "interrupted"
 
     def _lock_file(self, run_id: str) -> Path:
-        safe = "".join(letter if letter.isalnum() or letter in "-_." else f"%{ord(letter):x}" for letter in run_id)
-        return self.path.with_name(f"{self.path.name}-writers") / f"{safe}.lock"
+        return self.path.with_name(f"{self.path.name}-writers") / f"{as_file_name(run_id)}.lock"
 
     def _all(self, query: str, *values: object) -> list[tuple[Any, ...]]:
         with named_faults(self.path):
             return self._connection.execute(query, values).fetchall()
+
+
+def _refuse_name(run_id: str) -> None:
+    try:
+        checked_run_id(run_id)
+    except ValueError as error:
+        raise InputError(str(error)) from None
 
 
 def _corrected(event: str | None) -> str:
