@@ -100,8 +100,8 @@ class _Kept:
         self._reading, self._rows = np.empty((most, 3)), 0
         self._numbers = {name: np.empty(most) for name in header if name in wanted and name not in READING}
         self._segment = np.empty(most, dtype=np.int32) if "segment" in header else None
-        self._mode = np.empty(most, dtype=object) if "mode" in header else None
-        self._modes, self._last = dict[str, str](), ("", 0)
+        self._mode = np.empty(most, dtype=np.int32) if "mode" in header else None
+        self._modes, self._last = dict[str, int](), ("", 0)
 
     def take(self, piece: Piece) -> None:
         """Some rows more."""
@@ -114,7 +114,7 @@ class _Kept:
         if self._segment is not None:
             self._segment[rows] = self._numbered(piece.texts["segment"])
         if self._mode is not None:
-            self._mode[rows] = [self._modes.setdefault(mode, mode) for mode in piece.texts["mode"]]
+            self._mode[rows] = [self._modes.setdefault(mode, len(self._modes)) for mode in piece.texts["mode"]]
             if len(self._modes) > MOST_WORDS:
                 raise piece.fault(f"found more than {MOST_WORDS} power modes", len(piece) - 1, "mode")
 
@@ -122,7 +122,8 @@ class _Kept:
         """All that was taken."""
         numbers = {name: kept[: self._rows] for name, kept in self._numbers.items()}
         segment, mode = (None if c is None else c[: self._rows] for c in (self._segment, self._mode))
-        return Readings(self._reading[: self._rows], numbers.pop("t_s", None), segment, mode, numbers)
+        t_s, modes = numbers.pop("t_s", None), tuple(self._modes)
+        return Readings(self._reading[: self._rows], t_s, segment, mode, numbers, modes)
 
     def _numbered(self, names: Sequence[str]) -> NDArray[np.int64]:
         """Which stretch of one segment each row (n,) is of, counted from the recording's start."""

@@ -74,7 +74,7 @@ def apply_in_pieces(calibration: Calibration, readings: Readings, most: int) -> 
             raise InputError("the calibration's effects need this column; it is missing", column=name)
     readings, filled = _filled(readings)
     pieces = _pieces(calibration, readings, most)
-    alone = _corrected(calibration, readings) if len(pieces) == 1 else None  # not twice
+    alone = _corrected(calibration, readings.rows(0, len(readings))) if len(pieces) == 1 else None  # not twice
     whole = _survey(calibration, readings, pieces, alone)
     for rows in pieces:
         part = readings.rows(rows.start, rows.stop)

@@ -19,16 +19,17 @@ class Readings:
     reading: Array  # (n, 3) in the DUT's unit
     t_s: Array | None = None  # (n,)
     segment: NDArray[Any] | None = None  # (n,) names or numbers
-    mode: NDArray[Any] | None = None  # (n,) names
+    mode: NDArray[Any] | None = None  # (n,) names, or numbers of `modes`
     channels: Mapping[str, Array] = field(default_factory=dict)  # each (n,)
+    modes: tuple[str, ...] | None = None
 
     def __len__(self) -> int:
         return len(self.reading)
 
     def rows(self, start: int, stop: int) -> Readings:
-        """Some of the rows."""
+        """Some of the rows, their modes by name."""
         t_s, segment, mode = (None if c is None else c[start:stop] for c in (self.t_s, self.segment, self.mode))
-        mode = None if mode is None else np.asarray(mode, dtype=np.str_)
+        mode = mode if mode is None or self.modes is None else np.array(self.modes, dtype=np.str_)[mode]
         channels = {name: values[start:stop] for name, values in self.channels.items()}
         return Readings(self.reading[start:stop], t_s, segment, mode, channels)
 

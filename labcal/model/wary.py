@@ -83,5 +83,6 @@ def outliers(bend: Array, segment: NDArray[Any] | None, noise_nT: float) -> Mask
         change = segment[1:] != segment[:-1]
         bend[1:][change] = bend[:-1][change] = 0.0
     limit = OUT_OF_LINE * max(float(np.median(bend[bend > 0])) if (bend > 0).any() else 0.0, noise_nT, 1e-9)
-    beside = np.maximum(np.r_[0.0, bend[:-1]], np.r_[bend[1:], 0.0])
-    return np.asarray((bend > limit) & (bend > 1.5 * beside))
+    out, rows = np.zeros(len(bend), dtype=bool), np.flatnonzero(bend > limit)  # never the first row nor the last
+    out[rows] = bend[rows] > 1.5 * np.maximum(bend[rows - 1], bend[rows + 1])
+    return out
