@@ -7,7 +7,8 @@ import pytest
 
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
-from labcal.model.apply import Applied, Readings, apply, needed_columns
+from labcal.model.apply import apply, needed_columns
+from labcal.model.readings import Applied, Readings
 from labcal.model.wary import rails
 from labcal.record import Dut
 
