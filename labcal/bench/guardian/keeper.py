@@ -97,6 +97,8 @@ class Guardian:
             self._refuse(coil)
             coil.limit.refuse(current_A, coil.line.clock.now())
             self._together.refuse(self._held_A() | {axis: current_A})
+            if coil.unresolved is not None:
+                raise coil.unresolved
             if current_A:
                 coil.release()
             self.changed.set()
@@ -147,12 +149,19 @@ class Guardian:
             coil.line.gate.close()
 
     def zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> list[AtZero]:
-        """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError."""
+        """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError.
+
+        A session that asks again while nothing more can be done is told what stands: what does not answer is tried
+        again all the time, and nobody waits for that twice.
+        """
         self.order_zero(why, by_session=by_session, fault=fault)
         with self._zeroing:
             self._note(f"to zero: {why}")
             begun, at_rest = time.monotonic(), not self.energised
-            ended = self._down(list(self.coils.values()))
+            standing = self.unresolved if by_session and not self.in_hand else {}
+            ended = self._down([coil for axis, coil in self.coils.items() if axis not in standing])
+            ended += [AtZero(axis, None, False, why_not) for axis, why_not in standing.items()]
+            ended.sort(key=lambda end: AXES.index(end.axis))
             if at_rest:
                 self._exchanges_s = time.monotonic() - begun
             self.changed.set()
@@ -227,6 +236,8 @@ class Guardian:
         coil = self.coils[axis]
         with coil.line.lock, coil.doubting():
             self._refuse(coil)
+            if coil.unresolved is not None:  # it is asked again and again; who waits for it here would wait in vain
+                raise coil.unresolved
             return ask(coil.signed)
 
     def _down(self, coils: Sequence[Coil]) -> list[AtZero]:
@@ -238,7 +249,7 @@ class Guardian:
         except Exception as error:  # out of memory, of handles, or a fault of our own: another process takes over
             self.broken = error
             raise
-        return sorted(ended, key=lambda end: AXES.index(end.axis))
+        return ended
 
     def _line_down(self, coils: Sequence[Coil]) -> list[AtZero]:
         others = [coil.name for coil in self.coils.values() if coil not in coils]
