@@ -24,6 +24,7 @@ from labcal.bench.roles import CoilSupply, Identity
 from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
 
+BY_WORD = "by the supply's word only"  # the guardian has no reference to ask
 Note = Callable[[str], None]
 MODBUS_CALLS = ("read_coils", "read_holding", "read_input", "write_coil", "write_register", "write_registers")
 
@@ -165,7 +166,7 @@ class Guardian:
             if at_rest:
                 self._exchanges_s = time.monotonic() - begun
             self.changed.set()
-            self._note("read back: " + "; ".join(map(_read_back, ended)))
+            self._note(f"{BY_WORD}, read back: {'; '.join(map(_read_back, ended))}")
         return ended
 
     def look_at_duty(self) -> None:
@@ -179,7 +180,7 @@ class Guardian:
         with self._zeroing:
             for end in self._down([coil for coil in self.coils.values() if coil.unresolved is not None]):
                 if end.current_A is not None:
-                    self._note(f"at last: {_read_back(replace(end, fault=None))}")
+                    self._note(f"at last, {BY_WORD}: {_read_back(replace(end, fault=None))}")
 
     def handover(self) -> Handover:
         """What a successor must know; waits for no line."""
