@@ -66,7 +66,7 @@ def _heard(bench: Bench, seconds: float) -> Work[dict[Stream, Running]]:
             raise InstrumentError(
                 f"{stream}: {len(seen)} samples came in {seconds:g} s, too few to say anything.",
                 fault="silent",
-                remedy="The coils are at zero; look at its power and its cable, or listen for longer.",
+                remedy="Look at its power and its cable, or listen for longer.",
             )
     return room
 

@@ -19,7 +19,7 @@ from labcal.record.stream import Prompt
 NEEDS, LASTS_MIN = "the DUT with its thermometer, a means to warm it", 21
 
 Array = NDArray[np.float64]
-EVERY_S = 1.0  # a mean is kept: a DUT warms slowly, and a thousand rounds of an hour must fit in
+EVERY_S, FEWEST = 1.0, 10  # a mean is kept, and so many a visit: a DUT warms slowly, and long runs must fit in
 SEPARATES = (("offset-temperature", "offset-drift"), ("offset-temperature", "gain-temperature"))
 
 
@@ -50,7 +50,7 @@ def temperature_drift(
                 yield from energise(bench, field_nT * np.asarray(bench.config.platform.axis_cage))
                 segment = f"{field_nT / 1000:+g}uT-{number + 1}"
                 visit = yield from rest(bench, segment, dwell_s, mode=mode, body_from_cage=at_zero)
-                kept[field_nT] += thinned(visit, EVERY_S)
+                kept[field_nT] += thinned(visit, min(EVERY_S, dwell_s / FEWEST))
         yield from coils_off(bench)
     for field_nT, blocks in kept.items():
         slopes, u = against(

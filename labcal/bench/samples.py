@@ -46,7 +46,7 @@ class Samples:
             raise InstrumentError(
                 f"{self.stream}: {len(self)} samples came, all at one moment: how often it samples cannot be told.",
                 fault="silent",
-                remedy="Coils go to zero; look at its power and its cable, or record for longer.",
+                remedy="Look at its power and its cable, or record for longer.",
             )
         return period
 

@@ -15,6 +15,7 @@ import traceback
 from contextlib import suppress
 from pathlib import Path
 
+from labcal.bench.cage_file import calibrated
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
@@ -126,6 +127,8 @@ def main(path: Path, how: str) -> None:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     config, fingerprint, handed = read_config(path), wire.fingerprint(path), Handover()
+    with suppress(InputError, OSError):  # without its matrix zero is brought all the same, and nothing else
+        config, _ = calibrated(config, path)
     with suppress(InputError):  # a session has been told; who takes over does so without the group's folder too
         ports.meet(config.safety.group, config.safety.runtime)
     urls = config.guarded_links
