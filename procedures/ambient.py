@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
+from labcal.bench.driver_kit.roles import Paced
 from labcal.bench.parameters import Limits
-from labcal.bench.roles import Paced
 from labcal.bench.running import Running
 from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Procedure, Work, coils_off, listen, measured, note, record, recorded

@@ -18,10 +18,7 @@ from labcal.bench.cage_file import Place
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
 from labcal.bench.doubt import Latch
-from labcal.bench.guardian.client import GuardianClient
-from labcal.bench.platform import BenchPlatform
-from labcal.bench.reconnect import Reconnecting, bring_back
-from labcal.bench.roles import (
+from labcal.bench.driver_kit.roles import (
     ByHand,
     ChannelSpec,
     CoilSupply,
@@ -32,6 +29,9 @@ from labcal.bench.roles import (
     Magnetometer,
     RotationPlatform,
 )
+from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.platform import BenchPlatform
+from labcal.bench.reconnect import Reconnecting, bring_back
 from labcal.bench.samples import merged
 from labcal.bench.state import Coil, Heard, LabState
 from labcal.bench.watch import FieldLimit, Look, StreamWatch, TemperatureLimit

@@ -16,7 +16,7 @@ from labcal.bench.agreement import FieldCheck
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
 from labcal.bench.doubt import Doubt, Latch
-from labcal.bench.roles import CoilSupply
+from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.bench.sign import Probe, SignCheck
 from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Coil
 from labcal.bench.watch import Windings

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.config import read_config
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian.client import ask_once, found
 from labcal.bench.links import ports
 from labcal.bench.loading import Loader
-from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
 

@@ -19,6 +19,7 @@ from labcal.bench.bench import Bench, Reopens, temperatures_of
 from labcal.bench.cage_file import CageCalibration, calibrated
 from labcal.bench.clock import Clock, RealClock, VirtualClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config, sentence
+from labcal.bench.driver_kit.roles import CoilSupply, DutStream, Instrument, PolarityRelay
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
@@ -27,7 +28,6 @@ from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_li
 from labcal.bench.links.urls import split
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
-from labcal.bench.roles import CoilSupply, DutStream, Instrument, PolarityRelay
 from labcal.errors import InputError, LimitError
 
 DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"

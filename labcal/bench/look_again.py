@@ -15,9 +15,9 @@ from labcal.bench.bench import into_cage
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.doubt import Doubt, Latch
+from labcal.bench.driver_kit.roles import Magnetometer
 from labcal.bench.loading import Loader
 from labcal.bench.off import coils_off
-from labcal.bench.roles import Magnetometer
 from labcal.bench.samples import samples
 from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Vector
 from labcal.bench.zero import AtZero

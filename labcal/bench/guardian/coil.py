@@ -9,12 +9,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import cast
 
+from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.bench.guardian.handover import Held
 from labcal.bench.guardian.latch import Latch, LatchedSupply
 from labcal.bench.guardian.limits import CoilLimit
 from labcal.bench.guardian.lines import Line, LockedRelay
 from labcal.bench.polarity import ReversedSupply
-from labcal.bench.roles import CoilSupply
 from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError, LimitError
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from typing import cast
 
+from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.bench.guardian.coil import Coil
-from labcal.bench.roles import CoilSupply
 from labcal.bench.zero import AtZero, to_zero, write_zero
 from labcal.errors import InstrumentError
 

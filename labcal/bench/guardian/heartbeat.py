@@ -13,8 +13,8 @@ from collections.abc import Callable, Mapping
 from typing import cast
 
 from labcal.bench.config import BenchConfig
+from labcal.bench.driver_kit.roles import Interlock, Watched
 from labcal.bench.guardian.lines import Line
-from labcal.bench.roles import Interlock, Watched
 from labcal.errors import InputError, InstrumentError
 
 LOOP_S = 2.0  # the guardian's loop must have been seen so lately: a way to zero takes no longer

@@ -12,6 +12,7 @@ from threading import Barrier, Event, RLock
 from typing import Any
 
 from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.driver_kit.roles import CoilSupply, Identity
 from labcal.bench.guardian.coil import Coil
 from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.handover import Handover, Held
@@ -20,7 +21,6 @@ from labcal.bench.guardian.limits import TogetherLimit
 from labcal.bench.guardian.lines import Line, open_lines, relay_of
 from labcal.bench.guardian.memory import Memory
 from labcal.bench.polarity import ReversedSupply
-from labcal.bench.roles import CoilSupply, Identity
 from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
 

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig
+from labcal.bench.driver_kit.roles import Identity, Instrument, PolarityRelay
 from labcal.bench.guardian.gate import Gate, GatedLoader
 from labcal.bench.loading import speaks_modbus
-from labcal.bench.roles import Identity, Instrument, PolarityRelay
 from labcal.errors import InputError, InstrumentError
 
 if TYPE_CHECKING:
