@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any, Literal
 from labcal import certificate, fit, loop
 from labcal.bench import off
 from labcal.bench.bench import open_bench
-from labcal.bench.cage_file import CageCalibration, sha256_of, write_cage
 from labcal.bench.clock import Clock
+from labcal.bench.coils.cage_file import CageCalibration, sha256_of, write_cage
+from labcal.bench.coils.state import LabState
+from labcal.bench.coils.zero import AtZero
 from labcal.bench.greet import Greeting, greet
-from labcal.bench.state import LabState
-from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from labcal.bench.bench import Bench, open_bench
-    from labcal.bench.cage import Cage
+    from labcal.bench.coils.cage import Cage
 
 __all__ = ["Bench", "Cage", "open_bench"]
 
@@ -17,4 +17,4 @@ def __getattr__(name: str) -> Any:
 
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module("labcal.bench.cage" if name == "Cage" else "labcal.bench.bench"), name)
+    return getattr(import_module("labcal.bench.coils.cage" if name == "Cage" else "labcal.bench.bench"), name)

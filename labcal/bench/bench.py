@@ -13,11 +13,12 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from labcal.bench.cage import Cage
-from labcal.bench.cage_file import Place
 from labcal.bench.clock import Clock
+from labcal.bench.coils.cage import Cage
+from labcal.bench.coils.cage_file import Place
+from labcal.bench.coils.doubt import Latch
+from labcal.bench.coils.state import Coil, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
-from labcal.bench.doubt import Latch
 from labcal.bench.driver_kit.roles import (
     ByHand,
     ChannelSpec,
@@ -33,7 +34,6 @@ from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.reconnect import Reconnecting, bring_back
 from labcal.bench.samples import merged
-from labcal.bench.state import Coil, Heard, LabState
 from labcal.bench.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event, Prompt, Stream

@@ -16,8 +16,9 @@ from pydantic import TypeAdapter, ValidationError
 
 from labcal import outside
 from labcal.bench.bench import Bench, Reopens, temperatures_of
-from labcal.bench.cage_file import CageCalibration, calibrated
 from labcal.bench.clock import Clock, RealClock, VirtualClock
+from labcal.bench.coils.cage_file import CageCalibration, calibrated
+from labcal.bench.coils.polarity import ReversedSupply
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config, sentence
 from labcal.bench.driver_kit.roles import CoilSupply, DutStream, Instrument, PolarityRelay
 from labcal.bench.guardian.client import GuardianClient
@@ -27,7 +28,6 @@ from labcal.bench.hands import SimulatedHands
 from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link, ports
 from labcal.bench.links.urls import split
 from labcal.bench.platform import BenchPlatform
-from labcal.bench.polarity import ReversedSupply
 from labcal.errors import InputError, LimitError
 
 DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from labcal.bench.bench import Bench
-from labcal.bench.cage import Cage
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import NOT_CONFIRMED, LabState
+from labcal.bench.coils.cage import Cage
+from labcal.bench.coils.state import NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step

@@ -27,7 +27,7 @@ NURSERY = """
 import json, os, pty, signal, socket, sys, tempfile, time, traceback
 from pathlib import Path
 import numpy as np
-from labcal.bench.guardian import client, logbook, memory, server, wire
+from labcal.bench.guardian import client, duty, logbook, server, wire
 from labcal.bench.links import devices, holders, locks, open_link, places, ports
 from labcal.bench.clock import RealClock
 from labcal.errors import InputError, InstrumentError

@@ -12,8 +12,8 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.polarity import ReversedSupply
-from labcal.bench.zero import wait_for_zero
+from labcal.bench.coils.polarity import ReversedSupply
+from labcal.bench.coils.zero import wait_for_zero
 from labcal.errors import InputError, InstrumentError, LimitError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"

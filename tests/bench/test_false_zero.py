@@ -13,8 +13,8 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.doubt import Doubt, Latch
-from labcal.bench.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
+from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
 from labcal.bench.steps import coils_off, drive, measure_ambient, mount, record
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Prompt

@@ -15,7 +15,7 @@ from short_preflight import SHORT
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
+from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.bench.steps import Procedure, energise, record
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Step

@@ -19,7 +19,7 @@ from short_preflight import SHORT
 from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import AT_ZERO, BY_WORD
+from labcal.bench.coils.state import AT_ZERO, BY_WORD
 from labcal.bench.steps import Procedure, energise
 from labcal.errors import InputError, InstrumentError
 from labcal.home import home
