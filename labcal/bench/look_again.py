@@ -19,8 +19,8 @@ from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.driver_kit.roles import Magnetometer
 from labcal.bench.loading import Loader
-from labcal.bench.off import coils_off
-from labcal.bench.samples import samples
+from labcal.bench.shutdown import coils_off
+from labcal.bench.streams.samples import samples
 from labcal.errors import InstrumentError
 
 LISTEN_S = 3.0

@@ -58,7 +58,7 @@ def serve(
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
     from labcal.bench.coils.doubt import left_so
-    from labcal.bench.off import coils_off  # not by way of the session, which loads for a second
+    from labcal.bench.shutdown import coils_off  # not by way of the session, which loads for a second
 
     ended = coils_off(file)
     for end in ended:

@@ -126,8 +126,9 @@ class Drive:
     def _ask(self, prompt: Prompt) -> str:
         self.bench.handled(prompt)
         given = checked(prompt, self._answer_while_listening(prompt))
-        if self.bench.hands is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
-            self.bench.hands.do(prompt)
+        operator = self.bench.simulated_operator
+        if operator is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
+            operator.do(prompt)
         self.bench.handled(prompt)
         self._keep(self._event("answer", given, key=prompt.key))
         return given

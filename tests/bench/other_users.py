@@ -31,7 +31,7 @@ from labcal.bench.guardian import client, duty, logbook, server, wire
 from labcal.bench.links import devices, holders, locks, open_link, places, ports
 from labcal.bench.clock import RealClock
 from labcal.errors import InputError, InstrumentError
-import labcal.bench.off, multiprocessing, encodings.idna
+import labcal.bench.shutdown, multiprocessing, encodings.idna
 
 def become(uid, groups, common, group, env, work):
     os.setgroups(groups); os.setresgid(uid, uid, uid); os.setresuid(uid, uid, uid)

@@ -30,8 +30,8 @@ def bench() -> Iterator[Bench]:
 
 
 def lab_of(bench: Bench) -> Any:
-    assert bench.hands is not None
-    return bench.hands._lab
+    assert bench.simulated_operator is not None
+    return bench.simulated_operator._lab
 
 
 def changed(tmp_path: Path, old: str, new: str) -> Path:

@@ -60,8 +60,8 @@ def opened(path: Path = EXAMPLE) -> Bench:
 
 
 def lab_of(bench: Bench) -> Any:
-    assert bench.hands is not None
-    return bench.hands._lab
+    assert bench.simulated_operator is not None
+    return bench.simulated_operator._lab
 
 
 def lies_from_now(bench: Bench, axis: str = "x") -> None:

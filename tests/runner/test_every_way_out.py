@@ -52,7 +52,7 @@ class Lab:
 
     def true_currents_A(self) -> list[float]:
         """What flows in the twin's coils, asked of the physics and not of any instrument."""
-        twin: Any = self.bench.hands._lab
+        twin: Any = self.bench.simulated_operator._lab
         return [float(coil.at([self.bench.clock.now()])[0]) for coil in twin.coils.values()]
 
 

@@ -76,7 +76,7 @@ def held_until(
     """A field is held, and something breaks when `step` begins. The outcome, the true lab, and when it ended."""
     clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
     with closing(open_bench(bench_file(), clock=clock, seed=2)) as bench, Store.open() as store:
-        lab: Any = bench.hands._lab
+        lab: Any = bench.simulated_operator._lab
 
         def tell(item: Item) -> None:
             if isinstance(item, Step) and item.name == step:

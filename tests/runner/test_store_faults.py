@@ -56,7 +56,7 @@ class Broken:
             self.outcome: Outcome = run_procedure(
                 bench, found, given, store=store, answer=answer, tell=self.tell, run_id="R"
             )
-            lab: Any = bench.hands._lab
+            lab: Any = bench.simulated_operator._lab
             self.currents_A = [float(coil.at(np.array([self.clock.now()]))[0]) for coil in lab.coils.values()]
 
     def tell(self, item: Item) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
 from labcal.record.header import ChannelSpec as ChannelSpec  # drivers declare theirs with the roles
-from labcal.record.stream import Block, Event, Prompt
+from labcal.record.stream import Block, Event
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,19 +195,6 @@ class Paced(Magnetometer, Protocol):
 
     def set_rate(self, rate_hz: float) -> None:
         """Sample at one of these from now on; a stream that goes on begins again."""
-        ...
-
-
-@runtime_checkable
-class Hands(Protocol):
-    """The person at a simulated bench, who does to the twin what a prompt asks. A real bench has none (None).
-
-    A prompt says what to do in its `drawing`: "body_from_cage" (3x3, at angle 0) mounts the DUT, "mode" switches
-    its power mode, "angle_deg" turns a dial that has no motor, "load" and "on" switch a load.
-    """
-
-    def do(self, prompt: Prompt) -> None:
-        """Do it before the answer is given."""
         ...
 
 

@@ -118,7 +118,7 @@ class OwnedLine:
 
 
 def open_lines(path: Path, config: BenchConfig) -> dict[str, OwnedLine]:
-    """One OwnedLine for every owned instrument by name; those that state the same link share theirs. Opens nothing yet."""
+    """One line for every owned instrument by name; those that state the same link share theirs. Opens nothing yet."""
     lines: dict[str, OwnedLine] = {}
     for name in config.guarded:
         url = (loader := GatedLoader(path, config, RealClock(), 0)).line_of(name)
