@@ -128,7 +128,7 @@ def _is_own(path: Path) -> bool:
     if here == own or not here.is_relative_to(own):
         return here == own
     first = here.relative_to(own).parts[0].casefold()
-    return first.startswith(STORE) or first in OWN
+    return first.startswith((STORE, "not-at-zero-")) or first in OWN
 
 
 def _is_store(path: Path) -> bool:

@@ -28,6 +28,10 @@ class Display(Protocol):
         """Show one item."""
         ...
 
+    def stopping(self) -> None:
+        """Say that the end was heard: an instrument that does not answer may keep the last word for seconds."""
+        ...
+
     def ask(self, prompt: Prompt) -> str:
         """Ask the person at the terminal."""
         ...
@@ -52,6 +56,9 @@ class Nothing:
     """Shows nothing; asks all the same."""
 
     def tell(self, item: Item) -> None:
+        """Show nothing."""
+
+    def stopping(self) -> None:
         """Show nothing."""
 
     def ask(self, prompt: Prompt) -> str:
@@ -101,6 +108,10 @@ class Bar(Nothing):
         if isinstance(item, Measurement) and item.limit is not None:
             value = f"{item.value:.4g} ± {2 * item.u:.2g} {item.unit} (limit {item.limit:g})"
             self._progress.console.print(f"{item.verdict:<13} {item.name}: {value}", highlight=False)
+
+    def stopping(self) -> None:
+        """Above the bar, at once."""
+        self._progress.console.print("stopping; how the coils are is said once it was read back", highlight=False)
 
     def ask(self, prompt: Prompt) -> str:
         """Ask with the bar out of the way."""

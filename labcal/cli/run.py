@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from labcal.cli import app
-from labcal.cli.progress import shown
+from labcal.cli.progress import Display, shown
 from labcal.cli.screen import console, say
 from labcal.errors import InputError
 
@@ -60,7 +60,7 @@ def run(
 
     control = Control()
     options: dict[str, Any] = {"clock": _clock(clock), "seed": seed, "control": control}
-    with _stop_on_interrupt(control), shown(progress.value) as display:
+    with shown(progress.value) as display, _stop_on_interrupt(control, display):
         options |= {"answer": None if yes else display.ask, "tell": display.tell}
         if resume is not None:
             _nothing_else(settings, dut, operator)
@@ -122,11 +122,12 @@ def _clock(choice: ClockChoice | None) -> Clock | None:
 
 
 @contextmanager
-def _stop_on_interrupt(control: Control) -> Iterator[None]:
+def _stop_on_interrupt(control: Control, display: Display) -> Iterator[None]:
     """Ctrl-C stops the run in order, a second one aborts it; none breaks off the way to zero."""
 
     def interrupted(_: int, __: FrameType | None) -> None:
         (control.abort if control.stopping() else control.stop)()
+        display.stopping()
 
     before = signal.signal(signal.SIGINT, interrupted)
     try:

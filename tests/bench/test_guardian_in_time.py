@@ -87,7 +87,11 @@ def said_off(lab: Served, session: Sessions) -> Callable[[], object]:
 
 def read_back_s() -> float:
     """From the order to zero to its last read-back, by the guardian's own stamps."""
-    stamps = re.findall(r"^(\S+)Z \[\d+\] (to zero|read back): (?!.*session begins)", log(), re.MULTILINE)
+    stamps = re.findall(
+        r"^(\S+)Z \[\d+\] (?:by the supply's word only, )?(to zero|read back): (?!.*session begins)",
+        log(),
+        re.MULTILINE,
+    )
     (_, order), (_, read) = stamps[-2:]
     assert (order, read) == ("to zero", "read back")
     times = [datetime.fromisoformat(stamp) for stamp, _ in stamps[-2:]]

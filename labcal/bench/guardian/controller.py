@@ -24,6 +24,7 @@ from labcal.bench.guardian.limits import TogetherLimit
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
 
+BY_WORD = "by the supply's word only"  # the guardian has no reference to ask
 Note = Callable[[str], None]
 MODBUS_CALLS = ("read_coils", "read_holding", "read_input", "write_coil", "write_register", "write_registers")
 
@@ -97,6 +98,8 @@ class Guardian:
             self._refuse(coil)
             coil.limit.refuse(current_A, coil.line.clock.now())
             self._together.refuse(self._held_A() | {axis: current_A})
+            if coil.unresolved is not None:
+                raise coil.unresolved
             if current_A:
                 coil.release()
             self.changed.set()
@@ -147,16 +150,23 @@ class Guardian:
             coil.line.gate.close()
 
     def zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> list[AtZero]:
-        """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError."""
+        """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError.
+
+        A session that asks again while nothing more can be done is told what stands: what does not answer is tried
+        again all the time, and nobody waits for that twice.
+        """
         self.order_zero(why, by_session=by_session, fault=fault)
         with self._zeroing:
             self._note(f"to zero: {why}")
             begun, at_rest = time.monotonic(), not self.energised
-            ended = self._down(list(self.coils.values()))
+            standing = self.unresolved if by_session and not self.in_hand else {}
+            ended = self._down([coil for axis, coil in self.coils.items() if axis not in standing])
+            ended += [AtZero(axis, None, False, why_not) for axis, why_not in standing.items()]
+            ended.sort(key=lambda end: AXES.index(end.axis))
             if at_rest:
                 self._exchanges_s = time.monotonic() - begun
             self.changed.set()
-            self._note("read back: " + "; ".join(map(_read_back, ended)))
+            self._note(f"{BY_WORD}, read back: {'; '.join(map(_read_back, ended))}")
         return ended
 
     def look_at_duty(self) -> None:
@@ -170,7 +180,7 @@ class Guardian:
         with self._zeroing:
             for end in self._down([coil for coil in self.coils.values() if coil.unresolved is not None]):
                 if end.current_A is not None:
-                    self._note(f"at last: {_read_back(replace(end, fault=None))}")
+                    self._note(f"at last, {BY_WORD}: {_read_back(replace(end, fault=None))}")
 
     def handover(self) -> Handover:
         """What a successor must know; waits for no line."""
@@ -227,6 +237,8 @@ class Guardian:
         coil = self.coils[axis]
         with coil.line.lock, coil.doubting():
             self._refuse(coil)
+            if coil.unresolved is not None:  # it is asked again and again; who waits for it here would wait in vain
+                raise coil.unresolved
             return ask(coil.signed)
 
     def _down(self, coils: Sequence[Coil]) -> list[AtZero]:
@@ -238,7 +250,7 @@ class Guardian:
         except Exception as error:  # out of memory, of handles, or a fault of our own: another process takes over
             self.broken = error
             raise
-        return sorted(ended, key=lambda end: AXES.index(end.axis))
+        return ended
 
     def _line_down(self, coils: Sequence[Coil]) -> list[AtZero]:
         others = [coil.name for coil in self.coils.values() if coil not in coils]
