@@ -11,9 +11,9 @@ from drivers.framing import alphalab
 from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.polling import Polls
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 

@@ -12,9 +12,9 @@ from drivers.framing.crc16 import crc16
 from drivers.framing.listener import Listener, Pieces
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
-from labcal.bench.frames import Lines
+from labcal.bench.driver_kit.framing import Lines
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
 from labcal.errors import InputError
 from labcal.record.stream import Block
 

@@ -9,8 +9,8 @@ from drivers.framing.listener import Listener, Pieces
 from drivers.framing.mishaps import Mishaps
 from drivers.framing.text import Text, TextRows
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
 from labcal.record.stream import Block
 
 

@@ -12,9 +12,9 @@ from drivers.framing.hmr2300 import LENGTH, BinaryFrames, BinaryReplies, TextFra
 from drivers.framing.hmr2300_words import ESC, Words
 from drivers.framing.mishaps import Mishaps, overloaded
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Positive
 from labcal.record.stream import Block, Event
 
 NT_PER_COUNT = 1e5 / 15000

@@ -11,10 +11,10 @@ from pydantic import Field
 from drivers.framing.scpi import Scpi
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
-from labcal.bench.instrument import quantity
+from labcal.bench.driver_kit.quantity import quantity
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Output, Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Output, Positive
 from labcal.errors import InstrumentError
 
 COUPLINGS = (("OUTP:PAIR?", "pairing"), ("OUTP:TRAC?", "tracking"))

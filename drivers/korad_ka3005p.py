@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
-from labcal.bench.instrument import quantity
+from labcal.bench.driver_kit.quantity import quantity
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import NotNegative, Positive
 from labcal.errors import InstrumentError
 
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")

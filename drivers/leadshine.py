@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from labcal.bench.arrival import refuse_elsewhere, refuse_fast_homing
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.arrival import refuse_elsewhere, refuse_fast_homing
+from labcal.bench.driver_kit.registers import Registers, signed, words
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Address, Count, NotNegative, Positive
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.registers import Registers, signed, words
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Address, Count, NotNegative, Positive
 from labcal.errors import InstrumentError, LimitError
 
 PULSES, STATUS, ALARM, TRIGGER = 0x0001, 0x1003, 0x2203, 0x6002

@@ -11,8 +11,8 @@ from drivers.framing.columns import OwnClock
 from drivers.framing.listener import Listener, Pieces
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
 from labcal.record.stream import Block
 
 NT_PER_UT = 1000.0

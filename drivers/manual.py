@@ -6,11 +6,11 @@ import math
 import re
 from dataclasses import dataclass
 
-from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.arrival import refuse_elsewhere
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 
 ABORT = ("abort", "stop", "no")

@@ -11,9 +11,9 @@ from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.polling import Polls
 from drivers.framing.scpi import Scpi
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Count, Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Count, Positive
 from labcal.record.stream import Block, Event
 
 VALUE = re.compile(r" *([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?) *([A-Za-zµ]+) *")

@@ -10,9 +10,9 @@ from pydantic import Field
 
 from drivers.framing.newport import Axis
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 
 DEGREES = "7"

@@ -10,11 +10,11 @@ from typing import Annotated
 from pydantic import Field
 
 from drivers.framing.newport import Axis
-from labcal.bench.arrival import refuse_fast_homing
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.arrival import refuse_fast_homing
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import NotNegative, Positive
 from labcal.errors import InstrumentError
 
 NOT_REFERENCED = range(0x0A, 0x12)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.arrival import refuse_elsewhere
+from labcal.bench.driver_kit.registers import Registers, signed, words
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Address, Count, NotNegative, Positive
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.registers import Registers, signed, words
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Address, Count, NotNegative, Positive
 from labcal.errors import InstrumentError, LimitError
 
 DIRECT_DATA = 0x0058  # sixteen registers, which start the move as they arrive

@@ -9,9 +9,9 @@ from drivers.framing.columns import Columns, Table, channels, numbers
 from drivers.framing.listener import Listener, Pieces
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
-from labcal.bench.frames import Lines
+from labcal.bench.driver_kit.framing import Lines
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
 from labcal.record.stream import Block
 
 

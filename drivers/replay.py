@@ -12,8 +12,8 @@ from drivers.csv_line import Settings as CsvSettings
 from drivers.framing.columns import channels
 from drivers.framing.listener import Listener
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
 from labcal.errors import InputError
 
 LARGEST_BYTES = 1 << 28  # all its rows are kept at once

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 from drivers.framing.supply import CLEAR_IT, CurrentSource
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.registers import Registers, register
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Address, NotNegative, Positive
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.registers import Registers, register
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Address, NotNegative, Positive
 from labcal.errors import InstrumentError
 
 IDENTITY, CURRENT_RANGE, POWER_ON_OUTPUT = 0, 20, 68

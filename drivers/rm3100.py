@@ -9,8 +9,8 @@ from drivers.framing.mishaps import Mishaps
 from drivers.text_line import Parser as TextParser
 from drivers.text_line import Settings as TextSettings
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from drivers.framing.scpi import Scpi
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
-from labcal.bench.instrument import after, decimal, quantity
+from labcal.bench.driver_kit.quantity import after, decimal, quantity
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Output, Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Output, Positive
 from labcal.errors import InstrumentError
 
 EVENTS = {

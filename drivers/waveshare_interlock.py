@@ -9,9 +9,9 @@ from pydantic import Field
 
 from drivers.waveshare_relay import GAP_S, VERSION, Contact
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Address
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Address
 from labcal.errors import InstrumentError
 
 FLASH_ON, TICK_S = 0x0200, 0.1  # closes relay n for so many ticks

@@ -8,9 +8,9 @@ from typing import Annotated
 from pydantic import Field
 
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Address
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Address
 from labcal.errors import InstrumentError
 
 VERSION, CONTROL_MODE = 0x8000, 0x1000  # control mode: of relay 0; 0 obeys this line alone

@@ -10,11 +10,11 @@ from typing import Annotated
 from pydantic import Field
 
 from drivers.framing.zaber import NOT_HOMED, REPLY, SPEED_DATA, TOUCHED, UNASKED, Reply, checksum
-from labcal.bench.arrival import refuse_elsewhere
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.arrival import refuse_elsewhere
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import Positive
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
-from labcal.bench.settings import Positive
 from labcal.errors import InstrumentError
 
 WHOLE = re.compile(r"-?\d+", re.ASCII)

@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from labcal import certificate, fit, loop
-from labcal.bench import off
-from labcal.bench.bench import open_bench
-from labcal.bench.cage_file import CageCalibration, sha256_of, write_cage
+from labcal.bench import shutdown
 from labcal.bench.clock import Clock
-from labcal.bench.greet import Greeting, greet
-from labcal.bench.state import LabState
-from labcal.bench.zero import AtZero
+from labcal.bench.coils.cage_file import CageCalibration, sha256_of, write_cage
+from labcal.bench.coils.state import LabState
+from labcal.bench.coils.zero import AtZero
+from labcal.bench.identify import Identified, identify_all
+from labcal.bench.opening import open_bench
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
@@ -380,9 +380,9 @@ def _run_of(calibration: Calibration) -> Run | None:
     return bundle.run() if bundle.sha256 == calibration.run_sha256 else None
 
 
-def greetings(bench: Path) -> list[Greeting]:
+def greetings(bench: Path) -> list[Identified]:
     """Ask every instrument of a bench.toml who it is; silent ones are in the list, with why."""
-    return greet(bench)
+    return identify_all(bench)
 
 
 def serve_bench(bench: Path, out: Path, ready: Callable[[], None], *, force: bool = False) -> None:
@@ -407,4 +407,4 @@ def look_again(bench: Path, clear_as: str = "") -> Looked | None:
 
 def coils_off(bench: Path) -> list[AtZero]:
     """Every coil to zero and open, one report an axis."""
-    return off.coils_off(bench)
+    return shutdown.coils_off(bench)

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, across, attitude, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import samples
 from labcal.bench.steps import (
     Procedure,
     Work,
@@ -23,6 +22,7 @@ from labcal.bench.steps import (
     record,
     turn,
 )
+from labcal.bench.streams.samples import samples
 from labcal.errors import LimitNotMet
 from labcal.geometry import unit
 from labcal.record.stream import Event

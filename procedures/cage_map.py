@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import samples
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, ready, record
+from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.record.stream import Event, Prompt
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import attitude, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Blocks, Plan, Procedure, Work, dut_nT, measured, rest, switch_mode
+from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError
 from labcal.record.stream import Event, Prompt
 

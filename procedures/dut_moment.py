@@ -14,7 +14,6 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, across, attitude, how_to_mount
 from labcal.bench.parameters import Limits
 from labcal.bench.rotation import Rotation, refuse_too_fast
-from labcal.bench.samples import samples
 from labcal.bench.steps import (
     Plan,
     Procedure,
@@ -30,6 +29,7 @@ from labcal.bench.steps import (
     switch_mode,
     turn,
 )
+from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.fit.dipole import PAIRS, DipoleFit, Look, fit_dipole
 from labcal.geometry import rotation, unit

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import samples
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measure_ambient, measured, ready, rest
+from labcal.bench.streams.samples import samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.stream import Event
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, attitude, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import samples
 from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, rest, switch_mode
+from labcal.bench.streams.samples import samples
 from labcal.geometry import unit
 from labcal.record.stream import Event
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Plan, Procedure, coils_off, measured, record, to_angle, turn
+from labcal.bench.streams.samples import Samples, samples
 from labcal.record.stream import Prompt
 
 NEEDS, LASTS_MIN = "the bare fixture with the motor, a vector reference at the DUT's place", 2

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import samples
 from labcal.bench.steps import (
     Blocks,
     Plan,
@@ -27,6 +26,7 @@ from labcal.bench.steps import (
     record,
     recorded,
 )
+from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Segment

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.look import Turned, delay_of, look_at_turn
 from labcal.bench.mounting import AXES, attitude, how_to_mount, inclined_field
 from labcal.bench.parameters import Limits
 from labcal.bench.position import Position, position
@@ -35,6 +34,7 @@ from labcal.bench.steps import (
     switch_mode,
     to_angle,
 )
+from labcal.bench.turn_diagnostics import Turned, delay_of, look_at_turn
 from labcal.errors import LimitNotMet
 from labcal.record.stream import CLOSURE, Event, Prompt
 from procedures.axes_check import check_axes

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measured, ready, record
+from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, LimitNotMet
 from labcal.geometry import rotation
 from labcal.record.stream import Prompt

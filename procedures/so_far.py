@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.bench.bench import Bench
-from labcal.bench.samples import samples
 from labcal.bench.steps import Blocks, Work, dut_nT
+from labcal.bench.streams.samples import samples
 from labcal.fit.ekf import EKF
 from labcal.record.stream import Event
 

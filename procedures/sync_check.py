@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, across, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import (
     Blocks,
     Procedure,
@@ -23,6 +22,7 @@ from labcal.bench.steps import (
     record,
     turn,
 )
+from labcal.bench.streams.samples import Samples, samples
 
 NEEDS, LASTS_MIN = "the DUT on the platform, a vector reference", 1
 

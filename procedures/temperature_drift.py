@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import attitude, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import Samples, samples, thinned
 from labcal.bench.steps import Blocks, Plan, Procedure, coils_off, dut_nT, energise, measured, rest, switch_mode
+from labcal.bench.streams.samples import Samples, samples, thinned
 from labcal.errors import InputError
 from labcal.record.stream import Prompt
 

@@ -14,7 +14,6 @@ from labcal.bench.mounting import AXES, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.position import position
 from labcal.bench.rotation import Rotation
-from labcal.bench.samples import samples
 from labcal.bench.steps import (
     Plan,
     Procedure,
@@ -27,6 +26,7 @@ from labcal.bench.steps import (
     switch_mode,
     turn,
 )
+from labcal.bench.streams.samples import samples
 from labcal.geometry import rotate, shortest_rotation
 from labcal.model import Calibration
 from labcal.model.apply import apply

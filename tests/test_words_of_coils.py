@@ -11,12 +11,22 @@ from pathlib import Path
 
 import pytest
 
-from labcal.bench.state import AT_ZERO, BY_WORD, FRESH_S, NOT_BY_REFERENCE, Coil, LabState, Witness, from_json, of_ends
-from labcal.bench.zero import AtZero
+from labcal.bench.coils.state import (
+    AT_ZERO,
+    BY_WORD,
+    FRESH_S,
+    NOT_BY_REFERENCE,
+    Coil,
+    LabState,
+    Witness,
+    from_json,
+    of_ends,
+)
+from labcal.bench.coils.zero import AtZero
 from labcal.errors import InstrumentError
 
 ROOT = Path(__file__).parents[1]
-THE_PLACE = "labcal/bench/state.py"
+THE_PLACE = "labcal/bench/coils/state.py"
 CLAIM = re.compile(
     r"\bcoils?\b.*\b(zero|off|on|safe|energis\w*|open\w*)\b|\b(at|to) zero\b|energised|\bsafe\b|^zero, "
     r"|\boutputs?\b.*\b(open|off|on|closed)\b|\bzero\b.*\b(word|confirmed)",
@@ -123,7 +133,7 @@ def said_of_coils() -> tuple[tuple[str, str], ...]:
 
 def test_what_is_said_of_the_coils_is_made_from_a_reading() -> None:
     strays = [f"{path}: {text!r}" for path, text in said_of_coils() if path != THE_PLACE and text not in NO_CLAIM]
-    assert not strays, "make it in labcal/bench/state.py from a reading, or say here why it claims nothing:\n" + (
+    assert not strays, "make it in labcal/bench/coils/state.py from a reading, or say here why it claims nothing:\n" + (
         "\n".join(strays)
     )
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from labcal.bench.frames import Lines
+from labcal.bench.driver_kit.framing import Lines
 
 Pieces = list[tuple[float, bytes]]
 QUEUE = 20  # errors that an instrument keeps

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.framing.mishaps import Mishaps
-from labcal.bench.roles import ChannelSpec
+from labcal.bench.driver_kit.roles import ChannelSpec
 from labcal.record.run import Quantity
 from labcal.record.stream import Block
 

@@ -7,8 +7,8 @@ from typing import Protocol
 
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.links import Link
-from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 

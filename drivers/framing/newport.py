@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from labcal.bench.arrival import refuse_elsewhere
-from labcal.bench.instrument import decimal
+from labcal.bench.driver_kit.arrival import refuse_elsewhere
+from labcal.bench.driver_kit.quantity import decimal
 from labcal.errors import InstrumentError
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import ExitStack, suppress
 from typing import Any
 
-from labcal.bench.instrument import quantity
+from labcal.bench.driver_kit.quantity import quantity
 from labcal.errors import InstrumentError
 
 MISSING = 2.0  # times what counts as zero: a current so much asked for, and not there, is missing

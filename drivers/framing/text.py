@@ -8,7 +8,7 @@ from typing import Literal
 
 from drivers.framing.columns import ColumnMap, numbers
 from drivers.framing.mishaps import Mishaps
-from labcal.bench.frames import Lines
+from labcal.bench.driver_kit.framing import Lines
 
 Rows = tuple[list[float], list[list[float]], bytes]  # stamps of first bytes, rows, the lines as they came
 

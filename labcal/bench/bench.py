@@ -7,34 +7,33 @@ from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from labcal.bench.cage import Cage
-from labcal.bench.cage_file import Place
 from labcal.bench.clock import Clock
+from labcal.bench.coils.cage import Cage
+from labcal.bench.coils.cage_file import Place
+from labcal.bench.coils.doubt import Latch
+from labcal.bench.coils.state import Coil, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
-from labcal.bench.doubt import Latch
-from labcal.bench.guardian.client import GuardianClient
-from labcal.bench.platform import BenchPlatform
-from labcal.bench.reconnect import Reconnecting, bring_back
-from labcal.bench.roles import (
+from labcal.bench.driver_kit.roles import (
     ByHand,
     ChannelSpec,
     CoilSupply,
     DutStream,
-    Hands,
     Identity,
     Instrument,
     Magnetometer,
     RotationPlatform,
 )
-from labcal.bench.samples import merged
-from labcal.bench.state import Coil, Heard, LabState
-from labcal.bench.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
+from labcal.bench.guardian.client import GuardianClient
+from labcal.bench.platform import BenchPlatform
+from labcal.bench.simulated_operator import SimulatedOperator
+from labcal.bench.streams.reconnect import Reconnecting, bring_back
+from labcal.bench.streams.samples import merged
+from labcal.bench.streams.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event, Prompt, Stream
 
@@ -63,7 +62,7 @@ class Reopens(Protocol):
 class Bench:
     """Instruments in their roles. Angles are the contract's (`angle_sign` is applied), currents are signed.
 
-    `hands` does to a simulated lab what a prompt asks of a person; None in a real one. `carry` is what the DUT's place
+    `simulated_operator` does to a simulated lab what a prompt asks; None in a real one. `carry` is what the DUT's place
     has beyond a remote reference's; None where that is not known, or the reference stands at the DUT.
     """
 
@@ -76,7 +75,7 @@ class Bench:
         platform: RotationPlatform,
         reference: Magnetometer,
         dut: DutStream,
-        hands: Hands | None = None,
+        simulated_operator: SimulatedOperator | None = None,
         links: Mapping[str, Reopens] | None = None,
         guardian: GuardianClient | None = None,
         contacts: Collection[str] = (),
@@ -93,7 +92,7 @@ class Bench:
             guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
             blind=blind(config.reference), latch=Latch(config.guarded_links),
         )  # fmt: skip
-        self._instruments, self.hands, self.carry = dict(instruments), hands, carry
+        self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
         self._streams = [
             Reconnecting(sensor, partial(self.reconnect, sensor.name), PATIENCE * stated.silent_s)
@@ -366,22 +365,3 @@ def _block(stream: Stream, source: str, columns: tuple[str, ...], rows: list[tup
 def temperatures_of(dut: DutStream, role: str) -> tuple[str, ...]:
     """The temperature channels that belong to `role`."""
     return tuple(c.name for c in dut.channels if c.quantity == "temperature" and c.role == role)
-
-
-def open_bench(path: Path, *, clock: Clock | None = None, seed: int | None = None, greet: bool = True) -> Bench:
-    """Open every instrument of `path` and, with `greet`, ask each who it is before anything else is said to it.
-
-    Use as a context manager: on leaving, all is made safe and let go of.
-
-    `clock`: the real one unless all links are emulated, then a virtual one. `seed` repeats a simulated lab exactly.
-    Raises InputError for a bad file, InstrumentError where an instrument cannot be reached or is another.
-    """
-    from labcal.bench.loading import load_bench
-
-    bench = load_bench(Path(path), clock, seed)
-    if greet:
-        with ExitStack() as on_failure:
-            on_failure.callback(bench.close)
-            bench.identities()
-            on_failure.pop_all()
-    return bench

@@ -108,7 +108,7 @@ class CageConfig(_Table):
         if self.matrix_nT_per_A is not None:
             return np.array(self.matrix_nT_per_A)
         if self.constants_nT_per_A is None:
-            raise ValueError(f"the matrix stands in {self.calibration}: see labcal.bench.cage_file.calibrated")
+            raise ValueError(f"the matrix stands in {self.calibration}: see labcal.bench.coils.cage_file.calibrated")
         return np.diag(np.array(self.constants_nT_per_A))
 
 

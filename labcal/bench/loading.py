@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass, field, fields
-from datetime import UTC, datetime
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
@@ -15,20 +14,12 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 from pydantic import TypeAdapter, ValidationError
 
 from labcal import outside
-from labcal.bench.bench import Bench, Reopens, temperatures_of
-from labcal.bench.cage_file import CageCalibration, calibrated
-from labcal.bench.clock import Clock, RealClock, VirtualClock
-from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, read_config, sentence
-from labcal.bench.guardian.client import GuardianClient
-from labcal.bench.guardian.modbus import GuardedModbus
-from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
-from labcal.bench.hands import SimulatedHands
+from labcal.bench.clock import Clock, RealClock
+from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, sentence
+from labcal.bench.driver_kit.roles import Instrument
 from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link, ports
 from labcal.bench.links.urls import split
-from labcal.bench.platform import BenchPlatform
-from labcal.bench.polarity import ReversedSupply
-from labcal.bench.roles import CoilSupply, DutStream, Instrument, PolarityRelay
-from labcal.errors import InputError, LimitError
+from labcal.errors import InputError
 
 DRIVERS, EMULATORS, TWINS = "labcal.drivers", "labcal.emulators", "labcal.twins"
 WHICH = ("address", "axis", "output", "channel", "id")  # settings that tell instruments on one line apart
@@ -230,108 +221,3 @@ def drivers_of(path: Path, config: BenchConfig) -> None:
 def speaks_modbus(hints: Mapping[str, Any]) -> bool:
     """Whether a driver with these type hints of `__init__` wants registers instead of bytes."""
     return bool(hints["link"].__name__ == "ModbusLink")
-
-
-def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
-    """Open every instrument of `path` and put it in its role; links are let go of where one of them fails."""
-    config, cage = calibrated(read_config(path), path)
-    if clock is None:
-        clock = VirtualClock(datetime.now(UTC)) if config.simulated else RealClock()
-    if isinstance(clock, VirtualClock) and not config.simulated:
-        raise InputError("a virtual clock is for a bench whose links are all emulated", file=path)
-    loader = Loader(path, config, clock, seed or 0)
-    loader.look_over()  # what is wrong with the file is said here, not by another process
-    loader.meet_group()
-    with ExitStack() as on_failure:
-        guardian = _guardian(loader)
-        if guardian is not None:
-            on_failure.callback(guardian.close)
-        instruments: dict[str, Instrument] = {}
-        for name in config.instruments:
-            instruments[name] = _instrument(loader, name, guardian)
-            on_failure.callback(instruments[name].close)
-        bench = _in_roles(loader, instruments, guardian, cage)
-        on_failure.pop_all()
-        return bench
-
-
-def _guardian(loader: Loader) -> GuardianClient | None:
-    """The guardian of a bench with real supplies or contacts; those of a simulated one die with the session."""
-    config = loader.config
-    if not config.guarded_links:
-        return None
-    return GuardianClient(loader.path, config, loader.clock)
-
-
-def _instrument(loader: Loader, name: str, guardian: GuardianClient | None) -> Instrument:
-    if guardian is None:
-        return loader.instrument(name)
-    if name not in loader.config.guarded:
-        shared = loader.line_of(name) in loader.config.guarded_links
-        return _sharing(loader, name, guardian) if shared else loader.instrument(name)
-    role = loader.config.instruments[name].role
-    return GuardedSupply(role[-1], guardian) if role.startswith("coil-") else GuardedInstrument(name, guardian)
-
-
-def _sharing(loader: Loader, name: str, guardian: GuardianClient) -> Instrument:
-    """An instrument on a line that the guardian owns: it speaks Modbus through it."""
-    driver, hints, settings = loader.driver(name)
-    if not speaks_modbus(hints):
-        loader.refuse("this line belongs to a supply; only Modbus instruments share one", ("instruments", name, "link"))
-    return cast(Instrument, driver(name, GuardedModbus(name, guardian), loader.clock, settings))
-
-
-def _in_roles(
-    loader: Loader,
-    instruments: Mapping[str, Instrument],
-    guardian: GuardianClient | None,
-    cage: CageCalibration | None,
-) -> Bench:
-    config = loader.config
-    roles: dict[str, Any] = {entry.role: instruments[name] for name, entry in config.instruments.items()}
-    _refuse_limits_on_the_unknown(loader, roles["dut"])
-    supplies = coil_supplies(roles, loader.clock) if guardian is None else {a: roles[f"coil-{a}"] for a in AXES}
-    try:
-        return Bench(
-            config,
-            loader.clock,
-            instruments,
-            supplies,
-            BenchPlatform(roles["platform"], config.platform, config.dut.limits),
-            roles["reference"],
-            roles["dut"],
-            SimulatedHands(loader.twin, loader.clock) if config.simulated else None,
-            {name: _link(loader, name, instrument, guardian) for name, instrument in instruments.items()},
-            guardian,
-            [axis for axis, supply in supplies.items() if getattr(supply, "has_contacts", False)],
-            cage.carry if cage and config.reference.place == "remote" else None,
-        )
-    except LimitError as error:
-        loader.refuse(str(error), ("cage", "limits"))
-
-
-def _refuse_limits_on_the_unknown(loader: Loader, dut: DutStream) -> None:
-    """A limit that nothing can bind would only look like one."""
-    if loader.config.dut.limits.temperature_C is not None and not temperatures_of(dut, "dut"):
-        loader.refuse("the DUT tells no temperature (a channel temp_…)", ("dut", "limits", "temperature_C"))
-    if loader.config.cage.limits.temperature_C is not None and not temperatures_of(dut, "coil"):
-        loader.refuse("no channel temp_coil… tells it", ("cage", "limits", "temperature_C"))
-
-
-def _link(loader: Loader, name: str, instrument: Instrument, guardian: GuardianClient | None) -> Reopens:
-    if isinstance(instrument, GuardedInstrument):
-        return instrument
-    line = loader.line_of(name)
-    return loader.links[line] if guardian is None or line in loader.links else GuardedModbus(name, guardian)
-
-
-def coil_supplies(roles: Mapping[str, Any], clock: Clock) -> dict[str, CoilSupply]:
-    """The signed supply of each axis: bipolar by itself, or unipolar behind the reversing contacts of that axis."""
-    relay: PolarityRelay | None = roles.get("polarity")
-    supplies: dict[str, CoilSupply] = {axis: roles[f"coil-{axis}"] for axis in AXES}
-    if relay is None:
-        return supplies
-    return {
-        axis: ReversedSupply(axis, supply, relay, clock) if relay.reverses(axis) else supply
-        for axis, supply in supplies.items()
-    }

@@ -10,17 +10,17 @@ from typing import cast
 
 import numpy as np
 
-from labcal.bench.agreement import LIMIT_NT
 from labcal.bench.bench import into_cage
 from labcal.bench.clock import Clock, RealClock
+from labcal.bench.coils.agreement import LIMIT_NT
+from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Vector
+from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import BenchConfig, read_config
-from labcal.bench.doubt import Doubt, Latch
+from labcal.bench.driver_kit.roles import Magnetometer
 from labcal.bench.loading import Loader
-from labcal.bench.off import coils_off
-from labcal.bench.roles import Magnetometer
-from labcal.bench.samples import samples
-from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Vector
-from labcal.bench.zero import AtZero
+from labcal.bench.shutdown import coils_off
+from labcal.bench.streams.samples import samples
 from labcal.errors import InstrumentError
 
 LISTEN_S = 3.0

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from labcal.bench.config import DutLimits, PlatformConfig
-from labcal.bench.roles import Identity, RotationPlatform
+from labcal.bench.driver_kit.roles import Identity, RotationPlatform
 from labcal.errors import InstrumentError, LimitError
 
 T = TypeVar("T")

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.samples import samples
 from labcal.bench.steps import dut_nT
+from labcal.bench.streams.samples import samples
 from labcal.record.stream import Block
 
 Array = NDArray[np.float64]

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.look import look_at_turn
-from labcal.bench.samples import samples
 from labcal.bench.steps import Blocks, Work, measured, record, recorded, turn, turn_by_hand
+from labcal.bench.streams.samples import samples
+from labcal.bench.turn_diagnostics import look_at_turn
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Segment, Vector
 from labcal.record.stream import Block

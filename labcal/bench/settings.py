@@ -1,13 +1,3 @@
-"""Numbers that a driver's Settings may hold: what cannot be is refused while bench.toml is read."""
+"""Moved to `labcal.bench.driver_kit.settings`; drivers of other packages find it under its first name too."""
 
-from __future__ import annotations
-
-from typing import Annotated
-
-from pydantic import Field
-
-Positive = Annotated[float, Field(gt=0)]
-NotNegative = Annotated[float, Field(ge=0)]
-Count = Annotated[int, Field(ge=1)]
-Address = Annotated[int, Field(ge=1, le=247)]  # of a Modbus device
-Output = Annotated[int, Field(ge=1, le=4)]  # of a supply
+from labcal.bench.driver_kit.settings import *  # noqa: F403

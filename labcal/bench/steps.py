@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from labcal.bench.bench import Bench
-from labcal.bench.samples import Samples, samples
+from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.run import Matrix, Segment
 from labcal.record.stream import (

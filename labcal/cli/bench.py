@@ -57,10 +57,10 @@ def serve(
 @bench.command()
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
-    from labcal.bench.off import coils_off  # not by way of the session, which loads for a second
+    from labcal.bench.shutdown import coils_off  # not by way of the session, which loads for a second
 
     ended = coils_off(file)
-    from labcal.bench.doubt import left_so  # when it is done: this takes a moment to load
+    from labcal.bench.coils.doubt import left_so  # when it is done: this takes a moment to load
 
     for end in ended:
         current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
     """What a bench file states: names, roles, limits, the cage's matrix, what is known of the reference."""
-    from labcal.bench.cage_file import calibrated
+    from labcal.bench.coils.cage_file import calibrated
     from labcal.bench.config import read_config
 
     config, _ = calibrated(read_config(Path(bench)), Path(bench))
@@ -53,7 +53,7 @@ def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
 def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
     """Every coil to zero and open, one report an axis, with when it was read and the doubt that stands about zero."""
     from labcal import session
-    from labcal.bench.doubt import doubt_of
+    from labcal.bench.coils.doubt import doubt_of
 
     ended, doubt = session.coils_off(Path(bench)), doubt_of(Path(bench))
     return [

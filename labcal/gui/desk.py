@@ -15,7 +15,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
-from labcal.bench import state
+from labcal.bench.coils import state
 from labcal.gui.client import Client
 from labcal.gui.lab_vm import LabViewModel, Light
 from labcal.gui.run_vm import Order, RunViewModel

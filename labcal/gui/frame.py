@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from labcal.bench.state import AT_ZERO, NOT_BY_REFERENCE, NOT_CONFIRMED
+from labcal.bench.coils.state import AT_ZERO, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.gui.hold import HOLD_MS, KEYS
 from labcal.gui.key_sheet import KeySheet, explained, shortcuts
 from labcal.gui.lab_vm import LabState, LabViewModel

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from labcal.bench.state import LabState, from_json
+from labcal.bench.coils.state import LabState, from_json
 from labcal.gui.client import Works
 from labcal.gui.numbers import step_words
 from labcal.gui.ring import Ring

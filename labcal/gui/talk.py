@@ -10,7 +10,7 @@ import time
 from collections.abc import Iterator
 from typing import Any, TextIO
 
-from labcal.bench.state import LabState
+from labcal.bench.coils.state import LabState
 from labcal.gui.wire import item_to_json
 from labcal.record.stream import Block, Event, Item, Prompt
 from labcal.runner import Control

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from labcal.bench.cage_file import CageCalibration, Place
+from labcal.bench.coils.cage_file import CageCalibration, Place
 from labcal.errors import InputError
 from labcal.record import RunHeader
 from labcal.record.stream import Event, Item, Measurement

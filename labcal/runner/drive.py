@@ -11,9 +11,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from labcal.bench.bench import Bench
-from labcal.bench.cage import Cage
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import NOT_CONFIRMED, LabState
+from labcal.bench.coils.cage import Cage
+from labcal.bench.coils.state import NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
@@ -126,8 +126,9 @@ class Drive:
     def _ask(self, prompt: Prompt) -> str:
         self.bench.handled(prompt)
         given = checked(prompt, self._answer_while_listening(prompt))
-        if self.bench.hands is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
-            self.bench.hands.do(prompt)
+        operator = self.bench.simulated_operator
+        if operator is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
+            operator.do(prompt)
         self.bench.handled(prompt)
         self._keep(self._event("answer", given, key=prompt.key))
         return given

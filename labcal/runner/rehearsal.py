@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from labcal.bench.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.config import read_config
+from labcal.bench.opening import open_bench
 from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened
 from labcal.runner.catalogue import Found
 from labcal.runner.prompts import first_choice

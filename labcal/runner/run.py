@@ -16,9 +16,9 @@ import numpy as np
 import labcal
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.state import NOT_READ, LabState
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.parameters import settings
-from labcal.bench.roles import Identity
-from labcal.bench.state import NOT_READ, LabState
 from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, Reference, RunHeader

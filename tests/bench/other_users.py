@@ -27,11 +27,11 @@ NURSERY = """
 import json, os, pty, signal, socket, sys, tempfile, time, traceback
 from pathlib import Path
 import numpy as np
-from labcal.bench.guardian import client, logbook, memory, server, wire
+from labcal.bench.guardian import client, duty, logbook, server, wire
 from labcal.bench.links import devices, holders, locks, open_link, places, ports
 from labcal.bench.clock import RealClock
 from labcal.errors import InputError, InstrumentError
-import labcal.bench.off, multiprocessing, encodings.idna
+import labcal.bench.shutdown, multiprocessing, encodings.idna
 
 def become(uid, groups, common, group, env, work):
     os.setgroups(groups); os.setresgid(uid, uid, uid); os.setresuid(uid, uid, uid)

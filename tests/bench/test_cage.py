@@ -12,8 +12,8 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.polarity import ReversedSupply
-from labcal.bench.zero import wait_for_zero
+from labcal.bench.coils.polarity import ReversedSupply
+from labcal.bench.coils.zero import wait_for_zero
 from labcal.errors import InputError, InstrumentError, LimitError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -30,8 +30,8 @@ def bench() -> Iterator[Bench]:
 
 
 def lab_of(bench: Bench) -> Any:
-    assert bench.hands is not None
-    return bench.hands._lab
+    assert bench.simulated_operator is not None
+    return bench.simulated_operator._lab
 
 
 def changed(tmp_path: Path, old: str, new: str) -> Path:

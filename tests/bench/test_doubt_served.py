@@ -9,10 +9,10 @@ from served_lab import Served, beginning, until
 
 from labcal import session
 from labcal.bench import open_bench
+from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.state import AT_ZERO
 from labcal.bench.config import read_config
-from labcal.bench.doubt import Doubt, Latch
 from labcal.bench.look_again import look_again
-from labcal.bench.state import AT_ZERO
 from labcal.cli import main
 from labcal.record.stream import Event, Item
 from labcal.runner.prompts import first_choice

@@ -13,8 +13,8 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.doubt import Doubt, Latch
-from labcal.bench.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
+from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
 from labcal.bench.steps import coils_off, drive, measure_ambient, mount, record
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Prompt
@@ -60,8 +60,8 @@ def opened(path: Path = EXAMPLE) -> Bench:
 
 
 def lab_of(bench: Bench) -> Any:
-    assert bench.hands is not None
-    return bench.hands._lab
+    assert bench.simulated_operator is not None
+    return bench.simulated_operator._lab
 
 
 def lies_from_now(bench: Bench, axis: str = "x") -> None:

@@ -177,8 +177,8 @@ def test_a_crowd_that_says_nothing_is_held_to_its_places(ear: Ear) -> None:
 
 CRASHES = """
 import runpy, sys
-from labcal.bench.guardian import keeper
-keeper.Guardian.zero = lambda *_, **__: (sys.stdin.readline(), 1 / 0)
+from labcal.bench.guardian import controller
+controller.Guardian.zero = lambda *_, **__: (sys.stdin.readline(), 1 / 0)
 sys.argv = ["guardian", sys.argv[1]]
 runpy.run_module("labcal.bench.guardian", run_name="__main__")
 """

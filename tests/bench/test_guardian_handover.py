@@ -20,9 +20,9 @@ from served_lab import three_on_one_pair
 
 from labcal.bench.clock import VirtualClock
 from labcal.bench.config import read_config
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE, Handover, Held, handover_of, stand_by, unknown
-from labcal.bench.guardian.keeper import Guardian
-from labcal.bench.roles import Identity
 
 AMPERES = {"x": 1.8, "y": 0.7, "z": 0.3}
 KNOWN = Handover(0.5, {"x": Held(1.8, True, Identity("Riden", "RD6006", "00020120", "1.35")), "y": Held()})
@@ -90,8 +90,8 @@ class Pair:
 
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self.clock, self.sent = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), list[bytes]()
-        monkeypatch.setattr("labcal.bench.guardian.lines.RealClock", lambda: self.clock)
-        monkeypatch.setattr("labcal.bench.guardian.memory.runtime_folder", lambda: folder)
+        monkeypatch.setattr("labcal.bench.guardian.owned_lines.RealClock", lambda: self.clock)
+        monkeypatch.setattr("labcal.bench.guardian.duty.runtime_folder", lambda: folder)
         self.file, self.noted = folder / "bench.toml", list[str]()
         self.file.write_text(three_on_one_pair(), encoding="utf-8")
         self.links: dict[str, Any] = {}

@@ -12,14 +12,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
+from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import patience
 from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
 from labcal.bench.guardian.logbook import note, written
-from labcal.bench.guardian.memory import Memory
 from labcal.bench.links import ports
-from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError, LimitError
 from labcal.home import home
 
@@ -55,10 +55,10 @@ AT_REST = {"x": 0.0, "y": 0.0, "z": 0.0}
 
 def together(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, limits: str = "") -> TogetherLimit:
     monkeypatch.setattr(ports, "runtime_folder", lambda: tmp_path)
-    monkeypatch.setattr("labcal.bench.guardian.memory.runtime_folder", lambda: tmp_path)
+    monkeypatch.setattr("labcal.bench.guardian.duty.runtime_folder", lambda: tmp_path)
     text = EXAMPLE.read_text(encoding="utf-8").replace("field_nT = 120000.0", f"field_nT = 120000.0\n{limits}")
     (tmp_path / "bench.toml").write_text(text, encoding="utf-8")
-    return TogetherLimit(read_config(tmp_path / "bench.toml"), Memory(["tcp://localhost:9"]))
+    return TogetherLimit(read_config(tmp_path / "bench.toml"), DutyRecord(["tcp://localhost:9"]))
 
 
 def test_a_field_that_no_ambient_explains_is_refused_with_both_numbers(

@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 
 from labcal.bench.config import read_config
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian import heartbeat
 from labcal.bench.guardian.heartbeat import Heartbeats
-from labcal.bench.loading import load_bench
-from labcal.bench.roles import Identity
+from labcal.bench.opening import load_bench
 from labcal.errors import InputError, InstrumentError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"

@@ -16,7 +16,7 @@ from served_lab import plain, three_on_one_pair
 
 from labcal.bench.clock import VirtualClock
 from labcal.bench.config import read_config
-from labcal.bench.guardian.keeper import Guardian
+from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.latch import Latch
 from labcal.errors import InstrumentError
 
@@ -77,9 +77,9 @@ class Bench:
 
     def __init__(self, text: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self.clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
-        monkeypatch.setattr("labcal.bench.guardian.lines.RealClock", lambda: self.clock)
-        monkeypatch.setattr("labcal.bench.guardian.memory.runtime_folder", lambda: folder)
-        monkeypatch.setattr("labcal.bench.guardian.memory.later", lambda write: None)
+        monkeypatch.setattr("labcal.bench.guardian.owned_lines.RealClock", lambda: self.clock)
+        monkeypatch.setattr("labcal.bench.guardian.duty.runtime_folder", lambda: folder)
+        monkeypatch.setattr("labcal.bench.guardian.duty.later", lambda write: None)
         file = folder / "bench.toml"
         file.write_text(text, encoding="utf-8")
         self.guardian = Guardian(file, read_config(file), lambda text: None)

@@ -60,8 +60,8 @@ def bench(tmp_path: Path) -> Iterator[Bench]:
 
 def told(bench: Bench, monkeypatch: pytest.MonkeyPatch, **temperatures: float) -> None:
     """From now on the DUT tells these."""
-    assert bench.hands is not None
-    lab: Any = bench.hands._lab
+    assert bench.simulated_operator is not None
+    lab: Any = bench.simulated_operator._lab
     reading = lab.dut_reading
 
     def warmer(t_s: np.ndarray) -> Any:
@@ -167,8 +167,8 @@ def test_a_field_beyond_the_limit_that_nobody_meant_is_seen_by_the_reference(
     bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     bench.cage.set_currents([0.0, 0.0, 1.9])
-    assert bench.hands is not None
-    lab: Any = bench.hands._lab
+    assert bench.simulated_operator is not None
+    lab: Any = bench.simulated_operator._lab
     monkeypatch.setattr(lab, "ambient", replace(lab.ambient, earth_nT=np.array([20_400.0, 0.0, 20_000.0])))
     with pytest.raises(InstrumentError, match=r"is seen, the limit is 100000 nT") as caught:
         bench.stream_until(bench.clock.now() + 2)

@@ -15,7 +15,7 @@ from test_guardian_ear import Ear
 from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
 from labcal.bench.links import ports
-from labcal.bench.off import coils_off
+from labcal.bench.shutdown import coils_off
 from labcal.cli import _run
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="needs Unix sockets and ptys, which Windows lacks")

@@ -198,7 +198,7 @@ def test_a_group_that_is_none_is_said_to_be(common: Path) -> None:
 
 def test_what_windings_have_borne_under_one_user_the_next_one_knows(common: Path, of_group: Path) -> None:
     keeps = f"""
-kept = memory.Memory([{PORT!r}])
+kept = duty.DutyRecord([{PORT!r}])
 kept.keep(np.array([0.0, %s, 1.0]), 1.0)
 logbook.written(at_most_s=30)
 say(kept.recall(1e6).round(2).tolist())

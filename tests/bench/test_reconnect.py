@@ -18,9 +18,10 @@ import pytest
 
 from drivers.emulators.hmr2300 import Hmr2300Emulator
 from drivers.emulators.zaber import ZaberEmulator
-from labcal.bench import Bench, open_bench, reconnect
+from labcal.bench import Bench, open_bench
 from labcal.bench.clock import RealClock, VirtualClock
-from labcal.bench.reconnect import BACK_S, Reconnecting, bring_back
+from labcal.bench.streams import reconnect
+from labcal.bench.streams.reconnect import BACK_S, Reconnecting, bring_back
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block
 from labcal.twin import open_twin

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from labcal.bench.running import Running
-from labcal.bench.samples import Samples, thinned
+from labcal.bench.streams.running import Running
+from labcal.bench.streams.samples import Samples, thinned
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from served_lab import EXAMPLE
 
-from labcal.bench.loading import load_bench
+from labcal.bench.opening import load_bench
 from labcal.errors import InputError
 
 WRONG = [

@@ -8,7 +8,7 @@ import pytest
 from served_lab import EXAMPLE
 
 from labcal.bench.links import urls
-from labcal.bench.loading import load_bench
+from labcal.bench.opening import load_bench
 from labcal.errors import InputError
 
 WRONG = {
@@ -52,7 +52,7 @@ def test_what_belongs_to_pyserial_is_left_to_it() -> None:
 def test_the_file_is_named_with_line_and_key_and_no_guardian_is_asked(
     role: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("labcal.bench.loading.GuardianClient", None)
+    monkeypatch.setattr("labcal.bench.opening.GuardianClient", None)
     text = EXAMPLE.read_text(encoding="utf-8")
     text = text[: text.rindex("[twin]")].replace(f'"emulated://"\nrole = "{role}"', f'"tcp://host"\nrole = "{role}"')
     text = text.replace('"emulated://"\nrole = "coil-x"', '"tcp://host:1"\nrole = "coil-x"')

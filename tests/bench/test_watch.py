@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from labcal.bench.watch import FieldLimit, Look, StreamWatch, TemperatureLimit, Windings
+from labcal.bench.coils.windings import Windings
+from labcal.bench.streams.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError, LimitError
 from labcal.record.stream import Block
 

@@ -23,10 +23,8 @@ import pytest
 
 from drivers.emulators.modbus_rtu import crc
 from labcal.bench.clock import RealClock, VirtualClock
-from labcal.bench.instrument import quantity
-from labcal.bench.links import EmulatedLink, WiredLink, open_link
-from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.roles import (
+from labcal.bench.driver_kit.quantity import quantity
+from labcal.bench.driver_kit.roles import (
     CoilSupply,
     DutStream,
     Identity,
@@ -38,6 +36,8 @@ from labcal.bench.roles import (
     Unacknowledged,
     Watched,
 )
+from labcal.bench.links import EmulatedLink, WiredLink, open_link
+from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
 

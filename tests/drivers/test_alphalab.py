@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from drivers.alphalab import AlphaLab
 from drivers.framing import alphalab
-from labcal.bench.testing import Exchange, scripted
+from labcal.bench.driver_kit.testing import Exchange, scripted
 from labcal.errors import InstrumentError
 
 

@@ -13,7 +13,7 @@ from listening import cut, heard
 from drivers.ccsds import Ccsds
 from drivers.framing import ccsds, cobs, slip
 from drivers.framing.crc16 import crc16
-from labcal.bench.testing import scripted
+from labcal.bench.driver_kit.testing import scripted
 from labcal.errors import InputError
 
 TIMED = {"framing": "datagram", "columns": ("x", "y", "z", "temp_dut"), "layout": ">3hH"}

@@ -14,9 +14,9 @@ from frames import read, rtu, wrote
 from drivers.ea_9000 import EaSupply, Settings
 from drivers.emulators.ea_9000 import EaEmulator
 from labcal.bench.clock import RealClock, VirtualClock
+from labcal.bench.driver_kit.testing import scripted
 from labcal.bench.links import EmulatedLink, open_link
 from labcal.bench.links.modbus import ModbusLink, modbus_link
-from labcal.bench.testing import scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
 

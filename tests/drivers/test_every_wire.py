@@ -20,10 +20,10 @@ from frames import read, rtu
 
 from labcal.bench.clock import RealClock
 from labcal.bench.config import DutLimits, PlatformConfig
+from labcal.bench.driver_kit.testing import SILENT, UNPLUGGED, Exchange, scripted
 from labcal.bench.links import open_link
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.platform import BenchPlatform
-from labcal.bench.testing import SILENT, UNPLUGGED, Exchange, scripted
 from labcal.errors import InstrumentError, LimitError
 
 PAUSE_S, LONG_S = 0.02, 60.0

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from drivers.framing.hmr2300 import BinaryFrames
 from drivers.hmr2300 import NT_PER_COUNT, Hmr2300, Settings
-from labcal.bench.testing import scripted
+from labcal.bench.driver_kit.testing import scripted
 from labcal.errors import InstrumentError
 
 PLAIN = "0001 0002 0003 0D"

@@ -9,9 +9,9 @@ import pytest
 from drivers.emulators.kepco_bop import KepcoEmulator
 from drivers.kepco_bop import KepcoBop, Settings
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.zero import to_zero
+from labcal.bench.driver_kit.testing import SILENT, UNPLUGGED, scripted
 from labcal.bench.links import EmulatedLink
-from labcal.bench.testing import SILENT, UNPLUGGED, scripted
-from labcal.bench.zero import to_zero
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.keysight_e36300 import KeysightSupply
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 OK = (b"SYST:ERR?\n", b'+0,"No error"\n')

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.korad_ka3005p import KoradSupply
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 

@@ -6,7 +6,7 @@ import pytest
 from frames import read, rtu, wrote
 
 from drivers.leadshine import LeadshineStage
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 STATUS, START = bytes.fromhex("010310030001 70CA"), bytes.fromhex("01066002001037C6")

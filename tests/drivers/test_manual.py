@@ -11,10 +11,10 @@ import pytest
 from drivers.manual import ManualPlatform
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.driver_kit.testing import scripted
 from labcal.bench.links import open_link
 from labcal.bench.rotation import Rotation, missing_sectors, rotate_once
 from labcal.bench.steps import record, to_angle
-from labcal.bench.testing import scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.record.stream import Block, Prompt, SegmentOpened
 
@@ -97,7 +97,7 @@ def answered(bench: Bench, work, answers=lambda prompt: "") -> list:
         answer = None
         if isinstance(item, Prompt):
             answer = answers(item)
-            bench.hands.do(item)
+            bench.simulated_operator.do(item)
 
 
 def test_hands_turn_it_once_around_with_misreadings_within_the_dial(bench: Bench) -> None:
@@ -111,7 +111,7 @@ def test_hands_turn_it_once_around_with_misreadings_within_the_dial(bench: Bench
         assert asked == pytest.approx(np.arange(7.5, 360.0, 15.0))
         assert missing_sectors(blocks) == []
         assert opened.angle_noise_deg == pytest.approx(0.1 / np.sqrt(3))
-        placed = np.array([piece[1] for piece in bench.hands._lab.platform.pieces])
+        placed = np.array([piece[1] for piece in bench.simulated_operator._lab.platform.pieces])
         off = placed[-len(asked) :] - asked
         assert 0.0 < np.abs(off).max() <= 0.1
         assert all(item.acts for item in seen if isinstance(item, Prompt))

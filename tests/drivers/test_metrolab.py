@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drivers.metrolab import Metrolab, Settings, nanotesla
-from labcal.bench.testing import Exchange, scripted
+from labcal.bench.driver_kit.testing import Exchange, scripted
 from labcal.errors import InstrumentError
 
 FINE = b'0,"No error";0\n'

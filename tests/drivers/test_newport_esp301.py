@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.newport_esp301 import Esp301Stage
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 
 FINE = (b"TB?\r", b"0, 451322, NO ERROR DETECTED\r\n")

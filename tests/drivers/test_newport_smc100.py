@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.newport_smc100 import Smc100Stage
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 FINE = (b"1TE\r\n", b"1TE@\r\n")

@@ -6,7 +6,7 @@ import pytest
 from frames import read, rtu
 
 from drivers.oriental_az import OrientalStage
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 ASK = bytes.fromhex("0103007F0001B5D2")

@@ -10,9 +10,9 @@ from frames import read, rtu, wrote
 from drivers.emulators.riden_rd60xx import RidenEmulator
 from drivers.riden_rd60xx import RidenSupply, Settings
 from labcal.bench.clock import VirtualClock
+from labcal.bench.driver_kit.testing import scripted
 from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.testing import scripted
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
 

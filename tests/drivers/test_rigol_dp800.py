@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.rigol_dp800 import RigolSupply
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 OK = (b":SYST:ERR?\n", b'0,"No error"\n')

@@ -10,7 +10,7 @@ from drivers.keysight_e36300 import KeysightSupply
 from drivers.korad_ka3005p import KoradSupply
 from drivers.rigol_dp800 import RigolSupply
 from drivers.tti_pl import TtiSupply
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 
 Wire = list[tuple[bytes, Any]]

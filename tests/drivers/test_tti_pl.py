@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from drivers.tti_pl import TtiSupply
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError, LimitError
 
 OK = (b"*ESR?\n", b"0\r\n")

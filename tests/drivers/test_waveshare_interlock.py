@@ -11,9 +11,9 @@ from pydantic import TypeAdapter, ValidationError
 from drivers.emulators.waveshare_interlock import InterlockEmulator
 from drivers.waveshare_interlock import Settings, WaveshareInterlock
 from labcal.bench.clock import VirtualClock
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 from labcal.twin import open_twin
 

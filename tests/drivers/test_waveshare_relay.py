@@ -6,7 +6,7 @@ import pytest
 from frames import read
 
 from drivers.waveshare_relay import WaveshareRelay
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 
 ON, OFF = bytes.fromhex("01050000FF008C3A"), bytes.fromhex("010500000000CDCA")

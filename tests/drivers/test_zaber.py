@@ -6,7 +6,7 @@ import pytest
 
 from drivers.framing.zaber import checksum
 from drivers.zaber import ZaberStage
-from labcal.bench.testing import SILENT, scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.errors import InstrumentError
 
 TURN = (b"/1 1 01 get limit.cycle.dist\r\n", b"@01 1 01 OK IDLE -- 1536000\r\n")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from labcal.bench.state import Coil, LabState, Witness
+from labcal.bench.coils.state import Coil, LabState, Witness
 
 SEEN = {"seen_nT": (20_400.0, 1_150.0, -43_700.0), "expected_nT": (20_400.0, 1_150.0, -43_700.0)}
 

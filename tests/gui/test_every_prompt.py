@@ -19,8 +19,8 @@ from PySide6.QtWidgets import QApplication
 
 import procedures
 from labcal.bench import steps
-from labcal.bench.bench import open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
 from labcal.gui.hold import HOLD_MS, HoldButton
 from labcal.gui.prompt_card import WORDS, acting

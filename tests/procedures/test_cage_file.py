@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.bench.cage_file import CageCalibration, Place, read_cage, write_cage
+from labcal.bench.coils.cage_file import CageCalibration, Place, read_cage, write_cage
 from labcal.errors import InputError
 from labcal.store import Store
 

@@ -10,8 +10,8 @@ import ppigrf
 import pytest
 
 from labcal.bench.rotation import missing_sectors, stops
-from labcal.bench.running import Running
-from labcal.bench.samples import Samples, merged
+from labcal.bench.streams.running import Running
+from labcal.bench.streams.samples import Samples, merged
 from labcal.errors import InputError
 from labcal.geometry import rotate, rotation
 from labcal.record.stream import Block

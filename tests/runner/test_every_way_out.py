@@ -15,7 +15,7 @@ from short_preflight import SHORT
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
+from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.bench.steps import Procedure, energise, record
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Step
@@ -52,7 +52,7 @@ class Lab:
 
     def true_currents_A(self) -> list[float]:
         """What flows in the twin's coils, asked of the physics and not of any instrument."""
-        twin: Any = self.bench.hands._lab
+        twin: Any = self.bench.simulated_operator._lab
         return [float(coil.at([self.bench.clock.now()])[0]) for coil in twin.coils.values()]
 
 

@@ -15,7 +15,7 @@ from left import left_as
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
+from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Step
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
@@ -76,7 +76,7 @@ def held_until(
     """A field is held, and something breaks when `step` begins. The outcome, the true lab, and when it ended."""
     clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
     with closing(open_bench(bench_file(), clock=clock, seed=2)) as bench, Store.open() as store:
-        lab: Any = bench.hands._lab
+        lab: Any = bench.simulated_operator._lab
 
         def tell(item: Item) -> None:
             if isinstance(item, Step) and item.name == step:

@@ -20,7 +20,7 @@ from short_preflight import SHORT
 from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import BY_WORD
+from labcal.bench.coils.state import BY_WORD
 from labcal.errors import InputError, InstrumentError
 from labcal.record.stream import Event, Item, Prompt, Step
 from labcal.runner import Control, Outcome, find, run_procedure

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from labcal.bench.loading import _installed, load_bench
+from labcal.bench.loading import _installed
+from labcal.bench.opening import load_bench
 from labcal.cli import _run as labcal
 from labcal.errors import InputError
 from labcal.runner import catalogue, find

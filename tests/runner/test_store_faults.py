@@ -19,7 +19,7 @@ from short_preflight import SHORT
 from labcal import session
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.state import AT_ZERO, BY_WORD
+from labcal.bench.coils.state import AT_ZERO, BY_WORD
 from labcal.bench.steps import Procedure, energise
 from labcal.errors import InputError, InstrumentError
 from labcal.home import home
@@ -56,7 +56,7 @@ class Broken:
             self.outcome: Outcome = run_procedure(
                 bench, found, given, store=store, answer=answer, tell=self.tell, run_id="R"
             )
-            lab: Any = bench.hands._lab
+            lab: Any = bench.simulated_operator._lab
             self.currents_A = [float(coil.at(np.array([self.clock.now()]))[0]) for coil in lab.coils.values()]
 
     def tell(self, item: Item) -> None:

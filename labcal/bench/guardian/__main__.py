@@ -18,8 +18,8 @@ from pathlib import Path
 from labcal.bench.cage_file import calibrated
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.guardian import wire
+from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
-from labcal.bench.guardian.keeper import Guardian
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.server import Server
 from labcal.bench.guardian.spawn import STANDBY

@@ -13,7 +13,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from labcal.bench.at_zero import AtZero
+from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports

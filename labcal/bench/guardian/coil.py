@@ -9,13 +9,13 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import cast
 
+from labcal.bench.coils.polarity import ReversedSupply
+from labcal.bench.coils.zero import AtZero
+from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.bench.guardian.handover import Held
 from labcal.bench.guardian.latch import Latch, LatchedSupply
 from labcal.bench.guardian.limits import CoilLimit
-from labcal.bench.guardian.lines import Line, LockedRelay
-from labcal.bench.polarity import ReversedSupply
-from labcal.bench.roles import CoilSupply
-from labcal.bench.zero import AtZero
+from labcal.bench.guardian.owned_lines import LockedRelay, OwnedLine
 from labcal.errors import InstrumentError, LimitError
 
 
@@ -25,7 +25,7 @@ class Coil:
 
     axis: str
     name: str
-    line: Line
+    line: OwnedLine
     relay: LockedRelay | None
     current_limit_A: float
     ramp_limit_A_per_s: float

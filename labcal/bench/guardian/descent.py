@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from typing import cast
 
+from labcal.bench.coils.zero import AtZero, to_zero, write_zero
+from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.bench.guardian.coil import Coil
-from labcal.bench.roles import CoilSupply
-from labcal.bench.zero import AtZero, to_zero, write_zero
 from labcal.errors import InstrumentError
 
 ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what it holds

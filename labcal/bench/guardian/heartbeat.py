@@ -13,8 +13,8 @@ from collections.abc import Callable, Mapping
 from typing import cast
 
 from labcal.bench.config import BenchConfig
-from labcal.bench.guardian.lines import Line
-from labcal.bench.roles import Interlock, Watched
+from labcal.bench.driver_kit.roles import Interlock, Watched
+from labcal.bench.guardian.owned_lines import OwnedLine
 from labcal.errors import InputError, InstrumentError
 
 LOOP_S = 2.0  # the guardian's loop must have been seen so lately: a way to zero takes no longer
@@ -25,7 +25,7 @@ ARM_S = 15.0  # that an order to energise waits for an interlock to close, at mo
 class Heartbeats:
     """Feeds what is watched on `lines`. `fault` is why no coil may carry current, if there is such a thing."""
 
-    def __init__(self, config: BenchConfig, lines: Mapping[str, Line], note: Callable[[str], None]) -> None:
+    def __init__(self, config: BenchConfig, lines: Mapping[str, OwnedLine], note: Callable[[str], None]) -> None:
         self._note, self._ended = note, threading.Event()
         self._seen_s, self._at_rest, self._in_doubt = time.monotonic(), False, False
         self._hearts = [
@@ -95,7 +95,7 @@ class Heartbeats:
 class Heart:
     """One watched instrument on its line. `closed`: an interlock that was closed and has been fed since."""
 
-    def __init__(self, name: str, line: Line, period_s: float, is_interlock: bool) -> None:
+    def __init__(self, name: str, line: OwnedLine, period_s: float, is_interlock: bool) -> None:
         self.name, self.period_s, self.is_interlock = name, period_s, is_interlock
         self.closed, self.wake = False, threading.Event()
         self.fault: InstrumentError | None = None
@@ -145,7 +145,7 @@ def _nothing() -> None:
     """Without a beat all that is watched opens by itself."""
 
 
-def _watchdog_s(line: Line, name: str) -> float:
+def _watchdog_s(line: OwnedLine, name: str) -> float:
     try:
         return float(getattr(line.loader.driver(name)[2], "watchdog_s", 0.0))
     except InputError:  # in the file; a session says so before it starts a guardian

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from labcal.bench.roles import CoilSupply, Identity, Unacknowledged
+from labcal.bench.driver_kit.roles import CoilSupply, Identity, Unacknowledged
 from labcal.errors import InstrumentError
 
 

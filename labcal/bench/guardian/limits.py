@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from labcal.bench.coils.windings import Windings
 from labcal.bench.config import AXES, BenchConfig
-from labcal.bench.guardian.memory import Memory
-from labcal.bench.watch import Windings
+from labcal.bench.guardian.duty import DutyRecord
 from labcal.errors import InstrumentError, LimitError
 
 EARTH_NT = (
@@ -67,13 +67,13 @@ class CoilLimit:
 class TogetherLimit:
     """What all coils do together: the field they make, and the mean square current that each winding has borne."""
 
-    def __init__(self, config: BenchConfig, memory: Memory) -> None:
+    def __init__(self, config: BenchConfig, duty: DutyRecord) -> None:
         limits, of_dut = config.cage.limits, config.dut.limits.field_nT
         self._matrix = config.cage.matrix if _stated(config) else None
         self._field_nT = min(limits.field_nT, of_dut or math.inf)
         self._windings = Windings(limits.rms_current_A or (math.inf,) * 3, limits.rms_window_s)
-        self._windings.mean_A2 = memory.recall(limits.rms_window_s)
-        self._memory = memory
+        self._windings.mean_A2 = duty.recall(limits.rms_window_s)
+        self._duty = duty
 
     def refuse(self, currents_A: Mapping[str, float]) -> None:
         """Raise LimitError where these set-points may not be held; nothing has been sent then."""
@@ -98,7 +98,7 @@ class TogetherLimit:
         except InstrumentError as fault:
             return fault
         finally:
-            self._memory.keep(self._windings.mean_A2, now_s)
+            self._duty.keep(self._windings.mean_A2, now_s)
         return None
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian.client import GuardianClient
-from labcal.bench.roles import Identity
 
 
 class GuardedInstrument:

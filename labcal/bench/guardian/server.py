@@ -15,7 +15,7 @@ from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
 from typing import Any
 
-from labcal.bench.guardian.keeper import Guardian
+from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.wire import (
     OTHER_BENCH,
     Message,

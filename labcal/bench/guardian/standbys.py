@@ -8,8 +8,8 @@ import threading
 import time
 from pathlib import Path
 
+from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE
-from labcal.bench.guardian.keeper import Guardian
 from labcal.bench.guardian.spawn import STANDBY, spawn
 
 HOW_MANY = 2  # so that a guardian and one of them may be killed together

@@ -14,7 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from labcal.bench.at_zero import AtZero
+from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.links.places import belongs, runtime_folder, user
 from labcal.errors import InstrumentError, LimitError
 

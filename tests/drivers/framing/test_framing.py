@@ -10,7 +10,7 @@ from listening import cut
 from drivers.framing import ccsds, cobs, nmea, slip
 from drivers.framing.columns import number
 from drivers.framing.crc16 import crc16
-from labcal.bench.frames import Lines
+from labcal.bench.driver_kit.framing import Lines
 
 
 def test_crc_and_checksum_of_the_sheet() -> None:

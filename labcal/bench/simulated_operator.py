@@ -1,4 +1,4 @@
-"""The hands at a simulated bench: what a prompt asks of a person is done to the simulated lab."""
+"""The person at a simulated bench: what a prompt asks of the operator is done to the simulated lab."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from labcal.record.stream import Prompt
 
 
 class SimulatedLab(Protocol):
-    """What hands can do in a lab; times on the bench's clock."""
+    """What an operator can do in a lab; times on the bench's clock."""
 
     def mount(self, t_s: float, body_from_cage: Sequence[Sequence[float]]) -> None:
         """Mount the DUT with this attitude (3, 3) at platform angle zero."""
@@ -41,8 +41,12 @@ class SimulatedLab(Protocol):
         ...
 
 
-class SimulatedHands:
-    """Does what a prompt's `drawing` says: mount, take away, switch mode or load, turn the dial, move the reference."""
+class SimulatedOperator:
+    """Does what a prompt's `drawing` says: mount, take away, switch mode or load, turn the dial, move the reference.
+
+    "body_from_cage" (3x3, at angle 0) mounts the DUT, "mode" switches its power mode, "angle_deg" turns a dial that has
+    no motor, "load" and "on" switch a load.
+    """
 
     def __init__(self, lab: SimulatedLab, clock: Clock) -> None:
         self._lab, self._clock = lab, clock

@@ -11,17 +11,17 @@ from pathlib import Path
 from threading import Barrier, Event, RLock
 from typing import Any
 
+from labcal.bench.coils.polarity import ReversedSupply
+from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.driver_kit.roles import CoilSupply, Identity
 from labcal.bench.guardian.coil import Coil
 from labcal.bench.guardian.descent import line_down
+from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import Handover, Held
 from labcal.bench.guardian.heartbeat import Heartbeats
 from labcal.bench.guardian.limits import TogetherLimit
-from labcal.bench.guardian.lines import Line, open_lines, relay_of
-from labcal.bench.guardian.memory import Memory
-from labcal.bench.polarity import ReversedSupply
-from labcal.bench.roles import CoilSupply, Identity
-from labcal.bench.zero import AtZero
+from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
 
 BY_WORD = "by the supply's word only"  # the guardian has no reference to ask
@@ -43,7 +43,7 @@ class Guardian:
             axis: Coil(axis, name := names[f"coil-{axis}"], self._lines[name], relay, most, rate)
             for axis, most, rate in zip(AXES, limits.current_A, limits.ramp_A_per_s, strict=True)
         }
-        self._together = TogetherLimit(config, Memory(config.guarded_links))
+        self._together = TogetherLimit(config, DutyRecord(config.guarded_links))
         self._zeroing = RLock()
         self._workers = _ready_threads(len({coil.line.url for coil in self.coils.values()}))
         self.broken: Exception | None = None  # why this guardian cannot go on; its successor can
@@ -80,7 +80,7 @@ class Guardian:
             raise InstrumentError(f"{name}: {call} is not for the session to ask.", fault="forbidden")
         return self._line_of(name).modbus(name, call, args)
 
-    def _line_of(self, name: str) -> Line:
+    def _line_of(self, name: str) -> OwnedLine:
         lines = self._lines.values()
         return next(line for line in lines if line.url == line.loader.line_of(name))
 

@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 EVERY_S = 1.0
 
 
-class Memory:
+class DutyRecord:
     """The mean square currents (3,) [A²] of the coils on these ports, in the runtime folder, until a reboot.
 
     Each user writes a file of its own; the warmest counts.

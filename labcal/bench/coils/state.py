@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
 
-from labcal.bench.zero import AtZero
+from labcal.bench.coils.zero import AtZero
 
 FRESH_S = 2.0  # what was read back longer ago is told as past
 AT_ZERO = "coils at zero"

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
-from labcal.bench.samples import Samples, samples
 from labcal.bench.steps import Blocks, dut_nT
+from labcal.bench.streams.samples import Samples, samples
 from labcal.geometry import shortest_rotation, unit
 
 Array = NDArray[np.float64]

@@ -12,15 +12,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from labcal.bench.agreement import FieldCheck
 from labcal.bench.clock import Clock
+from labcal.bench.coils.agreement import FieldCheck
+from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.sign import Probe, SignCheck
+from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Coil
+from labcal.bench.coils.windings import Windings
+from labcal.bench.coils.zero import RAMP_STEP_S, AtZero, to_zero
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
-from labcal.bench.doubt import Doubt, Latch
-from labcal.bench.roles import CoilSupply
-from labcal.bench.sign import Probe, SignCheck
-from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Coil
-from labcal.bench.watch import Windings
-from labcal.bench.zero import RAMP_STEP_S, AtZero, to_zero
+from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.errors import InstrumentError, LimitError
 
 Array = NDArray[np.float64]

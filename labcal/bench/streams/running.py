@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.bench.samples import Samples, correlated_u, samples
+from labcal.bench.streams.samples import Samples, correlated_u, samples
 from labcal.record.stream import Block, Stream
 
 Array = NDArray[np.float64]

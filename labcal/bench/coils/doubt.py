@@ -14,10 +14,10 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Vector, of_ends
+from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import read_config
 from labcal.bench.links.ports import port_of
-from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Vector, of_ends
-from labcal.bench.zero import AtZero
 from labcal.errors import InputError, InstrumentError
 from labcal.files import write_text
 from labcal.home import home

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from labcal.bench.clock import Clock
-from labcal.bench.roles import CoilSupply, Identity, PolarityRelay, Unacknowledged
+from labcal.bench.driver_kit.roles import CoilSupply, Identity, PolarityRelay, Unacknowledged
 from labcal.errors import InstrumentError
 
 SETTLE_S = 0.05  # contact bounce is of the order of 10 ms

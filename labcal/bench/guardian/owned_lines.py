@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig
+from labcal.bench.driver_kit.roles import Identity, Instrument, PolarityRelay
 from labcal.bench.guardian.gate import Gate, GatedLoader
 from labcal.bench.loading import speaks_modbus
-from labcal.bench.roles import Identity, Instrument, PolarityRelay
 from labcal.errors import InputError, InstrumentError
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass
-class Line:
+class OwnedLine:
     """One line and the instruments on it. Who talks on it holds `lock`, and leaves it when its gate closes."""
 
     url: str
@@ -117,19 +117,19 @@ class Line:
             link.close()
 
 
-def open_lines(path: Path, config: BenchConfig) -> dict[str, Line]:
-    """One Line for every owned instrument by name; those that state the same link share theirs. Opens nothing yet."""
-    lines: dict[str, Line] = {}
+def open_lines(path: Path, config: BenchConfig) -> dict[str, OwnedLine]:
+    """One line for every owned instrument by name; those that state the same link share theirs. Opens nothing yet."""
+    lines: dict[str, OwnedLine] = {}
     for name in config.guarded:
         url = (loader := GatedLoader(path, config, RealClock(), 0)).line_of(name)
-        lines[name] = next((line for line in lines.values() if line.url == url), Line(url, loader))
+        lines[name] = next((line for line in lines.values() if line.url == url), OwnedLine(url, loader))
     return lines
 
 
 class LockedRelay:
     """A PolarityRelay on a line that other threads use too."""
 
-    def __init__(self, name: str, line: Line) -> None:
+    def __init__(self, name: str, line: OwnedLine) -> None:
         self.name, self._line = name, line
 
     @property
@@ -164,7 +164,7 @@ class LockedRelay:
         self._relay.close()
 
 
-def relay_of(config: BenchConfig, lines: Mapping[str, Line]) -> LockedRelay | None:
+def relay_of(config: BenchConfig, lines: Mapping[str, OwnedLine]) -> LockedRelay | None:
     """The reversing contacts of the bench, if it has any."""
     names = [name for name, entry in config.instruments.items() if entry.role == "polarity"]
     return LockedRelay(names[0], lines[names[0]]) if names else None

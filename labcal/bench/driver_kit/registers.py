@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from labcal.bench.clock import Clock
-from labcal.bench.instrument import quantity
+from labcal.bench.driver_kit.quantity import quantity
 from labcal.errors import LimitError
 
 if TYPE_CHECKING:

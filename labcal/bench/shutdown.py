@@ -8,7 +8,7 @@ from contextlib import closing, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from labcal.bench.at_zero import AtZero
+from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.guardian.client import Connection, ask_once, found, guarding
 from labcal.bench.guardian.wire import zero_of
 from labcal.bench.links import ports
@@ -71,7 +71,7 @@ def _readable(path: Path) -> BenchConfig:
 
 def _with_own_hands(path: Path, config: BenchConfig) -> list[AtZero]:
     """A guardian within this process, for one zero."""
-    from labcal.bench.guardian.keeper import Guardian  # half a second that is not lost where one lives already
+    from labcal.bench.guardian.controller import Guardian  # half a second that is not lost where one lives already
     from labcal.bench.guardian.logbook import note, written
 
     guardian = Guardian(path, config, note)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.bench.look import delay_of, look_at_turn, white_noise
+from labcal.bench.turn_diagnostics import delay_of, look_at_turn, white_noise
 from labcal.geometry import rotate, shortest_rotation
 from labcal.record.stream import Block
 

@@ -9,15 +9,15 @@ from pathlib import Path
 
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.config import read_config
+from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian.client import ask_once, found
 from labcal.bench.links import ports
 from labcal.bench.loading import Loader
-from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
 
 
 @dataclass(frozen=True, slots=True)
-class Greeting:
+class Identified:
     """One instrument: who it says it is, or why there is no answer."""
 
     name: str
@@ -27,14 +27,14 @@ class Greeting:
     fault: InstrumentError | None = None
 
 
-def greet(path: Path) -> list[Greeting]:
+def identify_all(path: Path) -> list[Identified]:
     """Ask every instrument of `path` who it is. Raises InputError for a bad file."""
     config = read_config(path)
     loader = Loader(path, config, VirtualClock(datetime.now(UTC)) if config.simulated else RealClock(), 0)
     loader.meet_group()
     with ExitStack() as afterwards:
         afterwards.callback(loader.close)
-        return [_greet(loader, name) for name in config.instruments]
+        return [_identified(loader, name) for name in config.instruments]
 
 
 def _asked(loader: Loader, name: str) -> Identity:
@@ -48,11 +48,11 @@ def _asked(loader: Loader, name: str) -> Identity:
     return loader.instrument(name).identify()
 
 
-def _greet(loader: Loader, name: str) -> Greeting:
+def _identified(loader: Loader, name: str) -> Identified:
     entry = loader.config.instruments[name]
     try:
         who = _asked(loader, name)
     except InstrumentError as error:
-        return Greeting(name, entry.role, entry.link, fault=error)
+        return Identified(name, entry.role, entry.link, fault=error)
     words = " ".join(part for part in (who.manufacturer, who.model, who.serial, who.firmware) if part)
-    return Greeting(name, entry.role, entry.link, words)
+    return Identified(name, entry.role, entry.link, words)

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.bench.sign import PROBE_NT
-from labcal.bench.state import Vector, Witness
+from labcal.bench.coils.sign import PROBE_NT
+from labcal.bench.coils.state import Vector, Witness
 
 Array = NDArray[np.float64]
 LIMIT_NT = PROBE_NT

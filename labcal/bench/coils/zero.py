@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import TypeVar
 
-from labcal.bench.at_zero import AtZero as AtZero  # what the way to zero ends with
 from labcal.bench.clock import Clock
-from labcal.bench.roles import CoilSupply, Unacknowledged
+from labcal.bench.coils.at_zero import AtZero as AtZero  # what the way to zero ends with
+from labcal.bench.driver_kit.roles import CoilSupply, Unacknowledged
 from labcal.errors import InstrumentError
 
 T = TypeVar("T")

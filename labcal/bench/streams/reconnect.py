@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from labcal.bench.clock import Clock
-from labcal.bench.roles import Magnetometer
+from labcal.bench.driver_kit.roles import Magnetometer
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
