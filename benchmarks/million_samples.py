@@ -62,8 +62,8 @@ def main() -> int:
     application = timed_application()
     from PySide6.QtCore import QSettings
 
-    from labcal.gui.desk import Desk
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import Desk
     from labcal.gui.window import Window
 
     window = Window(Desk(QSettings(str(Path(os.environ["LABCAL_HOME"]) / "w.ini"), QSettings.Format.IniFormat)), LIGHT)

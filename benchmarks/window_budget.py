@@ -21,7 +21,7 @@ RATE_HZ, SECONDS, BATCH_S, LONGEST_MS = 1000, 20, 0.04, 50.0
 
 def feed() -> None:
     """Be the worker: answer the first request with 20 s of samples at their true pace."""
-    from labcal.gui.talk import over_standard_streams
+    from labcal.gui.ipc.channel import over_standard_streams
     from labcal.record import Segment
     from labcal.record.stream import Block, SegmentOpened, Step
 
@@ -101,10 +101,10 @@ def main() -> int:
 
     os.environ["LABCAL_HOME"] = tempfile.mkdtemp(prefix="labcal-budget-")
     application = timed_application()
-    from labcal.gui.client import Client
-    from labcal.gui.desk import Desk
-    from labcal.gui.run_vm import Order, RunViewModel
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.ipc.client import Client
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import Desk
+    from labcal.gui.viewmodels.run import Order, RunViewModel
     from labcal.gui.window import Window
 
     desk = Desk(QSettings(os.path.join(os.environ["LABCAL_HOME"], "w.ini"), QSettings.Format.IniFormat))

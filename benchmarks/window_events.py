@@ -77,7 +77,7 @@ def main() -> int:
     from PySide6.QtCore import QSettings
 
     from labcal.gui import window as window_module
-    from labcal.gui.desk import Desk
+    from labcal.gui.viewmodels.app_state import Desk
 
     settings = QSettings(str(Path(os.environ["LABCAL_HOME"]) / "events.ini"), QSettings.Format.IniFormat)
     settings.setValue("pace", "at once")
@@ -93,7 +93,7 @@ def main() -> int:
 
 def drive_all(drive: Drive) -> None:
     """The acts of a day."""
-    from labcal.gui.theme import DARK, LIGHT
+    from labcal.gui.theming.theme import DARK, LIGHT
 
     window, desk = drive.window, drive.window.desk
     drive.do("pages are built ahead", window.build_ahead, lambda: all(one.page for one in window.later.values()))

@@ -53,8 +53,8 @@ class Studio:
     """One window, and the patience to wait for it."""
 
     def __init__(self, home: Path, out: Path, only: tuple[str, ...]) -> None:
-        from labcal.gui.desk import Desk
-        from labcal.gui.theme import DARK, LIGHT
+        from labcal.gui.theming.theme import DARK, LIGHT
+        from labcal.gui.viewmodels.app_state import Desk
         from labcal.gui.window import Window
 
         self.themes, self.out, self.only = (LIGHT, DARK), out, only
@@ -184,7 +184,7 @@ def main() -> None:
 
 def render(studio: Studio) -> None:
     """All pages in the order of the work."""
-    from labcal.gui.wire import Fault
+    from labcal.gui.ipc.wire import Fault
 
     desk = studio.desk
     studio.shoot("run-choose", "Run")

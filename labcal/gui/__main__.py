@@ -20,8 +20,8 @@ def main() -> int:
         return 2
     from PySide6.QtCore import QLocale
 
+    from labcal.gui.translations.translate import speak
     from labcal.gui.window import open_window
-    from labcal.gui.words import speak
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("labcal")

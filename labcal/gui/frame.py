@@ -22,13 +22,13 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.bench.state import AT_ZERO, NOT_BY_REFERENCE, NOT_CONFIRMED
-from labcal.gui.hold import HOLD_MS, KEYS
-from labcal.gui.key_sheet import KeySheet, explained, shortcuts
-from labcal.gui.lab_vm import LabState, LabViewModel
-from labcal.gui.numbers import field, number, step_words
-from labcal.gui.theme import GRID
-from labcal.gui.widgets import Ground, Numbers, label, named, set_state, shrinking
-from labcal.gui.words import say
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import say
+from labcal.gui.viewmodels.lab import LabState, LabViewModel
+from labcal.gui.viewmodels.number_format import field, number, step_words
+from labcal.gui.widgets.common import Ground, Numbers, label, named, set_state, shrinking
+from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
+from labcal.gui.widgets.key_sheet import KeySheet, explained, shortcuts
 
 LIGHT_SHAPES = {
     "ok": ("✓", "good", "answers"),

@@ -15,16 +15,16 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
 from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
 
-from labcal.gui import hold
-from labcal.gui.desk import Desk
-from labcal.gui.dress import bare, dress, wearers
-from labcal.gui.fault_card import FaultCard
 from labcal.gui.frame import Frame
-from labcal.gui.key_sheet import explained
-from labcal.gui.scanner import Scanner
-from labcal.gui.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
-from labcal.gui.turns import AT_MOST_S, Turns
-from labcal.gui.wire import Fault
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.stylesheet import bare, dress, wearers
+from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.widgets import hold_button
+from labcal.gui.widgets.barcode_scanner import Scanner
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import AT_MOST_S, Turns
+from labcal.gui.widgets.key_sheet import explained
 
 if TYPE_CHECKING:
     from labcal.gui.pages.run import RunPage
@@ -106,7 +106,7 @@ def import_pages() -> None:
 
 def stock_one() -> bool:
     """Make one more plot for the next page, unless there are enough; says whether there are."""
-    from labcal.gui.plots import stock_up
+    from labcal.gui.widgets.plots import stock_up
 
     return stock_up(PLOTS)
 
@@ -143,7 +143,7 @@ class Window(Frame):
         self.above.addWidget(self.fault)
         self.fault.report_asked.connect(desk.report_asked)
         self.scanner = Scanner(self)
-        self.hearers += [hold.hear, self.scanner.hear]
+        self.hearers += [hold_button.hear, self.scanner.hear]
         self._connect(desk)
         self._look()
         self.dressing.finish()
@@ -261,7 +261,7 @@ class Window(Frame):
         self._procedure(name).choose.rehearse()
 
     def _save_problem(self, fault: Fault | None) -> None:
-        from labcal.gui.problem import save_problem
+        from labcal.gui.problem_report import save_problem
 
         start = str(Path.home() / "labcal-problem.zip")
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")

@@ -7,8 +7,8 @@ import sys
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import Desk
 from labcal.gui.window import Window
 
 app = QApplication([])

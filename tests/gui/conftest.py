@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import Desk
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
@@ -71,12 +71,12 @@ def settings_in(folder):
 @pytest.fixture(scope="session")
 def deaf_window(tmp_path_factory, qapp):
     """A window whose workers are all deaf: no process is started. One for all tests."""
-    from labcal.gui import desk as rooms
-    from labcal.gui.bench_verbs import procedures
+    from labcal.gui.ipc.bench_commands import procedures
+    from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(rooms, "Client", lambda parent: Deaf())
+        patch.setattr(app_state, "Client", lambda parent: Deaf())
         window = Window(Desk(settings_in(tmp_path_factory.mktemp("home"))), LIGHT)
     KEPT.append(window)
     window.show()
@@ -90,7 +90,7 @@ def deaf_window(tmp_path_factory, qapp):
 @pytest.fixture
 def still(deaf_window):
     """The window on a bench that is known, with nothing asked, said or begun."""
-    from labcal.gui.bench_verbs import bench_facts
+    from labcal.gui.ipc.bench_commands import bench_facts
 
     window, desk = deaf_window, deaf_window.desk
     window.raise_()

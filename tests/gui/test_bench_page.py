@@ -5,8 +5,8 @@ import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
 
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.viewmodels.run import Order
 from labcal.record.stream import Block
 
 T = np.array([1.0])

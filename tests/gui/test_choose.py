@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from labcal.gui.bench_verbs import plan
-from labcal.gui.wire import Fault, pack
+from labcal.gui.ipc.bench_commands import plan
+from labcal.gui.ipc.wire import Fault, pack
 
 
 @pytest.fixture

@@ -8,8 +8,8 @@ from PySide6.QtCore import QSettings, Qt
 from served_lab import Served, at_zero, example, guardians, until
 
 from labcal import session
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import Desk
 from labcal.gui.window import Window
 
 pytestmark = [

@@ -22,10 +22,10 @@ from labcal.bench import steps
 from labcal.bench.bench import open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.errors import Stopped
-from labcal.gui.hold import HOLD_MS, HoldButton
-from labcal.gui.prompt_card import WORDS, acting
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.viewmodels.run import Order
+from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
+from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import Prompt
 from labcal.runner import find, run_procedure
 from labcal.store import Store

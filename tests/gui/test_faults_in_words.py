@@ -8,8 +8,8 @@ from lab_states import told
 from PySide6.QtCore import Qt
 
 from labcal.errors import InstrumentError
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import Fault, fault_of, item_to_json, with_names
+from labcal.gui.ipc.wire import Fault, fault_of, item_to_json, with_names
+from labcal.gui.viewmodels.run import Order
 from labcal.record.stream import Prompt
 
 LINKS = {"reference": "serial:///dev/ttyUSB9", "supply_x": "modbus-rtu:///dev/ttyUSB1"}

@@ -3,8 +3,8 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.viewmodels.run import Order
 from labcal.record.stream import Prompt
 
 ACTS = Prompt(1.0, "ready", "The coils go to 50 µT. Hands off?", ("done", "redo x"), True)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
 )
 
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
 from labcal.record.stream import Prompt
 
 CONTROLS = (QAbstractButton, QAbstractItemView, QComboBox, QLineEdit, QPlainTextEdit)

@@ -8,8 +8,8 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
 from shiboken6 import isValid
 
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import Desk
 from labcal.gui.window import Window
 
 SHORT = {"magnitudes_nT": "20000", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}

@@ -16,8 +16,8 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
 ):
     from labcal import session
     from labcal.bench.clock import VirtualClock
-    from labcal.gui.desk import Desk
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import Desk
     from labcal.gui.window import Window
 
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))

@@ -11,7 +11,7 @@ from PySide6.QtCore import QMimeData, QPointF, QSettings, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QInputDialog, QLineEdit, QPushButton
 
-from labcal.gui.wire import Fault, unpack
+from labcal.gui.ipc.wire import Fault, unpack
 
 LONG_MS = 180_000
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -23,8 +23,8 @@ def lab(tmp_path_factory, qapp, kept_windows):
     """A window whose store has one short preflight; the tests below go on from one another's work."""
     from labcal import session
     from labcal.bench.clock import VirtualClock
-    from labcal.gui.desk import Desk
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import Desk
     from labcal.gui.window import Window
 
     home = tmp_path_factory.mktemp("home")
@@ -118,8 +118,8 @@ def test_every_view_of_a_fit_has_something_to_show(qtbot, lab):
 
 @pytest.mark.parametrize(("face", "columns"), [("residual", 2), ("histogram", 4), ("magnitude", 6)])
 def test_a_picture_is_saved_and_its_numbers_are_copied(qtbot, lab, tmp_path, face, columns):
-    from labcal.gui import take_away
-    from labcal.gui.fit_views import FACES
+    from labcal.gui.widgets import plot_export
+    from labcal.gui.widgets.fit_views import FACES
 
     views = lab.page("Fit").views
     views.view.setCurrentIndex(FACES.index(face))
@@ -131,7 +131,7 @@ def test_a_picture_is_saved_and_its_numbers_are_copied(qtbot, lab, tmp_path, fac
     if face == "residual":
         drawn = unpack(lab.desk.study_vm.fits["ml"]["residual"])
         assert sorted(float(row[1]) for row in rows[1:]) == pytest.approx(sorted(drawn[np.isfinite(drawn)]))
-    take_away.save(getattr(views, face), str(tmp_path / "picture"))
+    plot_export.save(getattr(views, face), str(tmp_path / "picture"))
     assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
 
 
@@ -358,7 +358,7 @@ def test_the_trend_of_a_dut_is_drawn(qtbot, lab):
 
 
 def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
-    from labcal.gui.theme import DARK
+    from labcal.gui.theming.theme import DARK
 
     lab.open_page("Fit")
     pages = {name: lab.page(name) for name in lab.later}

@@ -7,10 +7,10 @@ from PySide6.QtWidgets import QLineEdit
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
-from labcal.gui.form import range_of
-from labcal.gui.numbers import step_words
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import Fault, fault_of, item_to_json
+from labcal.gui.ipc.wire import Fault, fault_of, item_to_json
+from labcal.gui.viewmodels.number_format import step_words
+from labcal.gui.viewmodels.run import Order
+from labcal.gui.widgets.parameter_form import range_of
 from labcal.record.stream import Event, Prompt, Step
 
 
@@ -119,8 +119,8 @@ def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot, p
 
 
 def test_a_plot_has_its_two_axes_and_no_more(qapp):
-    from labcal.gui.plots import plot
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.widgets.plots import plot
 
     item = plot(LIGHT, "time  s", "residual  nT").getPlotItem()
     shown = {side for side in ("left", "bottom", "right", "top") if item.getAxis(side).isVisible()}

@@ -11,8 +11,8 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QPushButton
 
 from labcal import session
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import Desk
 from labcal.gui.window import Window
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -20,7 +20,7 @@ BEGUN = """
 import sys
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
-from labcal.gui.desk import Desk
+from labcal.gui.viewmodels.app_state import Desk
 from labcal.gui.window import Window
 
 SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}

@@ -1,6 +1,6 @@
 import numpy as np
 
-from labcal.gui.ring import Ring
+from labcal.gui.viewmodels.ring_buffer import Ring
 
 
 def test_the_newest_rows_stay_in_order_across_the_wrap():

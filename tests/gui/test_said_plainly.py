@@ -7,11 +7,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QLabel
 
-from labcal.gui.key_sheet import KeySheet
-from labcal.gui.lab_vm import LabState
-from labcal.gui.numbers import MINUS
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.viewmodels.lab import LabState
+from labcal.gui.viewmodels.number_format import MINUS
+from labcal.gui.viewmodels.run import Order
+from labcal.gui.widgets.key_sheet import KeySheet
 from labcal.record.stream import Measurement, Prompt
 
 RUN = {"run_id": "r1", "started_utc": "2026-01-05T07:00:00Z", "dut_serial": "EM-07", "procedure": "preflight",

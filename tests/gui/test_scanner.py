@@ -43,8 +43,8 @@ def test_a_burst_of_characters_is_a_scan_and_goes_to_the_serial(still, keys):
 
 
 def test_a_scan_reaches_no_answer_of_an_open_question(still, keys):
-    from labcal.gui.run_vm import Order
-    from labcal.gui.wire import item_to_json
+    from labcal.gui.ipc.wire import item_to_json
+    from labcal.gui.viewmodels.run import Order
     from labcal.record.stream import Prompt
 
     still.desk.run.start(Order("preflight", "bench.toml"))

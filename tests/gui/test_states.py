@@ -9,10 +9,10 @@ from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from labcal.gui.prompt_card import PromptCard
-from labcal.gui.run_vm import Order
-from labcal.gui.theme import DARK, LIGHT
-from labcal.gui.wire import Fault, item_to_json
+from labcal.gui.ipc.wire import Fault, item_to_json
+from labcal.gui.theming.theme import DARK, LIGHT
+from labcal.gui.viewmodels.run import Order
+from labcal.gui.widgets.prompt_card import PromptCard
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 

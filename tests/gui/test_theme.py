@@ -1,10 +1,10 @@
 import pytest
 from PySide6.QtWidgets import QLabel, QTableWidget
 
-from labcal.gui.dress import dress, wearers
-from labcal.gui.numbers import duration, field, number
-from labcal.gui.theme import DARK, LIGHT, contrast, style_sheet
-from labcal.gui.widgets import Card, label
+from labcal.gui.theming.stylesheet import dress, wearers
+from labcal.gui.theming.theme import DARK, LIGHT, contrast, style_sheet
+from labcal.gui.viewmodels.number_format import duration, field, number
+from labcal.gui.widgets.common import Card, label
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda t: t.name)

@@ -10,8 +10,8 @@ import pytest
 
 from labcal import session
 from labcal.errors import Stopped
-from labcal.gui.bench_verbs import run
-from labcal.gui.talk import STILL_S, Talk
+from labcal.gui.ipc.bench_commands import run
+from labcal.gui.ipc.channel import STILL_S, Talk
 from labcal.record.stream import Event
 from labcal.store.live import Store
 

@@ -10,8 +10,8 @@ import pytest
 from PySide6.QtCore import QLocale, QTranslator
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QTableWidget, QWidget
 
-from labcal.gui import words
 from labcal.gui.frame import TopBar
+from labcal.gui.translations import translate
 from labcal.gui.window import PAGES
 
 MARK = "§"
@@ -35,7 +35,7 @@ class Marking(QTranslator):
 
     def __init__(self, parent):
         super().__init__(parent)
-        contexts = ElementTree.parse(words.HERE / "labcal.ts").getroot().iter("context")
+        contexts = ElementTree.parse(translate.HERE / "labcal.ts").getroot().iter("context")
         self.known = {(c.findtext("name"), m.findtext("source")) for c in contexts for m in c.iter("message")}
 
     def isEmpty(self):
@@ -82,16 +82,16 @@ def test_every_word_of_a_page_is_in_the_ts_file(still, marked, name):
 
 
 def test_every_word_of_a_table_is_in_the_ts_file(marked):
-    assert {text for text in words.WORDS if not words.say(text).startswith(MARK)} == set()
+    assert {text for text in translate.WORDS if not translate.say(text).startswith(MARK)} == set()
 
 
 @pytest.mark.skipif(LRELEASE is None, reason="this PySide6 comes without lrelease, which makes the .qm file")
 def test_a_tiny_translation_changes_one_word_of_the_window(qapp, qtbot, tmp_path):
     (tmp_path / "labcal_de.ts").write_text(TINY, encoding="utf-8")
     subprocess.run([LRELEASE, tmp_path / "labcal_de.ts"], check=True, capture_output=True)
-    assert not words.speak(qapp, QLocale("fr"), [tmp_path])
+    assert not translate.speak(qapp, QLocale("fr"), [tmp_path])
     before, before_that = qapp.children(), QLocale()
-    assert words.speak(qapp, QLocale("de_AT"), [tmp_path])
+    assert translate.speak(qapp, QLocale("de_AT"), [tmp_path])
     (translator,) = (one for one in qapp.children() if isinstance(one, QTranslator) and one not in before)
     try:
         bar = TopBar()

@@ -10,15 +10,15 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
-from labcal.gui.cage_view import CageView, vector_colours
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.lab_vm import Triple
-from labcal.gui.measurement_table import Table
-from labcal.gui.numbers import number
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label
-from labcal.gui.wire import Fault
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.viewmodels.lab import Triple
+from labcal.gui.viewmodels.number_format import number
+from labcal.gui.widgets.cage_view import CageView, vector_colours
+from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.measurement_table import Table
 
 READINGS_MS = 500
 ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")

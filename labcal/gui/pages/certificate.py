@@ -9,16 +9,16 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
-from labcal.gui.desk import Desk
-from labcal.gui.drop import Drop
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Table, decimals_for
-from labcal.gui.numbers import number
-from labcal.gui.outside import FolderButton, open_outside
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, set_state
-from labcal.gui.wire import Fault
-from labcal.gui.words import say
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import say
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.viewmodels.number_format import number
+from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.drop_zone import Drop
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.measurement_table import Table, decimals_for
+from labcal.gui.widgets.open_externally import FolderButton, open_outside
 
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 

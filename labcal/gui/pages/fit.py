@@ -8,16 +8,16 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSplitter, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import NO_RUNS, RunChooser, to_run
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.fit_views import FitViews
-from labcal.gui.measurement_table import Table, decimals_for
-from labcal.gui.numbers import number
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label, set_primary
-from labcal.gui.words import say
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import say
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.viewmodels.number_format import number
+from labcal.gui.widgets.common import Card, button, label, set_primary
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.fit_views import FitViews
+from labcal.gui.widgets.idle_queue import Turns
+from labcal.gui.widgets.measurement_table import Table, decimals_for
+from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, to_run
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")

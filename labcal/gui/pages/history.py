@@ -11,15 +11,15 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QVBoxLayout, QWidget
 
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Table
-from labcal.gui.outside import FolderButton
-from labcal.gui.plots import ink, name_above, plot
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label, shrinking
-from labcal.gui.words import say
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import say
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.widgets.common import Card, button, label, shrinking
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import Turns
+from labcal.gui.widgets.measurement_table import Table
+from labcal.gui.widgets.open_externally import FolderButton
+from labcal.gui.widgets.plots import ink, name_above, plot
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
 HEADINGS = ("started (UTC)", "DUT", "procedure", "operator", "status", "verdict", "run")

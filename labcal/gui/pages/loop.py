@@ -9,18 +9,18 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QPlainTextEdit, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import NO_RUNS, RunChooser, to_run
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.numbers import number
-from labcal.gui.study_plots import Bars, Residuals
-from labcal.gui.study_vm import cause_name
-from labcal.gui.take_away import take_away
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, chooser, label, named, set_primary, set_state, shrinking
-from labcal.gui.wire import Fault, unpack
-from labcal.gui.words import say
+from labcal.gui.ipc.wire import Fault, unpack
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import say
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.viewmodels.number_format import number
+from labcal.gui.viewmodels.study import cause_name
+from labcal.gui.widgets.common import Card, button, chooser, label, named, set_primary, set_state, shrinking
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import Turns
+from labcal.gui.widgets.plot_export import take_away
+from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, to_run
+from labcal.gui.widgets.study_plots import Bars, Residuals
 
 WORDS = {
     "clean": ("✓ CLEAN", "good"),

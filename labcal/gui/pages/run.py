@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
-from labcal.gui.desk import Desk
 from labcal.gui.pages.run_choose import Choose
 from labcal.gui.pages.run_live import Live
-from labcal.gui.plots import Loci, Traces
-from labcal.gui.theme import GRID, Theme
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.widgets.plots import Loci, Traces
 
 
 class RunPage(QWidget):

@@ -8,13 +8,13 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QListWidgetItem, QScrollArea, QWidget
 
-from labcal.gui.desk import Desk
-from labcal.gui.form import Form, spec_of
-from labcal.gui.pace import PACES
-from labcal.gui.theme import GRID
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label
-from labcal.gui.words import procedure_words, say
+from labcal.gui.ipc.simulated_clock import PACES
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import procedure_words, say
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.widgets.idle_queue import Turns
+from labcal.gui.widgets.parameter_form import Form, spec_of
 
 PACE_WORDS = {"true": "real time"}
 

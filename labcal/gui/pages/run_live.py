@@ -18,17 +18,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from labcal.gui.axis_lights import AxisLights
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Measurements
-from labcal.gui.numbers import FIGURE_SPACE, duration, step_words
-from labcal.gui.plots import Loci, Traces
-from labcal.gui.prompt_card import PromptCard
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, laid_out_later, set_primary, shrinking
-from labcal.gui.wire import Fault
-from labcal.gui.words import procedure_words, say
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import procedure_words, say
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.viewmodels.number_format import FIGURE_SPACE, duration, step_words
+from labcal.gui.widgets.axis_lights import AxisLights
+from labcal.gui.widgets.common import Card, button, label, laid_out_later, set_primary, shrinking
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.measurement_table import Measurements
+from labcal.gui.widgets.plots import Loci, Traces
+from labcal.gui.widgets.prompt_card import PromptCard
 
 FRAME_MS = 40
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw

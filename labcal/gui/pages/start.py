@@ -9,12 +9,12 @@ from typing import Any
 from PySide6.QtCore import QDate, QLocale
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import run_words
-from labcal.gui.desk import Desk
-from labcal.gui.numbers import number
-from labcal.gui.theme import GRID, STATES, Theme
-from labcal.gui.widgets import Card, button, flat, label, set_state, shrinking
-from labcal.gui.words import MORNING, MORNING_CHECKS, say
+from labcal.gui.theming.theme import GRID, STATES, Theme
+from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, say
+from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.viewmodels.number_format import number
+from labcal.gui.widgets.common import Card, button, flat, label, set_state, shrinking
+from labcal.gui.widgets.run_chooser import run_words
 
 DUE_DAYS = 365
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
