@@ -81,12 +81,12 @@ def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_pa
     stood = []
     for _ in range(2):
         settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
-        window = Window(app_state.Desk(settings), LIGHT)
+        window = Window(app_state.AppState(settings), LIGHT)
         kept_windows.append(window)
         window.show()
         stood.append((window.isMaximized(), window.wall, window.top.operator.text()))
         window.showMaximized()
-        window.desk.who(operator="J. Doe")
+        window.app_state.set_identity(operator="J. Doe")
         if not window.wall:
             window.toggle_wall()
         window.close()
@@ -115,10 +115,10 @@ def test_pages_that_are_built_ahead_come_up_in_no_window_of_their_own(tmp_path, 
     monkeypatch.setattr(app_state, "Client", lambda parent: deaf())
     watching = Shown()
     qapp.installEventFilter(watching)
-    window = Window(app_state.Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    window = Window(app_state.AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
     kept_windows.append(window)
-    for later in window.later.values():
-        later.made()
+    for page in window.lazy_pages.values():
+        page.built()
     qapp.removeEventFilter(watching)
     assert watching.seen == []
     window.close()
@@ -131,10 +131,10 @@ def test_pages_out_of_sight_are_not_built_while_a_run_goes_on(still, monkeypatch
     read = Thread(target=built.clear)
     read.start()
     read.join()
-    monkeypatch.setattr(still, "later", {"Start": there, "Fit": missing})
+    monkeypatch.setattr(still, "lazy_pages", {"Start": there, "Fit": missing})
     monkeypatch.setattr(still, "_imports", read)
     for state, expected in (("running", []), ("idle", ["Fit"])):
-        monkeypatch.setattr(still.desk.run, "state", state)
+        monkeypatch.setattr(still.app_state.run, "state", state)
         still.build_ahead()
         still._ahead.stop()
         assert built == expected

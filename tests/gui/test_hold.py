@@ -12,8 +12,8 @@ ACTS = Prompt(1.0, "ready", "The coils go to 50 µT. Hands off?", ("done", "redo
 
 @pytest.fixture
 def asked(still):
-    still.desk.run.start(Order("preflight", "bench.toml"))
-    still.desk.bench_worker.items.emit([item_to_json(ACTS)])
+    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit([item_to_json(ACTS)])
     return still.page("Run").live.prompt
 
 
@@ -27,15 +27,15 @@ def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked):
     assert button._held.isActive()
     qtbot.keyRelease(still, button.key)
     assert not button._held.isActive()
-    assert (still.desk.run.state, still.desk.bench_worker.said) == ("asking", [])
+    assert (still.app_state.run.state, still.app_state.bench_worker.said) == ("asking", [])
 
 
 def test_its_own_key_held_answers_whatever_has_the_focus(qtbot, still, asked, patience):
     assert asked.choices["done"]._held.interval() == 700
     still.top.operator.setFocus()
     qtbot.keyPress(still.top.operator, asked.choices["done"].key)
-    qtbot.waitUntil(lambda: still.desk.run.state == "running", timeout=patience)
-    assert still.desk.bench_worker.said == [("answer", {"key": "ready", "text": "done"})]
+    qtbot.waitUntil(lambda: still.app_state.run.state == "running", timeout=patience)
+    assert still.app_state.bench_worker.said == [("answer", {"key": "ready", "text": "done"})]
 
 
 def test_to_redo_an_axis_acts_too_and_has_a_key_of_its_own(asked):

@@ -37,8 +37,8 @@ def keys(still, qtbot, patience):
 
 def test_a_burst_of_characters_is_a_scan_and_goes_to_the_serial(still, keys):
     keys(still.top.operator, "EM-19", 0.01, Qt.Key.Key_Return)
-    assert still.desk.lab.state.dut_serial == "EM-19"
-    assert still.desk.lab.state.operator == "J. Doe"
+    assert still.app_state.lab.state.dut_serial == "EM-19"
+    assert still.app_state.lab.state.operator == "J. Doe"
     assert still.top.dut.text() == "EM-19"
 
 
@@ -47,14 +47,14 @@ def test_a_scan_reaches_no_answer_of_an_open_question(still, keys):
     from labcal.gui.viewmodels.run import Order
     from labcal.record.stream import Prompt
 
-    still.desk.run.start(Order("preflight", "bench.toml"))
-    still.desk.bench_worker.items.emit([item_to_json(Prompt(1.0, "why", "Why?", ()))])
+    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit([item_to_json(Prompt(1.0, "why", "Why?", ()))])
     entry = still.page("Run").live.prompt.entry
     keys(entry, "EM-19", 0.01, Qt.Key.Key_Return)
     assert entry.text() == ""
-    assert still.desk.bench_worker.said == []
+    assert still.app_state.bench_worker.said == []
     keys(entry, "lift", 0.2, Qt.Key.Key_Return)
-    assert still.desk.bench_worker.said == [("answer", {"key": "why", "text": "lift"})]
+    assert still.app_state.bench_worker.said == [("answer", {"key": "why", "text": "lift"})]
 
 
 @pytest.mark.parametrize("apart_s", [0.05, 0.2])
@@ -62,7 +62,7 @@ def test_what_a_person_types_stays_where_it_is_typed(still, keys, apart_s):
     still.top.operator.clear()
     keys(still.top.operator, "A. Smith", apart_s)
     assert still.top.operator.text() == "A. Smith"
-    assert still.desk.lab.state.dut_serial == "EM-07"
+    assert still.app_state.lab.state.dut_serial == "EM-07"
 
 
 def test_keys_that_a_busy_window_hears_late_are_judged_by_when_they_were_struck(still, keys):
@@ -72,6 +72,6 @@ def test_keys_that_a_busy_window_hears_late_are_judged_by_when_they_were_struck(
     for n, letter in enumerate("Smith"):
         event = QKeyEvent(QEvent.Type.KeyPress, ord(letter.upper()), Qt.KeyboardModifier.NoModifier, letter)
         event.setTimestamp(5_000 + 200 * n)
-        assert scanner.hear(operator, event)  # all at once by the clock on the wall
+        assert scanner.handle_key(operator, event)  # all at once by the clock on the wall
     scanner.flush()
     assert operator.text() == "Smith"

@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtWidgets import QLabel, QTableWidget
 
-from labcal.gui.theming.stylesheet import dress, wearers
+from labcal.gui.theming.stylesheet import apply_style, styled_widgets
 from labcal.gui.theming.theme import DARK, LIGHT, contrast, style_sheet
 from labcal.gui.viewmodels.number_format import duration, field, number
 from labcal.gui.widgets.common import Card, label
@@ -36,7 +36,7 @@ def test_numbers_have_one_format():
 def test_a_label_wears_what_is_said_of_labels_and_a_table_what_is_said_of_its_parts(qapp):
     sheet, words, table = style_sheet(DARK), QLabel(), QTableWidget()
     for one in (words, table):
-        dress(one, sheet)
+        apply_style(one, sheet)
     assert DARK.muted in words.styleSheet()
     assert "QTableView" not in words.styleSheet()
     assert all(part in table.styleSheet() for part in ("QTableView", "QHeaderView", "QScrollBar", "QToolTip"))
@@ -46,5 +46,5 @@ def test_a_label_wears_what_is_said_of_labels_and_a_table_what_is_said_of_its_pa
 def test_what_only_holds_others_wears_nothing(qapp):
     card, words = Card("A title"), label("words")
     card.body.addWidget(words)
-    assert words in wearers(card)
-    assert card not in wearers(card)
+    assert words in styled_widgets(card)
+    assert card not in styled_widgets(card)

@@ -35,7 +35,7 @@ class Marking(QTranslator):
 
     def __init__(self, parent):
         super().__init__(parent)
-        contexts = ElementTree.parse(translate.HERE / "labcal.ts").getroot().iter("context")
+        contexts = ElementTree.parse(translate.FOLDER / "labcal.ts").getroot().iter("context")
         self.known = {(c.findtext("name"), m.findtext("source")) for c in contexts for m in c.iter("message")}
 
     def isEmpty(self):
@@ -74,7 +74,7 @@ def unmarked(page):
 def test_every_word_of_a_page_is_in_the_ts_file(still, marked, name):
     from labcal.gui.window import build_page
 
-    page = build_page(name, still.desk, lambda: still.theme)
+    page = build_page(name, still.app_state, lambda: still.theme)
     try:
         assert unmarked(page) == set()
     finally:
@@ -82,16 +82,16 @@ def test_every_word_of_a_page_is_in_the_ts_file(still, marked, name):
 
 
 def test_every_word_of_a_table_is_in_the_ts_file(marked):
-    assert {text for text in translate.WORDS if not translate.say(text).startswith(MARK)} == set()
+    assert {text for text in translate.TEXTS if not translate.translated(text).startswith(MARK)} == set()
 
 
 @pytest.mark.skipif(LRELEASE is None, reason="this PySide6 comes without lrelease, which makes the .qm file")
 def test_a_tiny_translation_changes_one_word_of_the_window(qapp, qtbot, tmp_path):
     (tmp_path / "labcal_de.ts").write_text(TINY, encoding="utf-8")
     subprocess.run([LRELEASE, tmp_path / "labcal_de.ts"], check=True, capture_output=True)
-    assert not translate.speak(qapp, QLocale("fr"), [tmp_path])
+    assert not translate.install_translator(qapp, QLocale("fr"), [tmp_path])
     before, before_that = qapp.children(), QLocale()
-    assert translate.speak(qapp, QLocale("de_AT"), [tmp_path])
+    assert translate.install_translator(qapp, QLocale("de_AT"), [tmp_path])
     (translator,) = (one for one in qapp.children() if isinstance(one, QTranslator) and one not in before)
     try:
         bar = TopBar()

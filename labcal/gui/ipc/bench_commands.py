@@ -9,15 +9,15 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from labcal.gui.ipc.channel import Talk
-from labcal.gui.ipc.simulated_clock import paced
+from labcal.gui.ipc.channel import Channel
+from labcal.gui.ipc.simulated_clock import simulated_clock
 from labcal.gui.ipc.wire import fault_of
 
 if TYPE_CHECKING:
     from labcal.runner import Found, Outcome
 
 
-def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
+def bench_facts(channel: Channel, bench: str) -> dict[str, Any]:
     """What a bench file states: names, roles, limits, the cage's matrix, what is known of the reference."""
     from labcal.bench.cage_file import calibrated
     from labcal.bench.config import read_config
@@ -35,7 +35,7 @@ def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
     }
 
 
-def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
+def greet(channel: Channel, bench: str) -> list[dict[str, Any]]:
     """Ask every instrument who it is; where the reference did not see a zero, measure that again and say so in each."""
     from labcal import session
 
@@ -50,7 +50,7 @@ def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
     return [answer | {"doubt": doubt} for answer in answers]
 
 
-def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
+def off(channel: Channel, bench: str) -> list[dict[str, Any]]:
     """Every coil to zero and open, one report an axis, with when it was read and the doubt that stands about zero."""
     from labcal import session
     from labcal.bench.doubt import doubt_of
@@ -64,39 +64,46 @@ def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
 
 
 def run(
-    talk: Talk, procedure: str, bench: str, given: Mapping[str, str], dut: str, operator: str,
+    channel: Channel, procedure: str, bench: str, given: Mapping[str, str], dut: str, operator: str,
     pace: str = "at once", seed: int | None = None, after: str = "",
 ) -> dict[str, Any]:  # fmt: skip
-    """Run a procedure, in simulated time after the run `after`; answers, stop and all else come in by `talk`."""
+    """Run a procedure, in simulated time after the run `after`; answers, stop and all else come in by `channel`."""
     from labcal import session
 
     def work(**common: Any) -> Outcome:
         return session.run(procedure, Path(bench), given, dut=dut, operator=operator, **common)
 
-    return _on_bench(talk, bench, pace, seed, work, after)
+    return _on_bench(channel, bench, pace, seed, work, after)
 
 
 def resume(
-    talk: Talk, run: str, bench: str, dut: str, pace: str = "at once", seed: int | None = None
+    channel: Channel, run: str, bench: str, dut: str, pace: str = "at once", seed: int | None = None
 ) -> dict[str, Any]:
     """Go on with an interrupted run of the DUT `dut`."""
     from labcal import session
 
-    return _on_bench(talk, bench, pace, seed, lambda **common: session.resume(run, Path(bench), dut=dut, **common))
+    return _on_bench(channel, bench, pace, seed, lambda **common: session.resume(run, Path(bench), dut=dut, **common))
 
 
 def _on_bench(
-    talk: Talk, bench: str, pace: str, seed: int | None, work: Callable[..., Outcome], after: str = ""
+    channel: Channel, bench: str, pace: str, seed: int | None, work: Callable[..., Outcome], after: str = ""
 ) -> dict[str, Any]:
     from labcal.bench.config import read_config
 
     simulated = read_config(Path(bench)).simulated
-    talk.on_bench(simulated)
+    channel.run_begins(simulated)
     try:
-        clock = paced(pace, *_from(after)) if simulated else None
-        ended = work(answer=talk.answer, clock=clock, seed=seed, control=talk.control, tell=talk.tell, show=talk.show)
+        clock = simulated_clock(pace, *_from(after)) if simulated else None
+        ended = work(
+            answer=channel.answer,
+            clock=clock,
+            seed=seed,
+            control=channel.control,
+            tell=channel.send_item,
+            show=channel.send_state,
+        )
     finally:
-        talk.off_bench()
+        channel.run_ends()
     fault = None
     if ended.fault is not None:
         fault = asdict(fault_of(ended.fault, "".join(traceback.format_exception(ended.fault))))
@@ -112,7 +119,7 @@ def _from(after: str) -> tuple[datetime, float]:
     return measuring.goes_on(after)
 
 
-def plan(talk: Talk, procedure: str, bench: str, given: Mapping[str, str], seed: int | None = None) -> list[str]:
+def plan(channel: Channel, procedure: str, bench: str, given: Mapping[str, str], seed: int | None = None) -> list[str]:
     """What a procedure would do, a line each, as rehearsed on the simulated lab; nothing real is touched."""
     from labcal.runner import find
     from labcal.runner.rehearsal import rehearsed
@@ -120,7 +127,7 @@ def plan(talk: Talk, procedure: str, bench: str, given: Mapping[str, str], seed:
     return rehearsed(Path(bench), find(procedure), given, seed).lines()
 
 
-def procedures(talk: Talk) -> list[dict[str, Any]]:
+def procedures(channel: Channel) -> list[dict[str, Any]]:
     """What there is to run, with what each may be told; of one that does not load its name and the fault."""
     from labcal.runner import catalogue
 

@@ -1,4 +1,4 @@
-"""The worker's end of the line to the window: words in at any moment, messages out from any thread."""
+"""The worker's end of the channel to the window: requests in at any moment, messages out from any thread."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STILL_S = 1.0  # so long a window may stand still while real coils are on: nobod
 LATE_S = 0.2  # a process that runs freely wakes no later
 
 
-class Talk:
+class Channel:
     """Hears what the window says while work goes on. When it dies, or stands still while real instruments are driven,
     the coils go to zero and the run is interrupted.
     """
@@ -29,41 +29,41 @@ class Talk:
     def __init__(self, heard: TextIO, said: TextIO) -> None:
         self.control = Control()
         self._heard, self._said, self._lock = heard, said, threading.Lock()
-        self._asks: queue.Queue[dict[str, Any] | None] = queue.Queue()
+        self._requests: queue.Queue[dict[str, Any] | None] = queue.Queue()
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
         self._batch: list[list[Any]] = []
         self._sent_s, self._on_bench = 0.0, False
         self.hold_when_paused = False
         self._beat_s: float | None = None  # when the window was heard last; None of one that does not beat
 
-    def asks(self) -> Iterator[dict[str, Any]]:
+    def requests(self) -> Iterator[dict[str, Any]]:
         """What is asked for, one after another, until the window hangs up."""
         threading.Thread(target=self._listen, daemon=True, name="window").start()
-        while (ask := self._asks.get()) is not None:
-            yield ask
+        while (request := self._requests.get()) is not None:
+            yield request
 
-    def say(self, said: str, **what: Any) -> None:
+    def send(self, said: str, **what: Any) -> None:
         """Send one message."""
         line = json.dumps({"said": said, **what}, default=str)
         try:
             with self._lock:
                 self._said.write(line + "\n")
                 self._said.flush()
-        except BrokenPipeError:  # nobody is there to hear it
+        except BrokenPipeError:  # nobody is there to read it
             self.control.leave()
 
-    def on_bench(self, simulated: bool) -> None:
+    def run_begins(self, simulated: bool) -> None:
         """From here on a hang-up means abort, not exit. A paused simulation stands still."""
         self._on_bench, self.hold_when_paused, self.control = True, simulated, Control()
         if not simulated:
             threading.Thread(target=self._watch, args=(self.control,), daemon=True, name="still").start()
 
-    def off_bench(self) -> None:
+    def run_ends(self) -> None:
         """The run has ended and the links are closed."""
         self.flush()
         self._on_bench = False
 
-    def tell(self, item: Item) -> None:
+    def send_item(self, item: Item) -> None:
         """Hand an item on: samples in batches, everything else at once."""
         self._batch.append(item_to_json(item))
         if not isinstance(item, Block) or time.monotonic() - self._sent_s > BATCH_S:
@@ -71,15 +71,15 @@ class Talk:
         if self.hold_when_paused and isinstance(item, Event) and item.kind == "pause":
             self._hold()
 
-    def show(self, state: LabState) -> None:
+    def send_state(self, state: LabState) -> None:
         """How the lab is now, by the clock that all processes of this computer share."""
-        self.say("state", state=state.as_json(0.0))
+        self.send("state", state=state.as_json(0.0))
 
     def flush(self) -> None:
         """Send what is waiting."""
         batch, self._batch, self._sent_s = self._batch, [], time.monotonic()
         if batch:
-            self.say("items", items=batch)
+            self.send("items", items=batch)
 
     def answer(self, prompt: Prompt) -> str:
         """Wait for the person's answer to `prompt`. Raises Stopped where that is wanted instead."""
@@ -101,7 +101,7 @@ class Talk:
         for line in self._heard:
             self._take(json.loads(line))
         self.control.leave()
-        self._asks.put(None)
+        self._requests.put(None)
         if not self._on_bench:
             os._exit(0)
 
@@ -136,11 +136,11 @@ class Talk:
             case "note":
                 self.control.note(said["text"], **said.get("data", {}))
             case _:
-                self._asks.put(said)
+                self._requests.put(said)
 
 
-def over_standard_streams() -> Talk:
-    """The line over stdin and stdout; whatever else prints goes to stderr."""
+def stdio_channel() -> Channel:
+    """The channel over stdin and stdout; whatever else prints goes to stderr."""
     out = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
-    return Talk(open(os.dup(0), encoding="utf-8", closefd=True), out)
+    return Channel(open(os.dup(0), encoding="utf-8", closefd=True), out)

@@ -1,4 +1,4 @@
-"""The window's end of the line to a worker process. Nothing here waits: answers come as calls, later."""
+"""The window's end of the channel to a worker process. Nothing here waits: answers come as callbacks."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ TAIL = 6000  # of stderr, for the details of a crash
 BEAT_MS = 200  # so often the worker hears that this window is not standing still
 
 
-class Works(Protocol):
+class Worker(Protocol):
     """What view-models need of a worker."""
 
     items: Any  # Signal(list)
     states: Any  # Signal(dict)
     progress: Any  # Signal(str)
 
-    def ask(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
+    def request(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
         """Ask for `do`; `then` gets the result, `failed` what went wrong."""
         ...
 
-    def say(self, do: str, **what: Any) -> None:
+    def send(self, do: str, **what: Any) -> None:
         """A word into a run that goes on: answer, pause, stop and so on."""
         ...
 
@@ -57,7 +57,7 @@ class Client(QObject):
         self._lines: deque[bytes] = deque()
         self._begun, self._errors = b"", ""
         self._beats = QTimer(self, interval=BEAT_MS)
-        self._beats.timeout.connect(lambda: self.say("beat"))
+        self._beats.timeout.connect(lambda: self.send("beat"))
 
     def start(self) -> None:
         """Have the process ready before it is needed."""
@@ -73,14 +73,14 @@ class Client(QObject):
         process.start(sys.executable, list(self._command))
         self._beats.start()
 
-    def ask(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
+    def request(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
         """Ask for `do`; `then` gets the result, `failed` what went wrong."""
         self.start()
         self._number += 1
         self._open[self._number] = then, failed
-        self.say(do, id=self._number, **what)
+        self.send(do, id=self._number, **what)
 
-    def say(self, do: str, **what: Any) -> None:
+    def send(self, do: str, **what: Any) -> None:
         """A word into a run that goes on, or a request's line."""
         if self._process is not None:
             self._process.write((json.dumps({"do": do, **what}) + "\n").encode())

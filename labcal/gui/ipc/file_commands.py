@@ -11,14 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from labcal.gui.ipc.channel import Talk
+from labcal.gui.ipc.channel import Channel
 from labcal.home import home
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 LOOKED_BACK = 8  # runs, for the last closing check
 
 
-def runs(talk: Talk) -> list[dict[str, Any]]:
+def runs(channel: Channel) -> list[dict[str, Any]]:
     """The runs of the store, the newest first, each with the verdict of its loop where there is one."""
     from labcal import session
 
@@ -27,14 +27,14 @@ def runs(talk: Talk) -> list[dict[str, Any]]:
     return [one | {"verdict": verdicts.get(one["run_id"], "")} for one in told]
 
 
-def describe(talk: Talk, run: str) -> dict[str, Any]:
+def describe(channel: Channel, run: str) -> dict[str, Any]:
     """What a run is, in one look."""
     from labcal import session
 
     return session.describe_run(run)
 
 
-def closing(talk: Talk) -> dict[str, Any] | None:
+def closing(channel: Channel) -> dict[str, Any] | None:
     """The last closing check there is: when, of which run, and its worst measurement."""
     from labcal import session
     from labcal.record.stream import Measurement
@@ -50,7 +50,7 @@ def closing(talk: Talk) -> dict[str, Any] | None:
     return None
 
 
-def cage_check(talk: Talk) -> dict[str, Any] | None:
+def cage_check(channel: Channel) -> dict[str, Any] | None:
     """The last finished cage-calibration there is, and its worst measurement that has a limit."""
     from labcal import session
     from labcal.record.stream import Measurement
@@ -68,13 +68,13 @@ def cage_check(talk: Talk) -> dict[str, Any] | None:
     return {"run": asdict(last), "measurement": asdict(worst) if worst else None, "verdict": verdict}
 
 
-def calibrations(talk: Talk) -> list[dict[str, Any]]:
+def calibrations(channel: Channel) -> list[dict[str, Any]]:
     """Every calibration file of this lab's folder, the newest first."""
     paths = sorted(_folder().glob("*.json"), key=lambda path: path.name, reverse=True)
-    return [calibration(talk, str(path)) for path in paths]
+    return [calibration(channel, str(path)) for path in paths]
 
 
-def calibration(talk: Talk, path: str) -> dict[str, Any]:
+def calibration(channel: Channel, path: str) -> dict[str, Any]:
     """What a calibration file says, and how its signatures stand."""
     from labcal import session
 
@@ -91,7 +91,7 @@ def calibration(talk: Talk, path: str) -> dict[str, Any]:
     } | _standing(verification)  # fmt: skip
 
 
-def verify(talk: Talk, path: str) -> dict[str, Any]:
+def verify(channel: Channel, path: str) -> dict[str, Any]:
     """Check a file that somebody dropped."""
     from labcal import session
 
@@ -108,14 +108,14 @@ def _standing(verification: Any) -> dict[str, Any]:
     }
 
 
-def keys(talk: Talk) -> list[str]:
+def keys(channel: Channel) -> list[str]:
     """Names with a private key here."""
     from labcal import session
 
     return sorted({e.signer.principal for e in session.trusted_keys() if e.private_key_here and not e.revoked})
 
 
-def new_key(talk: Talk, name: str, passphrase: str) -> str:
+def new_key(channel: Channel, name: str, passphrase: str) -> str:
     """Make a key for `name`."""
     from labcal import session
 
@@ -136,24 +136,24 @@ def _may_sign(name: str) -> None:
         ) from None
 
 
-def approve(talk: Talk, path: str, name: str) -> dict[str, Any]:
+def approve(channel: Channel, path: str, name: str) -> dict[str, Any]:
     """Write the approver into the draft. Raises InputError where no key can bear that name: they could never sign."""
     from labcal import session
 
     _may_sign(name)
     session.approve(Path(path), name)
-    return calibration(talk, path)
+    return calibration(channel, path)
 
 
-def sign(talk: Talk, path: str, name: str, passphrase: str) -> dict[str, Any]:
+def sign(channel: Channel, path: str, name: str, passphrase: str) -> dict[str, Any]:
     """Sign as `name`; the passphrase is used and forgotten."""
     from labcal import session
 
     session.sign(Path(path), name, passphrase)
-    return calibration(talk, path)
+    return calibration(channel, path)
 
 
-def report(talk: Talk, source: str, out: str) -> str:
+def report(channel: Channel, source: str, out: str) -> str:
     """Write the report of a run or a calibration."""
     from labcal import session
 
@@ -161,7 +161,7 @@ def report(talk: Talk, source: str, out: str) -> str:
     return out
 
 
-def export(talk: Talk, run: str, format: str, out: str) -> str:
+def export(channel: Channel, run: str, format: str, out: str) -> str:
     """Write a run as bundle, csv, hdf5 or mat."""
     from labcal import session
 
@@ -169,21 +169,21 @@ def export(talk: Talk, run: str, format: str, out: str) -> str:
     return out
 
 
-def import_bundle(talk: Talk, path: str) -> str:
+def import_bundle(channel: Channel, path: str) -> str:
     """Take a bundle into the store."""
     from labcal import session
 
     return session.import_bundle(Path(path))
 
 
-def photo(talk: Talk, path: str) -> dict[str, str]:
+def photo(channel: Channel, path: str) -> dict[str, str]:
     """Keep a photograph; what a note says of it."""
     from labcal import session
 
     return session.keep_photo(Path(path))
 
 
-def correct_serial(talk: Talk, run: str, serial: str, who: str) -> str:
+def correct_serial(channel: Channel, run: str, serial: str, who: str) -> str:
     """State another serial of a run's DUT, until a calibration of it is signed."""
     from labcal import session
 
@@ -191,7 +191,7 @@ def correct_serial(talk: Talk, run: str, serial: str, who: str) -> str:
     return serial
 
 
-def apply(talk: Talk, path: str, source: str, out: str, dut: str) -> str:
+def apply(channel: Channel, path: str, source: str, out: str, dut: str) -> str:
     """Correct readings by a calibration; says how many rows, and how many of them carry a flag."""
     from labcal import session
 
@@ -199,7 +199,7 @@ def apply(talk: Talk, path: str, source: str, out: str, dut: str) -> str:
     return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {out}"
 
 
-def hand_out(talk: Talk, path: str, folder: str) -> str:
+def hand_out(channel: Channel, path: str, folder: str) -> str:
     """Copy a calibration, its signatures and the keys they are checked against to `folder`."""
     from labcal import session
 
@@ -207,7 +207,7 @@ def hand_out(talk: Talk, path: str, folder: str) -> str:
     return folder
 
 
-def simulated_bench(talk: Talk) -> str:
+def simulated_bench(channel: Channel) -> str:
     """The bench file of the simulated lab."""
     from labcal.demo import simulated_bench as found
 

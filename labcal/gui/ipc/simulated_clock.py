@@ -7,10 +7,10 @@ from datetime import datetime
 
 from labcal.bench.clock import Clock, VirtualClock
 
-PACES = {"true": 1.0, "20 times": 20.0, "100 times": 100.0, "at once": 0.0}
+SPEEDS = {"true": 1.0, "20 times": 20.0, "100 times": 100.0, "at once": 0.0}
 
 
-class PacedClock(VirtualClock):
+class SimulatedClock(VirtualClock):
     """Virtual time that passes `speed` times as fast as true time; it stands still while a person is asked."""
 
     listen_s = 0.2
@@ -26,9 +26,9 @@ class PacedClock(VirtualClock):
         super().wait_until(t_s)
 
 
-def paced(pace: str, start: datetime, now_s: float = 0.0) -> Clock:
+def simulated_clock(pace: str, start: datetime, now_s: float = 0.0) -> Clock:
     """The clock of a simulated bench, `now_s` seconds after its `start`."""
-    clock = PacedClock(start, PACES[pace], now_s) if PACES[pace] else VirtualClock(start)
-    if not PACES[pace]:
+    clock = SimulatedClock(start, SPEEDS[pace], now_s) if SPEEDS[pace] else VirtualClock(start)
+    if not SPEEDS[pace]:
         clock.wait_until(now_s)
     return clock

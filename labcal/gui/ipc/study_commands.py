@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.gui.ipc.channel import Talk
+from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.wire import pack
 from labcal.home import home, own_folder
 from labcal.record import Run
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from labcal.fit import Fit
     from labcal.loop import Pictures
 
-MOST = 1500  # rows in a picture
+MAX_POINTS = 1500  # rows in a picture
 
 
 def calibration_path(run_id: str) -> Path:
@@ -51,7 +51,7 @@ def _fit(run: str, method: str) -> Fit:
     return session.fit_run(run, method)[1][0]
 
 
-def methods(talk: Talk) -> list[str]:
+def methods(channel: Channel) -> list[str]:
     """The names of all estimators; whoever asks first waits for what everything else here needs."""
     from labcal.fit import METHODS
 
@@ -59,7 +59,7 @@ def methods(talk: Talk) -> list[str]:
     return list(METHODS)
 
 
-def look(talk: Talk, run: str) -> dict[str, Any]:
+def look(channel: Channel, run: str) -> dict[str, Any]:
     """A run as it was recorded, thinned for pictures."""
     measured = _run(run)
     rows = thinned(len(measured))
@@ -67,7 +67,7 @@ def look(talk: Talk, run: str) -> dict[str, Any]:
     return head | _regressors(measured, rows) | {"before": pack(measured.reading_nT[rows])}
 
 
-def fit(talk: Talk, run: str, method: str) -> dict[str, Any]:
+def fit(channel: Channel, run: str, method: str) -> dict[str, Any]:
     """One method's answer, its residual and its loci."""
     from labcal.fit.document import one
     from labcal.fit.metrics import scalar_residual
@@ -83,7 +83,7 @@ def fit(talk: Talk, run: str, method: str) -> dict[str, Any]:
     return said
 
 
-def draft(talk: Talk, run: str, method: str) -> str:
+def draft(channel: Channel, run: str, method: str) -> str:
     """Write the draft calibration of a method; returns its path."""
     from labcal import session
 
@@ -92,28 +92,28 @@ def draft(talk: Talk, run: str, method: str) -> str:
     return str(path)
 
 
-def loop(talk: Talk, run: str) -> dict[str, Any]:
+def loop(channel: Channel, run: str) -> dict[str, Any]:
     """Close the loop; the draft with the effects is written, and the verdict beside it."""
     from labcal import session
     from labcal.files import write_text
 
     measured = _run(run)
     path = calibration_path(measured.run_id)
-    closed = session.close_loop(run, path, lambda text: talk.say("progress", text=text), force=True)
+    closed = session.close_loop(run, path, lambda text: channel.send("progress", text=text), force=True)
     document = closed.to_json()
     write_text(path.with_suffix(".loop"), json.dumps(document))
     said = {"loop": document, "remarks": list(closed.remarks), "draft": str(path)}
     return said | _before_and_after(measured, closed.pictures)
 
 
-def together(talk: Talk, run: str, new: str) -> str:
+def together(channel: Channel, run: str, new: str) -> str:
     """Keep the run of all rows of both; returns its id."""
     from labcal import measuring
 
     return measuring.together(run, new)
 
 
-def cause(talk: Talk, run: str, effect: str, channels: list[str]) -> dict[str, Any]:
+def cause(channel: Channel, run: str, effect: str, channels: list[str]) -> dict[str, Any]:
     """The residual before and after one cause alone, named by the loop or not."""
     from labcal import session
 
@@ -121,7 +121,7 @@ def cause(talk: Talk, run: str, effect: str, channels: list[str]) -> dict[str, A
     return {"parameters": [asdict(p) for p in found.parameters]} | _before_and_after(measured, found.pictures)
 
 
-def growth(talk: Talk, run: str, method: str) -> dict[str, Any]:
+def growth(channel: Channel, run: str, method: str) -> dict[str, Any]:
     """How a filter's estimate grew with the readings."""
     from labcal import session
 
@@ -138,7 +138,7 @@ def _before_and_after(run: Run, pictures: Pictures) -> dict[str, Any]:
 
 def thinned(n: int) -> NDArray[np.intp]:
     """Row numbers of at most `MOST` rows, evenly taken."""
-    return np.arange(0, n, max(1, -(-n // MOST)), dtype=np.intp)
+    return np.arange(0, n, max(1, -(-n // MAX_POINTS)), dtype=np.intp)
 
 
 def _regressors(run: Run, rows: NDArray[np.intp]) -> dict[str, Any]:

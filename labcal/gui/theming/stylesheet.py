@@ -1,4 +1,4 @@
-"""What wears a style sheet: each label, button and table its own, of the rules for its kind alone.
+"""A style sheet for each label, button and table of its own, with the rules for its kind alone.
 
 Qt goes through everything below a widget that is given a sheet. A sheet for a whole page holds up every key and click
 meanwhile; a label with five rules takes a fifth of a millisecond.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
+from itertools import chain
 
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
@@ -20,43 +21,39 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from labcal.gui.widgets.common import Words
-
-ALWAYS = ("*", "QToolTip")
-WITHIN = {  # whose rules are for what stands within a widget of this kind
+GLOBAL_SELECTORS = ("*", "QToolTip")
+CHILD_SELECTORS = {  # whose rules are for what stands within a widget of this kind
     QAbstractScrollArea: ("QScrollBar", "QHeaderView"),
     QComboBox: ("QAbstractItemView", "QScrollBar", "QLineEdit"),
 }
 
 
-def wearers(widget: QWidget) -> list[QWidget]:
+def styled_widgets(widget: QWidget) -> list[QWidget]:
     """`widget`, or what it holds where it only holds."""
     if isinstance(widget, QScrollArea):
         within = widget.widget()
-        return [] if within is None else [*wearers(within), widget.verticalScrollBar()]
+        return [] if within is None else [*styled_widgets(within), widget.verticalScrollBar()]
     if _holds(widget):
-        return [one for child in widget.children() if isinstance(child, QWidget) for one in wearers(child)]
-    return [] if isinstance(widget, (QGraphicsView, Words)) else [widget]  # these know fonts and colours themselves
+        return [one for child in widget.children() if isinstance(child, QWidget) for one in styled_widgets(child)]
+    styles_itself = isinstance(widget, QGraphicsView) or getattr(widget, "styles_itself", False)
+    return [] if styles_itself else [widget]
 
 
-def bare(widget: QWidget, window: QWidget) -> bool:
-    """Whether this is a wearer in `window` that nobody has dressed yet."""
+def is_unstyled(widget: QWidget, window: QWidget) -> bool:
+    """Whether this is to have a style sheet in `window` and has none yet."""
     holder = widget.parentWidget()
     if holder is None or widget.window() is not window or widget.styleSheet() or isinstance(widget, QScrollBar):
         return False
-    return bool(_whole(widget)) or (_holds(holder) and widget in wearers(widget))
+    return bool(_whole(widget)) or (_holds(holder) and widget in styled_widgets(widget))
 
 
-def dress(widget: QWidget, sheet: str) -> None:
-    """Put on what `sheet` says about widgets of its kind, where it is still there."""
+def apply_style(widget: QWidget, sheet: str) -> None:
+    """Give `widget` what `sheet` says about widgets of its kind, where it is still there."""
     if isValid(widget):
         kinds = (type(widget), *_whole(widget))
-        within = (
-            name for kind in kinds for holder, names in WITHIN.items() if issubclass(kind, holder) for name in names
-        )
-        widget.setStyleSheet(
-            _rules(sheet, (*ALWAYS, *within, *(one.__name__ for kind in kinds for one in kind.__mro__)))
-        )
+        children = (names for kind in kinds for holder, names in CHILD_SELECTORS.items() if issubclass(kind, holder))
+        own = (one.__name__ for kind in kinds for one in kind.__mro__)
+        widget.setStyleSheet(_rules(sheet, (*GLOBAL_SELECTORS, *chain(*children), *own)))
 
 
 def _holds(widget: QWidget) -> bool:
@@ -64,8 +61,8 @@ def _holds(widget: QWidget) -> bool:
 
 
 def _whole(widget: QWidget) -> tuple[type[QWidget], ...]:
-    """What kinds of widgets wear what `widget` wears; none where each has its own."""
-    return getattr(widget, "dressed_whole", ())
+    """The kinds of widgets within `widget` that its sheet is for; none where each has its own."""
+    return getattr(widget, "styled_as_whole", ())
 
 
 @lru_cache(maxsize=200)

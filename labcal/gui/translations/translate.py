@@ -9,9 +9,9 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale, QTransl
 
 from labcal.home import home
 
-HERE = Path(__file__).parent
+FOLDER = Path(__file__).parent
 MORNING, MORNING_CHECKS = "Morning check", ("morning-check", "axes-check")  # the first that is installed
-WORDS = (  # of tables, headings and functions: lupdate reads them here
+TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Start"),
     QT_TRANSLATE_NOOP("Words", "Bench"),
     QT_TRANSLATE_NOOP("Words", "Run"),
@@ -127,22 +127,22 @@ WORDS = (  # of tables, headings and functions: lupdate reads them here
 )
 
 
-def say(text: str) -> str:
+def translated(text: str) -> str:
     """One of `WORDS` in the language of the window; what is none of them as it is."""
     return QCoreApplication.translate("Words", text)
 
 
-def procedure_words(name: str) -> str:
+def procedure_title(name: str) -> str:
     """A procedure as its page is headed: with the words that lead there, where they are others than its name."""
-    return f"{say(MORNING)} · {name}" if name in MORNING_CHECKS else name
+    return f"{translated(MORNING)} · {name}" if name in MORNING_CHECKS else name
 
 
-def speak(application: QCoreApplication, locale: QLocale, folders: Iterable[Path] | None = None) -> bool:
+def install_translator(application: QCoreApplication, locale: QLocale, folders: Iterable[Path] | None = None) -> bool:
     """Have the window speak the language of `locale`, from the first labcal_xx.qm of it; says whether there is one.
 
     Looked for in the `translations` of the lab's own folder, then in those that are shipped.
     """
-    for folder in folders or (home() / "translations", HERE):
+    for folder in folders or (home() / "translations", FOLDER):
         translator = QTranslator(application)
         if translator.load(locale, "labcal", "_", str(folder), ".qm"):
             QLocale.setDefault(locale)  # days and months follow the words

@@ -28,25 +28,26 @@ AGES_MS = 500  # what was read grows old
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 
 
-class Desk(QObject):
-    """Three workers: `clerk` for what is short, `bench` for the run, `study` for fits and the loop."""
+class AppState(QObject):
+    """Workers: `quick` for what is short, `bench` for the run, `fit` for fits and the loop, `off` for Coils off."""
 
     fault = Signal(object)  # of anything that has no card of its own
     bench_changed = Signal()
-    went = Signal(str)  # a page is asked for, by name
-    study_asked = Signal(str)  # a run to fit
-    procedure_asked = Signal(str)  # to be chosen on the Run page; several names: the first that there is
-    plan_asked = Signal(str)  # the same, with its plan before it may be started
+    page_requested = Signal(str)  # a page is asked for, by name
+    fit_requested = Signal(str)  # a run to fit
+    procedure_requested = Signal(str)  # to be chosen on the Run page; several names: the first that there is
+    plan_requested = Signal(str)  # the same, with its plan before it may be started
     store_changed = Signal()
     calibrations_changed = Signal(str)  # the path of the one that is new
-    report_asked = Signal(object)  # a Fault, for a problem report
+    report_requested = Signal(object)  # a Fault, for a problem report
 
     def __init__(self, settings: QSettings | None = None) -> None:
         super().__init__()
         self.settings = settings or QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
-        self.clerk, self.bench_worker, self.study, self.switch = Client(self), Client(self), Client(self), Client(self)
+        self.quick_worker, self.bench_worker = Client(self), Client(self)
+        self.fit_worker, self.off_worker = Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
-        self.study_vm = StudyViewModel(self.study)
+        self.study_vm = StudyViewModel(self.fit_worker)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: dict[str, Any] = {}
@@ -65,9 +66,9 @@ class Desk(QObject):
         self.run.ended.connect(self._ended)
         self.lab.update(operator=str(self.settings.value("operator", "")))
 
-    def ask(self, do: str, then: Callable[[Any], None], **what: Any) -> None:
-        """Ask the clerk; a fault comes up as a card."""
-        self.clerk.ask(do, then, self.fault.emit, **what)
+    def request(self, do: str, then: Callable[[Any], None], **what: Any) -> None:
+        """Ask the quick worker; a fault comes up as a card."""
+        self.quick_worker.request(do, then, self.fault.emit, **what)
 
     def open_bench(self, bench: str) -> None:
         """Take `bench` as the bench from here on, unless a run goes on or it cannot be read."""
@@ -75,7 +76,7 @@ class Desk(QObject):
             return self.fault.emit(Fault("input", self.tr("A run goes on; open another bench after it.")))
         path = str(Path(bench).resolve())
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
-        return self.ask("bench", partial(self._bench_known, path), bench=path)
+        return self.request("bench", partial(self._bench_known, path), bench=path)
 
     def _bench_known(self, path: str, facts: dict[str, Any]) -> None:
         self.known = self.known if path == self.bench else None  # what was read on another bench says nothing of this
@@ -93,7 +94,7 @@ class Desk(QObject):
         self.answered = {one["name"]: one for one in answers}
         self.lab.update(lights=tuple((n, "fault" if one["fault"] else "ok", "") for n, one in self.answered.items()))
 
-    def who(self, *, dut: str | None = None, operator: str | None = None) -> None:
+    def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
         if dut is not None:
             scanned = self.lab.state.message == self._scanned(self.lab.state.dut_serial)
@@ -107,7 +108,7 @@ class Desk(QObject):
         if self.run.alive:
             self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
         else:
-            self.who(dut=serial)
+            self.set_identity(dut=serial)
             self.lab.update(message=self._scanned(serial))
 
     def _scanned(self, serial: str) -> str:
@@ -131,10 +132,10 @@ class Desk(QObject):
 
     def resume(self, run_id: str, procedure: str, dut: str) -> None:
         """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
-        self.who(dut=dut)
+        self.set_identity(dut=dut)
         self._pulse.start()
         self.run.resume(run_id, self._order(procedure, {}))
-        self.went.emit("Run")
+        self.page_requested.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> Order:
         state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))
@@ -164,7 +165,7 @@ class Desk(QObject):
         order = self.run.order
         if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
             self.study_vm.add(order.procedure, run_id)
-            self.went.emit("Loop")
+            self.page_requested.emit("Loop")
         fault = self.run.fault
         if fault is not None and (fault.kind == "crash" or self.run.coils_at_zero is False):
             self._switch_off()
@@ -172,7 +173,7 @@ class Desk(QObject):
     def _switch_off(self) -> None:
         self.known = None
         self.lab.update(coil_A=None, message=self.tr("Coils off: reading them back …"))
-        self.switch.ask("off", self._off_known, self._off_failed, bench=self.bench)
+        self.off_worker.request("off", self._off_known, self._off_failed, bench=self.bench)
 
     def _off_known(self, axes: list[dict[str, Any]]) -> None:
         good = all(axis["ok"] for axis in axes) and not axes[0].get("doubt")
@@ -258,7 +259,7 @@ class Desk(QObject):
         wrong = {one.name: one.fault for one in told if one.fault}
         return tuple(light(name, one["role"]) for name, one in self.facts.get("instruments", {}).items())
 
-    def broke(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+    def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
         details = "".join(format_exception(kind, error, trace))
         print(details, file=sys.stderr)
@@ -269,7 +270,7 @@ class Desk(QObject):
         for timer in (self._force, self._pulse, self._ages):
             timer.stop()
         self.bench_worker.hang_up(8000)
-        for worker in (self.clerk, self.study, self.switch):
+        for worker in (self.quick_worker, self.fit_worker, self.off_worker):
             worker.hang_up(500)
 
 

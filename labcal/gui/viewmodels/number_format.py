@@ -31,6 +31,6 @@ def duration(seconds: float) -> str:
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes:02}:{rest:02}"
 
 
-def step_words(name: str) -> str:
+def step_title(name: str) -> str:
     """A step, a segment or a measurement as a person says it: "x-50uT-full" is "x −50 µT full"."""
     return TURN.sub(lambda m: f"{m[1]} {m[2].replace('-', MINUS)}{m[3]} µT {m[4] or ''}".rstrip(), name)

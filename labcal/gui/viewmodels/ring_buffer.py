@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-class Ring:
+class RingBuffer:
     """Holds the newest `size` rows of (t, k values); writing is O(new rows), reading gives them in order."""
 
     def __init__(self, columns: int, size: int = 10_000) -> None:

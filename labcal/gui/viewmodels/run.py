@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.state import LabState, from_json
-from labcal.gui.ipc.client import Works
+from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.wire import Fault, item_from_json, with_names
-from labcal.gui.viewmodels.number_format import step_words
-from labcal.gui.viewmodels.ring_buffer import Ring
+from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
@@ -26,7 +26,7 @@ ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
 SECTORS = 24  # of 15 degrees: what coverage counts
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
-AXIS_LOOKS = {  # what the light of an axis looks at, and how its measurements are named
+AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements are named
     "coverage": "{axis}[+-].*: missing sectors",
     "noise": "{axis}[+-].*: noise",
     "sign": "{axis}[+-].*: wrong signs",
@@ -56,7 +56,7 @@ class RunViewModel(QObject):
     item = Signal(object)
     ended = Signal(str, str)  # run id, status
 
-    def __init__(self, worker: Works, nominal_nT_per_unit: float = 1.0) -> None:
+    def __init__(self, worker: Worker, nominal_nT_per_unit: float = 1.0) -> None:
         super().__init__()
         self._worker = worker
         worker.items.connect(self._take)
@@ -64,7 +64,7 @@ class RunViewModel(QObject):
         self.nominal_nT_per_unit = nominal_nT_per_unit
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: Order | None = None
-        self.dut, self.reference = Ring(3), Ring(3)
+        self.dut, self.reference = RingBuffer(3), RingBuffer(3)
         self._forget()
 
     def _forget(self) -> None:
@@ -76,7 +76,7 @@ class RunViewModel(QObject):
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
         self.measurements: dict[str, Measurement] = {}
-        self.locus: dict[str, Ring] = {}  # by segment: t, x, y, z of the DUT
+        self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
         self.segment: str | None = None
         self.sectors: set[int] = set()
         self._seen_s = 0.0
@@ -109,26 +109,26 @@ class RunViewModel(QObject):
         self._forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
         common = {"bench": order.bench, "pace": order.pace, "seed": order.seed}
-        self._worker.ask(do, self._done, self._failed, **what, **common)
+        self._worker.request(do, self._done, self._failed, **what, **common)
         self.changed.emit()
 
     def answer(self, text: str) -> None:
         """Answer the prompt that is open."""
         if self.prompt is None:
             return
-        self._worker.say("answer", key=self.prompt.key, text=text)
+        self._worker.send("answer", key=self.prompt.key, text=text)
         self.prompt, self.message = None, self.tr("Hands off: it goes on.")
         self._be("running")
 
     def pause(self) -> None:
         """Wait where the next step begins, coils at zero."""
-        self._worker.say("pause")
+        self._worker.send("pause")
         self.message = self.tr("Pauses where the next step begins.")
         self.changed.emit()
 
     def go_on(self) -> None:
         """Go on after a pause."""
-        self._worker.say("go on")
+        self._worker.send("go on")
 
     def stop(self) -> None:
         """End in order: the procedure undoes what it did, the coils go to zero."""
@@ -140,14 +140,14 @@ class RunViewModel(QObject):
 
     def _end(self, word: str, message: str) -> None:
         if self.alive:
-            self._worker.say(word)
+            self._worker.send(word)
             self.prompt, self.message = None, message
             self._be("stopping")
 
     def note(self, text: str, **data: str) -> None:
         """A remark into the record; `data` goes with it."""
         if self.alive and text.strip():
-            self._worker.say("note", text=text.strip(), data=data)
+            self._worker.send("note", text=text.strip(), data=data)
 
     def silent_s(self, source: str) -> float:
         """For how long `source` has sent nothing, by the bench's clock."""
@@ -177,11 +177,11 @@ class RunViewModel(QObject):
 
     def axis_light(self, axis: str) -> str:
         """The worst verdict of what was measured about one body axis; "" where nothing was yet."""
-        return max(self.axis_looks(axis).values(), key=WORST.index)
+        return max(self.axis_checks(axis).values(), key=WORST.index)
 
-    def axis_looks(self, axis: str) -> dict[str, str]:
+    def axis_checks(self, axis: str) -> dict[str, str]:
         """The worst verdict of each of `AXIS_LOOKS` for one body axis; "" where nothing was measured yet."""
-        found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_LOOKS.items()}
+        found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_CHECKS.items()}
         return {look: self._worst(pattern) for look, pattern in found.items()}
 
     def _worst(self, pattern: re.Pattern[str]) -> str:
@@ -224,8 +224,8 @@ class RunViewModel(QObject):
                 self.prompt, self.state, self.message = item, "asking", item.text
             case SegmentOpened():
                 self.segment, self.sectors = item.segment.id, set()
-                self.locus[item.segment.id] = Ring(3, LOCUS)
-                self._running(self.tr("{0}: measuring, hands off").format(step_words(item.segment.id)))
+                self.locus[item.segment.id] = RingBuffer(3, LOCUS)
+                self._running(self.tr("{0}: measuring, hands off").format(step_title(item.segment.id)))
             case SegmentClosed():
                 self.segment = None
             case Event():

@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from labcal.gui.ipc.client import Works
+from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.wire import Fault
 
 
@@ -19,7 +19,7 @@ class StudyViewModel(QObject):
     drafted = Signal(str)  # path of a calibration file
     added = Signal()  # a run of all rows is new in the store
 
-    def __init__(self, worker: Works) -> None:
+    def __init__(self, worker: Worker) -> None:
         super().__init__()
         self._worker = worker
         worker.progress.connect(self._progress)
@@ -47,7 +47,7 @@ class StudyViewModel(QObject):
 
     def prepare(self) -> None:
         """Have the worker loaded before a run is opened: what it computes with takes a second to import."""
-        self._worker.ask("methods", self._methods_known, lambda _: None)  # whoever opens a run asks again, and is told
+        self._worker.request("methods", self._methods_known, lambda _: None)  # opening a run asks again
 
     def open(self, run: str) -> None:
         """Take `run` as the run under study."""
@@ -136,7 +136,7 @@ class StudyViewModel(QObject):
 
         self.fault, self.message = None, ""
         self.waiting.append(name)
-        self._worker.ask(do, known, failed, **what)
+        self._worker.request(do, known, failed, **what)
         self.changed.emit()
 
     def _looked(self, said: dict[str, Any]) -> None:

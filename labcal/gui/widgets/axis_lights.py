@@ -6,14 +6,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout
 
 from labcal.gui.theming.theme import GRID, STATES, Theme
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.run import RunViewModel
-from labcal.gui.widgets.common import Ground, label, set_state
+from labcal.gui.widgets.common import Surface, label, set_state
 
 NOT_YET = ("○", "")
 
 
-class AxisLights(Ground):
+class AxisLights(Surface):
     """In sight also while a question is open: what is red here is redone before the DUT is dismounted."""
 
     def __init__(self, theme: Theme) -> None:
@@ -40,12 +40,12 @@ class AxisLights(Ground):
     def show_run(self, run: RunViewModel) -> None:
         """Write what is known of each axis."""
         for axis, worst in self.worst.items():
-            verdict, looks = run.axis_light(axis), run.axis_looks(axis)
+            verdict, looks = run.axis_light(axis), run.axis_checks(axis)
             going_on = run.alive and not looks["closure"] and verdict == "PASS"  # good so far is not yet good
             shape, state = ("…", "") if going_on else STATES.get(verdict, NOT_YET)
             worst.setText(f"{axis.upper()}  {shape} {'' if going_on else verdict}".strip())
             set_state(worst, state)
-            said = [self._look(say(look), found) for look, found in looks.items()]
+            said = [self._look(translated(look), found) for look, found in looks.items()]
             self.looks[axis].setText("<br>".join("&nbsp; ".join(said[n : n + 2]) for n in range(0, len(said), 2)))
 
     def _look(self, look: str, verdict: str) -> str:

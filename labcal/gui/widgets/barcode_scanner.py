@@ -15,7 +15,7 @@ ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 class Scanner(QObject):
-    """A hearer of all keys (see `Frame.hearers`) that holds keys back for the blink in which a burst shows itself.
+    """Handles all keys (see `Frame.key_handlers`): holds them back for the blink in which a burst shows itself.
 
     A single key is handed on 40 ms later, exactly as it came; a burst is emitted whole as `scanned` and reaches
     neither a field nor a button.
@@ -32,7 +32,7 @@ class Scanner(QObject):
         self._wait = QTimer(self, interval=int(FASTEST_TYPIST_S * 1000) + 7, singleShot=True)
         self._wait.timeout.connect(self.flush)
 
-    def hear(self, watched: QWidget, event: QKeyEvent) -> bool:
+    def handle_key(self, watched: QWidget, event: QKeyEvent) -> bool:
         """Hold characters back until it is known who types."""
         if self._replaying or self._of_another(watched.window()):
             return False

@@ -14,7 +14,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent,
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from labcal.gui.theming.theme import Theme
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import Triple
 
 Array = NDArray[np.float64]
@@ -108,7 +108,7 @@ class CageView(QWidget):
             self._view(painter, QRectF(0, 0, space, self.height()), "", seen_from(*self._eye), 0.30)
             for n, (title, eye) in enumerate(FLAT):
                 area = QRectF(space + n * flat, 0, flat, self.height())
-                self._view(painter, area, say(title), seen_from(*eye), 0.34)
+                self._view(painter, area, translated(title), seen_from(*eye), 0.34)
             if self.hasFocus():
                 painter.setPen(QPen(QColor(self._theme.accent), 2))
                 painter.setBrush(Qt.BrushStyle.NoBrush)

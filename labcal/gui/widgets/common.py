@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.theming.theme import GRID
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 
 W = TypeVar("W", bound=QWidget)
 ROUND_PX = 6
@@ -94,7 +94,7 @@ def flat(widget: W) -> W:
 
 
 @contextmanager
-def laid_out_later(*holders: QWidget) -> Iterator[None]:
+def deferred_layout(*holders: QWidget) -> Iterator[None]:
     """Show and hide what these hold; their places are found once, in an event of its own, not anew after each."""
     layouts = [layout for one in holders if (layout := one.layout()) is not None]
     for layout in layouts:
@@ -106,10 +106,10 @@ def laid_out_later(*holders: QWidget) -> Iterator[None]:
             layout.setEnabled(True)
 
 
-class Ground(QWidget):
+class Surface(QWidget):
     """What cards and bars stand on: the palette's base, with an edge all around, or at `side` alone.
 
-    It is painted, not styled: whatever wears a style sheet is gone through by Qt with all that stands on it.
+    It is painted, not styled: Qt goes through whatever has a style sheet with all that stands on it.
     """
 
     edge, width_px = QPalette.ColorRole.Mid, 1
@@ -134,7 +134,7 @@ class Ground(QWidget):
             painter.drawRoundedRect(within.adjusted(inset, inset, -inset, -inset), ROUND_PX, ROUND_PX)
 
 
-class Card(Ground):
+class Card(Surface):
     """A titled surface; add to `body`."""
 
     def __init__(self, title: str = "", unit: str = "") -> None:
@@ -154,14 +154,14 @@ class Card(Ground):
         outer.addLayout(self.body, 1)
 
 
-def tabular() -> QFont:
+def tabular_font() -> QFont:
     """The interface's font with figures of one width, so that nothing jumps when a digit changes."""
     font = QFont()
     font.setFeature(QFont.Tag("tnum"), 1)
     return font
 
 
-class Numbers(QWidget):
+class ReadoutGrid(QWidget):
     """Rows of name, value and word, right-aligned in tabular figures."""
 
     def __init__(self, names: tuple[str, ...]) -> None:
@@ -172,11 +172,11 @@ class Numbers(QWidget):
         grid.setVerticalSpacing(GRID // 2)
         self._values, self._words = [label("–") for _ in names], [label("", "caption") for _ in names]
         for row, name in enumerate(names):
-            grid.addWidget(label(say(name), "caption"), row, 0)
+            grid.addWidget(label(translated(name), "caption"), row, 0)
             grid.addWidget(self._values[row], row, 1)
             self._values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(self._words[row], row, 2)
-            self._values[row].setFont(tabular())
+            self._values[row].setFont(tabular_font())
         grid.setColumnStretch(1, 1)
 
     def show_row(self, row: int, value: str, word: str = "", state: str = "") -> None:
@@ -186,8 +186,10 @@ class Numbers(QWidget):
         set_state(self._words[row], state)
 
 
-class Words(QLabel):
+class AutoSizeLabel(QLabel):
     """A text as large as its place allows, which has nothing to say about how large that is."""
+
+    styles_itself = True  # its font is its own: no style sheet is put on it
 
     def __init__(self) -> None:
         super().__init__()
@@ -197,7 +199,7 @@ class Words(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._pt = 0
 
-    def say(self, text: str) -> None:
+    def set_text(self, text: str) -> None:
         """Write `text`."""
         self.setText(text)
         self._enlarge()

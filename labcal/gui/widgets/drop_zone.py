@@ -7,10 +7,10 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout
 
 from labcal.gui.theming.theme import GRID
-from labcal.gui.widgets.common import Ground, button, label
+from labcal.gui.widgets.common import Surface, button, label
 
 
-class Drop(Ground):
+class Drop(Surface):
     """Where a calibration file is dropped, or chosen with Enter, to be verified."""
 
     dropped = Signal(str)

@@ -7,7 +7,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit
 
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import Card, button, label, set_state
 
 TITLES = {
@@ -22,7 +22,7 @@ TITLES = {
 class FaultCard(Card):
     """Words, state of the coils where that matters, what to do, details and "save a problem report"."""
 
-    report_asked = Signal(object)  # Fault
+    report_requested = Signal(object)  # Fault
     closed = Signal()
     edge, width_px = QPalette.ColorRole.BrightText, 2
 
@@ -40,7 +40,7 @@ class FaultCard(Card):
         self.save = save = button(
             self.tr("Save a problem report …"), self.tr("A .zip with the details, settings and versions, no keys")
         )
-        save.clicked.connect(lambda: self.report_asked.emit(self.fault))
+        save.clicked.connect(lambda: self.report_requested.emit(self.fault))
         close = button(self.tr("Close"), self.tr("Put this card away"))
         if not closable:  # shown while it has no place yet, it would be a window of its own
             close.hide()
@@ -62,7 +62,7 @@ class FaultCard(Card):
         self.fault = fault
         if fault is None:
             return self.hide()
-        self.heading.setText(say(TITLES[fault.kind]))
+        self.heading.setText(translated(TITLES[fault.kind]))
         stopped = fault.kind == "stopped"  # as it was asked for: nothing is wrong
         set_state(self.heading, "" if stopped else "bad")
         self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)

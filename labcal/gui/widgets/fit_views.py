@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 from labcal.gui.ipc.wire import unpack
 from labcal.gui.theming.theme import Theme
 from labcal.gui.widgets.common import Card, chooser, label, shrinking
-from labcal.gui.widgets.plot_export import take_away
-from labcal.gui.widgets.plots import Loci, ink, name_above, named_curves, plot
-from labcal.gui.widgets.study_plots import Residuals, faint
+from labcal.gui.widgets.plot_export import export_buttons
+from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
+from labcal.gui.widgets.study_plots import Residuals, with_alpha
 
 Array = NDArray[np.float64]
 W = TypeVar("W", bound=QWidget)
@@ -42,7 +42,7 @@ class FitViews(Card):
         row = QHBoxLayout()
         row.addWidget(self.view, 2)
         row.addWidget(self.against, 1)
-        for widget in take_away(self, lambda: getattr(self, self.shown())):
+        for widget in export_buttons(self, lambda: getattr(self, self.shown())):
             row.addWidget(widget)
         self.body.addLayout(row)
         self.body.addWidget(self.faces, 1)
@@ -93,7 +93,7 @@ class FitViews(Card):
         self._theme = theme
         for n in range(self.faces.count()):
             if isinstance(face := self.faces.widget(n), pg.PlotWidget):
-                ink(face, theme)
+                apply_theme(face, theme)
 
     def _titles(self) -> tuple[str, ...]:
         """Of `FACES`."""
@@ -126,14 +126,14 @@ class FitViews(Card):
         t, bias, u = unpack(said["t_s"]), unpack(said["bias_nT"]), unpack(said["u_nT"])
         for axis, colour in enumerate(self._theme.axes):
             upper, lower = (
-                pg.PlotCurveItem(t, bias[:, axis] + s * u[:, axis], pen=pg.mkPen(faint(colour, 120)))
+                pg.PlotCurveItem(t, bias[:, axis] + s * u[:, axis], pen=pg.mkPen(with_alpha(colour, 120)))
                 for s in (SIGMAS, -SIGMAS)
             )
-            for item in (upper, lower, pg.FillBetweenItem(upper, lower, brush=faint(colour, 50))):
+            for item in (upper, lower, pg.FillBetweenItem(upper, lower, brush=with_alpha(colour, 50))):
                 self.growth.addItem(item)
             self.growth.plot(t, bias[:, axis], pen=pg.mkPen(colour, width=2))
         names = [(f"{method}  b{axis}", colour) for axis, colour in zip("xyz", self._theme.axes, strict=True)]
-        name_above(self.growth, names)
+        legend_above(self.growth, names)
         self.growth.autoRange()
 
     def _chosen(self) -> None:
@@ -193,7 +193,12 @@ class FitViews(Card):
         noise_nT = said["noise_nT"]
         counts, edges = np.histogram(residual, BINS)
         bars = pg.BarGraphItem(
-            x0=edges[:-1], width=np.diff(edges), y0=0, height=counts, pen=None, brush=faint(self._theme.accent, 160)
+            x0=edges[:-1],
+            width=np.diff(edges),
+            y0=0,
+            height=counts,
+            pen=None,
+            brush=with_alpha(self._theme.accent, 160),
         )
         self.histogram.addItem(bars)
         if noise_nT:

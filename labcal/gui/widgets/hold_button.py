@@ -10,9 +10,9 @@ HOLD_MS = 700
 KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)  # a button's own is one of these
 
 
-def hear(watched: QWidget, event: QKeyEvent) -> bool:
+def handle_key(watched: QWidget, event: QKeyEvent) -> bool:
     """Hand a key to the button of the same window whose own it is, wherever the focus is."""
-    return event.key() in KEYS and any(button.hear(event) for button in watched.window().findChildren(HoldButton))
+    return event.key() in KEYS and any(button.handle_key(event) for button in watched.window().findChildren(HoldButton))
 
 
 class HoldButton(QPushButton):
@@ -26,7 +26,7 @@ class HoldButton(QPushButton):
         self._held = QTimer(self, interval=HOLD_MS, singleShot=True)
         self._held.timeout.connect(self.click)
 
-    def hear(self, event: QKeyEvent) -> bool:
+    def handle_key(self, event: QKeyEvent) -> bool:
         """Take the press and the release of its own key; says whether it was."""
         if event.key() != self.key or not self.isVisible() or not self.isEnabled():
             return False

@@ -11,7 +11,7 @@ Job = Callable[[], object]
 AT_MOST_S = 0.01  # of a turn before another piece is begun in it
 
 
-class Turns(QObject):
+class IdleQueue(QObject):
     """Does its jobs in the order in which they were asked for; what waits already is not asked for twice."""
 
     def __init__(self, parent: QObject) -> None:

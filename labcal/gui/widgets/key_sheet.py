@@ -14,7 +14,7 @@ from labcal.gui.widgets.common import button, label
 NATIVE = QKeySequence.SequenceFormat.NativeText
 
 
-def explained(shortcut: QShortcut, words: str) -> QShortcut:
+def described(shortcut: QShortcut, words: str) -> QShortcut:
     """`shortcut` with what it does, in words: so it stands on the sheet."""
     shortcut.setWhatsThis(words)
     return shortcut

@@ -9,10 +9,10 @@ from PySide6.QtGui import QBrush, QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableWidget, QTableWidgetItem
 
 from labcal.gui.theming.theme import GRID, STATES, Theme
-from labcal.gui.translations.translate import say
-from labcal.gui.viewmodels.number_format import number, step_words
-from labcal.gui.widgets.common import tabular
-from labcal.gui.widgets.key_sheet import explained
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.number_format import number, step_title
+from labcal.gui.widgets.common import tabular_font
+from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
 NAME_PX = 18 * GRID
@@ -43,21 +43,21 @@ class Table(QTableWidget):
         self.setShowGrid(False)
         self.setTabKeyNavigation(False)
         self.setWordWrap(False)
-        self.setFont(tabular())
+        self.setFont(tabular_font())
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         copy = QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
-        explained(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
+        described(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
 
     def set_headings(self, headings: tuple[str, ...]) -> None:
         """Name the columns, as many as there are names."""
         if headings != self._headings:
             self._headings = headings
             self.setColumnCount(len(headings))
-            self.setHorizontalHeaderLabels([say(heading) for heading in headings])
+            self.setHorizontalHeaderLabels([translated(heading) for heading in headings])
 
     def set_cell(
         self, row: int, column: int, text: str, *, right: bool = False, colour: str = "", tip: str = ""
@@ -84,7 +84,7 @@ class Table(QTableWidget):
     def copy(self) -> None:
         """Selected rows to the clipboard, or all where none is."""
         rows = sorted({i.row() for i in self.selectedIndexes()}) or range(self.rowCount())
-        lines = ["\t".join(say(heading) for heading in self._headings)]
+        lines = ["\t".join(translated(heading) for heading in self._headings)]
         lines += ["\t".join(self.text(row, c) for c in range(self.columnCount())) for row in rows]
         QApplication.clipboard().setText("\n".join(lines))
 
@@ -127,7 +127,7 @@ class Measurements(Table):
 
     def _show(self, row: int, one: Measurement) -> None:
         decimals = decimals_for(2 * one.u, one.value)
-        self.set_cell(row, 0, step_words(one.name))
+        self.set_cell(row, 0, step_title(one.name))
         self.set_cell(row, 1, number(one.value, decimals), right=True)
         self.set_cell(row, 2, number(2 * one.u, decimals, signed=False) if one.u > 0 else "–", right=True)
         self.set_cell(row, 3, one.unit)

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from labcal.geometry import rotate, unit
 from labcal.gui.theming.theme import Theme
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 
 Array = NDArray[np.float64]
 TURN, TILT = radians(25), radians(24)  # of the eye, about the vertical and above the horizon
@@ -90,7 +90,7 @@ class Mounting(QWidget):
         for direction, name in zip(np.eye(3), ("cage X", "cage Y", ""), strict=True):
             flat = direction - (direction @ axis) * axis
             if name and np.linalg.norm(flat) > 0.3:
-                self._arrow(painter, 0.98 * unit(flat), 1.32 * unit(flat), self._theme.muted, say(name), 1.4)
+                self._arrow(painter, 0.98 * unit(flat), 1.32 * unit(flat), self._theme.muted, translated(name), 1.4)
 
     def _paint_box(self, painter: QPainter, body: Array, centre: Array) -> None:
         seen = sorted(FACES, key=lambda face: face[1] * float(body[face[0]] @ TOWARD))[3:]

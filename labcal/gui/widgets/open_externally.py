@@ -8,10 +8,10 @@ from PySide6.QtCore import QUrl
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QPushButton
 
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 
 
-def open_outside(path: str) -> None:
+def open_externally(path: str) -> None:
     """Have the computer open a file or a folder; where it has nothing for it, nothing happens."""
     QDesktopServices.openUrl(QUrl.fromLocalFile(path))
 
@@ -20,11 +20,11 @@ class FolderButton(QPushButton):
     """Opens the folder of what was written last; it is not there before anything was."""
 
     def __init__(self) -> None:
-        super().__init__(say("Open the folder"))
-        self.setToolTip(say("Show in the file manager what was just written"))
+        super().__init__(translated("Open the folder"))
+        self.setToolTip(translated("Show in the file manager what was just written"))
         self.setAutoDefault(False)
         self._folder = ""
-        self.clicked.connect(lambda: open_outside(self._folder))
+        self.clicked.connect(lambda: open_externally(self._folder))
         self.hide()
 
     def show_folder(self, written: str) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEd
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
 from labcal.gui.theming.theme import GRID
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import named, set_state
 
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
@@ -41,7 +41,7 @@ def _one(value: Any) -> str:
 def range_of(spec: ParameterSpec) -> str:
     """What is allowed, short: "1000 … 100000 nT"."""
     if spec.limits is None:
-        return say("several, with commas") if spec.many else ""
+        return translated("several, with commas") if spec.many else ""
     low, high = (np.format_float_positional(limit, trim="-") for limit in (spec.limits.lo, spec.limits.hi))
     return f"{low} … {high} {spec.unit}".rstrip()
 
@@ -54,14 +54,14 @@ def title_of(spec: ParameterSpec) -> str:
 
 def ticked(on: bool) -> str:
     """A box with its tick and its word: in letters, which are as large and as dark as all others."""
-    return f"{'☑' if on else '☐'}  {say('yes' if on else 'no')}"
+    return f"{'☑' if on else '☐'}  {translated('yes' if on else 'no')}"
 
 
-class Form(QWidget):
+class ParameterForm(QWidget):
     """Entries for `specs`; `given()` says only what differs from the defaults."""
 
     changed = Signal()
-    dressed_whole = (QLabel, QLineEdit, QComboBox, QCheckBox)  # many small parts, made anew for each procedure
+    styled_as_whole = (QLabel, QLineEdit, QComboBox, QCheckBox)  # many small parts, made anew for each procedure
 
     def __init__(self, specs: list[ParameterSpec]) -> None:
         super().__init__()

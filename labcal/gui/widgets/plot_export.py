@@ -11,7 +11,7 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
 
 from labcal.files import replacing
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import button
 from labcal.outputs import claim
 from labcal.plain import one_line
@@ -20,7 +20,7 @@ from labcal.spreadsheet import shielded
 PICTURE = "PNG (*.png)"
 
 
-def take_away(parent: QWidget, picture: Callable[[], QWidget]) -> tuple[QPushButton, QPushButton]:
+def export_buttons(parent: QWidget, picture: Callable[[], QWidget]) -> tuple[QPushButton, QPushButton]:
     """Two buttons for what `picture` gives when they are clicked."""
 
     def save_as() -> None:
@@ -28,9 +28,11 @@ def take_away(parent: QWidget, picture: Callable[[], QWidget]) -> tuple[QPushBut
         if out:
             save(picture(), out)
 
-    title = say("Save the picture")
-    saver = button(say("Save …"), say("Write this picture to a .png file, as it is shown"))
-    copier = button(say("Copy"), say("Every point that is drawn to the clipboard, as columns x and y of each curve"))
+    title = translated("Save the picture")
+    saver = button(translated("Save …"), translated("Write this picture to a .png file, as it is shown"))
+    copier = button(
+        translated("Copy"), translated("Every point that is drawn to the clipboard, as columns x and y of each curve")
+    )
     saver.clicked.connect(save_as)
     copier.clicked.connect(lambda: QApplication.clipboard().setText(numbers(picture())))
     return saver, copier

@@ -12,17 +12,17 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
 from labcal.gui.theming.theme import Theme
-from labcal.gui.translations.translate import say
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import MINUS
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
-MOST = 1500  # points of a locus
+MAX_POINTS = 1500  # points of a locus
 REST_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
-_stock: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
+_spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 _making: list[Iterator[None]] = [iter(())]  # the one under way
 
 
@@ -34,7 +34,7 @@ class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
         return [text.replace("-", MINUS) for text in super().tickStrings(values, scale, spacing)]
 
 
-class Rest(QObject):
+class DeferredRepaint(QObject):
     """Has a plot drawn in an event of its own where its size or its theme has changed, once it has come to rest."""
 
     def __init__(self, widget: QWidget) -> None:
@@ -57,24 +57,24 @@ class Rest(QObject):
 
     def _draw(self) -> None:
         if (holder := self._widget.parentWidget()) is not None and not holder.updatesEnabled():
-            return self.begin()  # the whole page is being dressed
+            return self.begin()  # the whole page is being styled
         self._widget.setUpdatesEnabled(True)
         return self._widget.repaint()
 
 
 def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
     """An empty plot with named axes (units in the name) in the theme's colours, without pyqtgraph's own menus."""
-    while not _stock:
-        stock_up(1)
-    widget = _stock.pop()
+    while not _spare_plots:
+        preallocate_plots(1)
+    widget = _spare_plots.pop()
     for side, text in (("bottom", bottom), ("left", left)):
-        widget.getPlotItem().getAxis(side).labelText = say(text)
-    ink(widget, theme)
+        widget.getPlotItem().getAxis(side).labelText = translated(text)
+    apply_theme(widget, theme)
     return widget
 
 
-def _blank() -> Iterator[None]:
-    """Put one more into the stock, in three parts."""
+def _spare_plot_in_parts() -> Iterator[None]:
+    """Make one more spare plot, in three parts."""
     axes = {side: Axis(side) for side in ("left", "bottom", "right", "top")}
     yield
     item = pg.PlotItem(axisItems=axes, enableMenu=False)
@@ -82,7 +82,7 @@ def _blank() -> Iterator[None]:
         item.hideAxis(side)
     yield
     widget = pg.PlotWidget(plotItem=item)
-    widget.rest = Rest(widget)
+    widget.deferred_repaint = DeferredRepaint(widget)
     item.showGrid(x=True, y=True, alpha=0.15)
     item.hideButtons()
     for side in ("bottom", "left"):
@@ -90,24 +90,24 @@ def _blank() -> Iterator[None]:
         axes[side].setStyle(maxTickLevel=1)
         axes[side].setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is dear to draw
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    _stock.append(widget)
+    _spare_plots.append(widget)
 
 
-def stock_up(number: int) -> bool:
+def preallocate_plots(number: int) -> bool:
     """Make a part of a plot for the page that is built next, unless there are `number`; says whether there are.
 
     A plot takes 20 ms to make, and a page has up to four.
     """
-    if len(_stock) >= number:
+    if len(_spare_plots) >= number:
         return True
     if next(_making[0], True):
-        _making[0] = _blank()
+        _making[0] = _spare_plot_in_parts()
     return False
 
 
-def ink(widget: pg.PlotWidget, theme: Theme) -> None:
+def apply_theme(widget: pg.PlotWidget, theme: Theme) -> None:
     """Put ground, axes and their names into the theme's colours."""
-    widget.rest.begin()
+    widget.deferred_repaint.begin()
     widget.setBackground(theme.surface)
     for side in ("bottom", "left"):
         axis = widget.getPlotItem().getAxis(side)
@@ -136,7 +136,7 @@ class Traces(QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         """Each curve and its name in the axis' colour."""
-        ink(self.plot, theme)
+        apply_theme(self.plot, theme)
         self._colour(theme)
 
     def _colour(self, theme: Theme) -> None:
@@ -200,19 +200,19 @@ class Loci(QWidget):
         """Circles and lines in the theme's colours."""
         self._theme = theme
         for widget in self._plots:
-            ink(widget, theme)
+            apply_theme(widget, theme)
         self._colour(theme)
 
     def _colour(self, theme: Theme) -> None:
         for circle, clouds in zip(self._circles, self._views, strict=True):
             circle.setPen(pg.mkPen(theme.muted))
             for colour, (front, behind) in zip((theme.accent, theme.axis_x), clouds, strict=False):
-                faint = QColor(colour)
-                faint.setAlpha(90)
+                with_alpha = QColor(colour)
+                with_alpha.setAlpha(90)
                 front.setPen(pg.mkPen(colour, width=2))
-                behind.setPen(pg.mkPen(faint))
+                behind.setPen(pg.mkPen(with_alpha))
 
-    def show_field(self, field_nT: Array, cloud: int = 0, most: int = MOST) -> None:
+    def show_field(self, field_nT: Array, cloud: int = 0, most: int = MAX_POINTS) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
         self._whole()
         path = _broken(_directions(field_nT, most))
@@ -223,7 +223,7 @@ class Loci(QWidget):
             behind.setData(x, np.where(toward, np.nan, y), connect="finite")
 
 
-def name_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> None:
+def legend_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> None:
     """Write what is drawn above it, (name, colour) each: a word has the colour of what it names, and covers nothing."""
     words = [f'<span style="color: {colour}; font-weight: 600">{name}</span>' for name, colour in named]
     widget.setTitle(WIDE_GAP.join(words), size="9pt")
@@ -233,7 +233,7 @@ def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, 
     """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour."""
     for _, colour, values in curves:
         widget.plot(t_s, values, pen=pg.mkPen(colour), connect="finite")
-    name_above(widget, [(name, colour) for name, colour, _ in curves])
+    legend_above(widget, [(name, colour) for name, colour, _ in curves])
     widget.autoRange()
 
 

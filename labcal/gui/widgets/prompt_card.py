@@ -13,8 +13,8 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.theming.theme import GRID, Theme
-from labcal.gui.translations.translate import say
-from labcal.gui.widgets.common import Card, Words, button, label, named
+from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.record.stream import Prompt
@@ -49,14 +49,14 @@ def acting(prompt: Prompt, choice: str) -> bool:
     return choice != "no" and (prompt.acts or choice == "retry")
 
 
-def answer_words(prompt: Prompt, choice: str) -> str:
+def answer_label(prompt: Prompt, choice: str) -> str:
     """What stands on the button of an answer: what it says has been done, or is to be done."""
     redo, _, axis = choice.partition(" ")
     if redo == "redo":
-        return say("Redo axis {0}").format(axis.upper())
+        return translated("Redo axis {0}").format(axis.upper())
     if choice == "done":
-        return say(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
-    return say(WORDS.get(choice, choice))
+        return translated(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
+    return translated(WORDS.get(choice, choice))
 
 
 class PromptCard(Card):
@@ -69,7 +69,7 @@ class PromptCard(Card):
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
         self.text, self.hint, self.drawing = (
-            Words(),
+            AutoSizeLabel(),
             label("", "caption", wrap=True),
             Mounting(theme),
         )
@@ -109,7 +109,7 @@ class PromptCard(Card):
             return
         self._beep()
         self._call.start()
-        self.text.say(prompt.text)
+        self.text.set_text(prompt.text)
         self.drawing.show_drawing(prompt.drawing)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
@@ -129,7 +129,7 @@ class PromptCard(Card):
         self.choices, self.send = {}, None
         keys = iter(KEYS)
         for choice in prompt.choices:
-            made = self._button(answer_words(prompt, choice), next(keys, KEYS[-1]) if acting(prompt, choice) else None)
+            made = self._button(answer_label(prompt, choice), next(keys, KEYS[-1]) if acting(prompt, choice) else None)
             named(made, "primary" if choice == prompt.choices[0] else "")
             made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
             self.choices[choice] = made
@@ -142,7 +142,7 @@ class PromptCard(Card):
 
     def _make_senders(self, prompt: Prompt) -> None:
         """What sends the words; where they say that something was moved, by click or held key alone."""
-        self.send = self._button(say(WORDS["send"]), KEYS[0] if prompt.acts else None)
+        self.send = self._button(translated(WORDS["send"]), KEYS[0] if prompt.acts else None)
         named(self.send, "primary").clicked.connect(self._send_text)
         self._buttons.addWidget(self.send)
         if FILE in prompt.drawing:

@@ -7,8 +7,8 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy
 
-from labcal.gui.translations.translate import say
-from labcal.gui.viewmodels.app_state import Desk
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import button
 
 LETTERS = 10  # of a run's line are seen where there is no room for all
@@ -17,7 +17,7 @@ BROKEN = {"stopped": "■", "failed": "✕"}  # runs that did not come to their 
 NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the History page."
 
 
-def run_words(one: dict[str, Any]) -> str:
+def run_title(one: dict[str, Any]) -> str:
     """A run in one line: when, which DUT, what, how it ended."""
     when = one["started_utc"][:16].replace("T", " ")
     return " · ".join((when, one["dut_serial"], one["procedure"] or "bundle", one["status"].partition(":")[0]))
@@ -29,9 +29,9 @@ class RunChooser(QComboBox):
     chosen = Signal(str)
     known = Signal()
 
-    def __init__(self, desk: Desk) -> None:
+    def __init__(self, app_state: AppState) -> None:
         super().__init__()
-        self._desk = desk
+        self._app_state = app_state
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(LETTERS)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -39,8 +39,8 @@ class RunChooser(QComboBox):
         self.setToolTip(self.tr("The run to look at, the newest first"))
         self.setPlaceholderText(self.tr("Choose a run"))
         self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
-        desk.run.ended.connect(self.refresh)
-        desk.store_changed.connect(self.refresh)
+        app_state.run.ended.connect(self.refresh)
+        app_state.store_changed.connect(self.refresh)
         self._wanted, self.none = "", False
 
     def showEvent(self, event: object) -> None:
@@ -49,7 +49,7 @@ class RunChooser(QComboBox):
 
     def refresh(self) -> None:
         """Ask for the list again."""
-        self._desk.ask("runs", self._known)
+        self._app_state.request("runs", self._known)
 
     def show_run(self, run: str) -> None:
         """Show `run` as the one that is chosen."""
@@ -70,12 +70,12 @@ class RunChooser(QComboBox):
 def marked(one: dict[str, Any]) -> str:
     """A run's line, begun with how it ended where it did not come to its end."""
     status = one["status"].partition(":")[0]
-    return f"{BROKEN[status]} {say(status)} · {run_words(one)}" if status in BROKEN else run_words(one)
+    return f"{BROKEN[status]} {translated(status)} · {run_title(one)}" if status in BROKEN else run_title(one)
 
 
-def to_run(desk: Desk) -> QPushButton:
+def to_run(app_state: AppState) -> QPushButton:
     """The way out of a page that has no run yet."""
-    made = button(say("Go to Run"), say("Record a run, or import one on the History page"), primary=True)
-    made.clicked.connect(lambda: desk.went.emit("Run"))
+    made = button(translated("Go to Run"), translated("Record a run, or import one on the History page"), primary=True)
+    made.clicked.connect(lambda: app_state.page_requested.emit("Run"))
     made.hide()
     return made

@@ -9,15 +9,15 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import Theme
-from labcal.gui.translations.translate import say
-from labcal.gui.widgets.plots import ink, name_above, plot
+from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 
 ROOM_ABOVE = 1.1  # bars: for the words of the line
 BAR_PX, AXIS_PX = 26, 52  # how high a bar and the axis below are
 Array = NDArray[np.float64]
 
 
-def faint(colour: str, alpha: int) -> QColor:
+def with_alpha(colour: str, alpha: int) -> QColor:
     """`colour` with some transparency."""
     made = QColor(colour)
     made.setAlpha(alpha)
@@ -45,11 +45,11 @@ class Residuals(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Ground, band and zero in the theme's colours; the points come in theirs."""
         self._theme = theme
-        ink(self.plot, theme)
+        apply_theme(self.plot, theme)
         self._colour(theme)
 
     def _colour(self, theme: Theme) -> None:
-        self._band.setBrush(faint(theme.muted, 45))
+        self._band.setBrush(with_alpha(theme.muted, 45))
         self._zero.setPen(pg.mkPen(theme.line))
 
     def show_residual(
@@ -61,7 +61,7 @@ class Residuals(QWidget):
         self._clouds = []
         for _, colour, values in clouds:
             self._add(colour, x, values.reshape(len(values), -1))
-        name_above(self.plot, [(name, colour) for name, colour, _ in clouds])
+        legend_above(self.plot, [(name, colour) for name, colour, _ in clouds])
         self._band.setRegion((-2 * (noise_nT or 0.0), 2 * (noise_nT or 0.0)))
         self._band.setVisible(noise_nT is not None)
         self.plot.getPlotItem().setLabel("bottom", against, color=self._theme.muted)
@@ -70,7 +70,7 @@ class Residuals(QWidget):
     def _add(self, colour: str, x: Array, values: Array) -> None:
         xs, ys = np.repeat(x, values.shape[1]), values.ravel()
         good = np.isfinite(xs) & np.isfinite(ys)
-        cloud = pg.ScatterPlotItem(xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(faint(colour, 130)))
+        cloud = pg.ScatterPlotItem(xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(with_alpha(colour, 130)))
         self.plot.addItem(cloud)
         self._clouds.append(cloud)
 
@@ -95,14 +95,14 @@ class Bars(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """What is shown next has the theme's colours."""
         self._theme = theme
-        ink(self.plot, theme)
+        apply_theme(self.plot, theme)
 
     def show_bars(self, rows: list[tuple[str, float, tuple[float, float] | None, str]], noise_nT: float) -> None:
         """`rows`: name, rms [nT], its interval, colour."""
         self.plot.clear()
         y = -np.arange(len(rows), dtype=float)
         widths = np.array([row[1] for row in rows])
-        brushes = [pg.mkBrush(faint(row[3], 200)) for row in rows]
+        brushes = [pg.mkBrush(with_alpha(row[3], 200)) for row in rows]
         self.plot.addItem(
             pg.BarGraphItem(x0=np.zeros(len(rows)), y=y, width=widths, height=0.55, brushes=brushes, pen=None)
         )
@@ -111,7 +111,7 @@ class Bars(QWidget):
                 self.plot.plot(interval, (at, at), pen=pg.mkPen(self._theme.text, width=2))
         pen = pg.mkPen(self._theme.text, width=1.5, dash=(4, 3))
         options = {"position": 0.97, "color": self._theme.muted, "anchors": [(0, 0), (0, 0)]}
-        line = pg.InfiniteLine(noise_nT, 90, pen=pen, label=say("noise alone"), labelOpts=options)
+        line = pg.InfiniteLine(noise_nT, 90, pen=pen, label=translated("noise alone"), labelOpts=options)
         self.plot.addItem(line)
         self.plot.getAxis("left").setTicks([[(float(at), row[0]) for at, row in zip(y, rows, strict=True)]])
         top = max([noise_nT, *widths, *(i[1] for _, _, i, _ in rows if i is not None)], default=1.0)
