@@ -96,7 +96,7 @@ def drive_all(drive: Drive) -> None:
     from labcal.gui.theming.theme import DARK, LIGHT
 
     window, app_state = drive.window, drive.window.app_state
-    drive.do("pages are built ahead", window.build_ahead, lambda: all(one.page for one in window.lazy_pages.values()))
+    drive.do("pages are built ahead", window.prebuild, lambda: all(one.page for one in window.lazy_pages.values()))
     drive.do("a bench is opened", lambda: app_state.open_bench(str(BENCH)), lambda: bool(app_state.facts))
     app_state.set_identity(operator="J. Doe", dut="EM-07")
     for name in PAGES:

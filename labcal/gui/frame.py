@@ -25,8 +25,8 @@ from labcal.bench.state import AT_ZERO, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.number_format import field, number, step_title
-from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, set_state, shrinking
+from labcal.gui.viewmodels.number_format import format_field, format_number, step_title
+from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, set_state, shrinkable
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 
@@ -128,7 +128,7 @@ class SidePanel(Surface):
         self._unit.setText(state.unit)
         self._show_field(state)
         for row, axis in enumerate(state.coil_A or (None,) * 3):
-            self._coils.show_row(row, "–" if axis is None else number(axis, 3))
+            self._coils.show_row(row, "–" if axis is None else format_number(axis, 3))
         shape, mark = mark_of(state.coil_words)
         self._zero.setText(f"{shape} {state.coil_words}".strip())
         set_state(self._zero, mark)
@@ -136,14 +136,14 @@ class SidePanel(Surface):
 
     def _show_field(self, state: LabState) -> None:
         def size(vector: tuple[float, float, float] | None) -> str:
-            return "–" if vector is None else field(hypot(*vector), state.unit, signed=False)
+            return "–" if vector is None else format_field(hypot(*vector), state.unit, signed=False)
 
         self._field.show_row(0, size(state.field_set_nT))
         self._field.show_row(1, size(state.field_measured_nT))
-        u = "–" if state.field_U_nT is None else "±" + field(state.field_U_nT, state.unit, signed=False)
+        u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
         self._field.show_row(2, u)
         for row, axis in enumerate(state.field_measured_nT or (None,) * 3):
-            self._field.show_row(3 + row, "–" if axis is None else field(axis, state.unit))
+            self._field.show_row(3 + row, "–" if axis is None else format_field(axis, state.unit))
 
     def _show_lights(self, state: LabState) -> None:
         while len(self._rows) < len(state.lights):
@@ -181,7 +181,7 @@ class Frame(QMainWindow):
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
-        self.message, self.waiting = shrinking(label()), label()
+        self.message, self.waiting = shrinkable(label()), label()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self._sidebar_buttons, self._scale = QButtonGroup(self), 1.0
         self._names = tuple(pages)

@@ -23,15 +23,15 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
 from labcal.gui.widgets.fault_card import FaultCard
-from labcal.gui.widgets.idle_queue import AT_MOST_S, IdleQueue
+from labcal.gui.widgets.idle_queue import TIME_SLICE_S, IdleQueue
 from labcal.gui.widgets.key_sheet import described
 
 if TYPE_CHECKING:
     from labcal.gui.pages.run import RunPage
 
-AHEAD_MS = 400
-LOOK_MS = 20  # between two looks whether the imports or a run are done
-PLOTS = 4  # of a page, at most, when it is built
+PREBUILD_DELAY_MS = 400
+POLL_MS = 20  # between two looks whether the imports or a run are done
+SPARE_PLOTS = 4  # of a page, at most, when it is built
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
 
@@ -68,14 +68,14 @@ class LazyPage(QWidget):
         yield
         while getattr(page, "build_more", bool)():
             yield
-        worn = ""
-        while worn != (worn := self._sheet()):  # again, where another theme has come meanwhile
-            until = time.monotonic() + AT_MOST_S
+        applied = ""
+        while applied != (applied := self._sheet()):  # again, where another theme has come meanwhile
+            until = time.monotonic() + TIME_SLICE_S
             for one in styled_widgets(page):
                 if time.monotonic() > until:
                     yield
-                    until = time.monotonic() + AT_MOST_S
-                apply_style(one, worn)
+                    until = time.monotonic() + TIME_SLICE_S
+                apply_style(one, applied)
                 one.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
         self._column.addWidget(page)
         page.show()
@@ -108,7 +108,7 @@ def preallocate_plot() -> bool:
     """Make one more plot for the next page, unless there are enough; says whether there are."""
     from labcal.gui.widgets.plots import preallocate_plots
 
-    return preallocate_plots(PLOTS)
+    return preallocate_plots(SPARE_PLOTS)
 
 
 def build_page(name: str, app_state: AppState, theme: Callable[[], Theme]) -> QWidget:
@@ -134,8 +134,8 @@ class Window(Frame):
         self.lazy_pages = {name: LazyPage(build[name], self.sheet) for name in PAGES}
         super().__init__(app_state.lab, dict(self.lazy_pages))
         self.style_queue = IdleQueue(self)
-        self._ahead = QTimer(self, singleShot=True)
-        self._ahead.timeout.connect(self.build_ahead)
+        self._prebuild_timer = QTimer(self, singleShot=True)
+        self._prebuild_timer.timeout.connect(self.prebuild)
         self._imports = Thread(target=import_pages, daemon=True, name="imports")
         self.wall = str(app_state.settings.value("wall", "no")) == "yes"
         self._before_wall: QSize | None = None
@@ -168,26 +168,26 @@ class Window(Frame):
         wall = self.tr("letters to be read from two metres, and back")
         described(QShortcut(QKeySequence("F11"), self, self.toggle_wall), wall)
         for lazy_page in self.lazy_pages.values():
-            lazy_page.wanted.connect(partial(self._ahead.start, 0))
+            lazy_page.wanted.connect(partial(self._prebuild_timer.start, 0))
 
-    def build_ahead(self) -> None:
+    def prebuild(self) -> None:
         """Build a piece of a page that is not there yet, what is in sight first; go on until all are there.
 
         While a run goes on only what is in sight. In the end, have the worker of fits ready.
         """
         waiting = [lazy_page for lazy_page in self.lazy_pages.values() if not lazy_page.ready]
         if not waiting:
-            return self.app_state.study_vm.prepare() if preallocate_plot() else self._ahead.start(0)
+            return self.app_state.study_vm.prepare() if preallocate_plot() else self._prebuild_timer.start(0)
         first = min(waiting, key=lambda lazy_page: not lazy_page.isVisible())
         if first is self.lazy_pages["Start"]:
             first.build()
         elif self._imports.ident is None:
             self._imports.start()
         elif self._imports.is_alive() or (self.app_state.run.alive and not first.isVisible()):
-            return self._ahead.start(LOOK_MS)
+            return self._prebuild_timer.start(POLL_MS)
         elif first.page is not None or preallocate_plot():
             first.build()
-        return self._ahead.start(0)
+        return self._prebuild_timer.start(0)
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
@@ -297,7 +297,7 @@ def open_window(bench: str | None) -> Window:
     window = Window(app_state)
     window.resize(window.size().boundedTo(window.screen().availableSize()))
     window.show()
-    QTimer.singleShot(AHEAD_MS, window, window.build_ahead)
+    QTimer.singleShot(PREBUILD_DELAY_MS, window, window.prebuild)
     chosen = bench or str(app_state.settings.value("bench", "") or "")
     if chosen and (bench or Path(chosen).is_file()):
         QTimer.singleShot(0, app_state, lambda: app_state.open_bench(chosen))

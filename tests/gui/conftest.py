@@ -35,7 +35,7 @@ class Deaf(QObject):
     def kill(self):
         self.killed += 1
 
-    def hang_up(self, wait_ms=0):
+    def close(self, wait_ms=0):
         pass
 
     def answer(self, do, result):
@@ -100,8 +100,8 @@ def still(deaf_window):
     scanner = window.scanner
     scanner._now, scanner._kept = time.monotonic, []
     scanner._wait.setInterval(SCAN_WAIT_MS)
-    app_state._force.setInterval(3_600_000)  # a test calls it, and no clock does
-    app_state._force.stop()
+    app_state._force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
+    app_state._force_timer.stop()
     app_state.run._forget()
     app_state.known = app_state._taken = None
     app_state.lab.update(coils_at_zero=None)

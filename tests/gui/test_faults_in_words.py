@@ -8,7 +8,7 @@ from lab_states import told
 from PySide6.QtCore import Qt
 
 from labcal.errors import InstrumentError
-from labcal.gui.ipc.wire import Fault, fault_of, item_to_json, with_names
+from labcal.gui.ipc.wire import Fault, fault_of, item_to_json, with_instrument_names
 from labcal.gui.viewmodels.run import Order
 from labcal.record.stream import Prompt
 
@@ -71,7 +71,7 @@ def test_a_fault_names_the_instrument_and_not_its_link_alone(still):
     card = fail(still, LOST)
     assert card.text.text() == "reference (serial:///dev/ttyUSB9): the link is lost."
     assert ("reference", "fault", "failed") in still.app_state.lab.state.lights
-    assert with_names(Fault("instrument", "dut: silent"), LINKS).text == "dut: silent"
+    assert with_instrument_names(Fault("instrument", "dut: silent"), LINKS).text == "dut: silent"
 
 
 def test_a_full_disk_is_said_as_such_and_is_no_fault_of_labcal_s():

@@ -135,6 +135,6 @@ def test_pages_out_of_sight_are_not_built_while_a_run_goes_on(still, monkeypatch
     monkeypatch.setattr(still, "_imports", read)
     for state, expected in (("running", []), ("idle", ["Fit"])):
         monkeypatch.setattr(still.app_state.run, "state", state)
-        still.build_ahead()
-        still._ahead.stop()
+        still.prebuild()
+        still._prebuild_timer.stop()
         assert built == expected

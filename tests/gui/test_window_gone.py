@@ -11,7 +11,7 @@ import pytest
 from labcal import session
 from labcal.errors import Stopped
 from labcal.gui.ipc.bench_commands import run
-from labcal.gui.ipc.channel import STILL_S, Channel
+from labcal.gui.ipc.channel import FROZEN_S, Channel
 from labcal.record.stream import Event
 from labcal.store.live import Store
 
@@ -77,7 +77,7 @@ def test_a_window_that_stands_still_while_real_coils_are_driven_has_gone(simulat
         os.write(says, b'{"do": "beat"}\n' * beats + b'{"do": "run"}\n')
         assert next(requests) == {"do": "run"}
         channel.run_begins(simulated)
-        deadline = time.monotonic() + (30.0 if left else 3 * STILL_S)
+        deadline = time.monotonic() + (30.0 if left else 3 * FROZEN_S)
         with pytest.raises(Stopped) if left else nullcontext():
             while time.monotonic() < deadline:
                 channel.control.check()
@@ -94,12 +94,12 @@ def test_a_window_that_moves_is_there():
         os.write(says, b'{"do": "beat"}\n{"do": "run"}\n')
         assert next(requests) == {"do": "run"}
         channel.run_begins(simulated=False)
-        deadline, slowest, before = time.monotonic() + 3 * STILL_S, 0.0, time.monotonic()
+        deadline, slowest, before = time.monotonic() + 3 * FROZEN_S, 0.0, time.monotonic()
         while time.monotonic() < deadline:
             os.write(says, b'{"do": "beat"}\n')
             time.sleep(0.2)
             slowest, before = max(slowest, time.monotonic() - before), time.monotonic()
-            if slowest > STILL_S / 2:
+            if slowest > FROZEN_S / 2:
                 pytest.skip("this computer is too busy: the test itself stood still")
             channel.control.check()
         os.close(says)

@@ -16,8 +16,8 @@ from labcal.record.stream import Block, Event, Item, Prompt
 from labcal.runner import Control
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
-LOOK_S = 0.05
-STILL_S = 1.0  # so long a window may stand still while real coils are on: nobody could say off there
+POLL_S = 0.05
+FROZEN_S = 1.0  # so long a window may stand still while real coils are on: nobody could say off there
 LATE_S = 0.2  # a process that runs freely wakes no later
 
 
@@ -26,19 +26,19 @@ class Channel:
     the coils go to zero and the run is interrupted.
     """
 
-    def __init__(self, heard: TextIO, said: TextIO) -> None:
+    def __init__(self, requests: TextIO, messages: TextIO) -> None:
         self.control = Control()
-        self._heard, self._said, self._lock = heard, said, threading.Lock()
+        self._input, self._output, self._lock = requests, messages, threading.Lock()
         self._requests: queue.Queue[dict[str, Any] | None] = queue.Queue()
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
         self._batch: list[list[Any]] = []
         self._sent_s, self._on_bench = 0.0, False
         self.hold_when_paused = False
-        self._beat_s: float | None = None  # when the window was heard last; None of one that does not beat
+        self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
 
     def requests(self) -> Iterator[dict[str, Any]]:
         """What is asked for, one after another, until the window hangs up."""
-        threading.Thread(target=self._listen, daemon=True, name="window").start()
+        threading.Thread(target=self._read_requests, daemon=True, name="window").start()
         while (request := self._requests.get()) is not None:
             yield request
 
@@ -47,8 +47,8 @@ class Channel:
         line = json.dumps({"said": said, **what}, default=str)
         try:
             with self._lock:
-                self._said.write(line + "\n")
-                self._said.flush()
+                self._output.write(line + "\n")
+                self._output.flush()
         except BrokenPipeError:  # nobody is there to read it
             self.control.leave()
 
@@ -56,7 +56,7 @@ class Channel:
         """From here on a hang-up means abort, not exit. A paused simulation stands still."""
         self._on_bench, self.hold_when_paused, self.control = True, simulated, Control()
         if not simulated:
-            threading.Thread(target=self._watch, args=(self.control,), daemon=True, name="still").start()
+            threading.Thread(target=self._watch_heartbeat, args=(self.control,), daemon=True, name="still").start()
 
     def run_ends(self) -> None:
         """The run has ended and the links are closed."""
@@ -69,7 +69,7 @@ class Channel:
         if not isinstance(item, Block) or time.monotonic() - self._sent_s > BATCH_S:
             self.flush()
         if self.hold_when_paused and isinstance(item, Event) and item.kind == "pause":
-            self._hold()
+            self._wait_while_paused()
 
     def send_state(self, state: LabState) -> None:
         """How the lab is now, by the clock that all processes of this computer share."""
@@ -86,40 +86,40 @@ class Channel:
         while True:
             self.control.check()
             try:
-                key, text = self._answers.get(timeout=LOOK_S)
+                key, text = self._answers.get(timeout=POLL_S)
             except queue.Empty:
                 continue
             if key == prompt.key:
                 return text
 
-    def _hold(self) -> None:
+    def _wait_while_paused(self) -> None:
         while self.control.paused():
             self.control.check()
-            time.sleep(LOOK_S)
+            time.sleep(POLL_S)
 
-    def _listen(self) -> None:
-        for line in self._heard:
-            self._take(json.loads(line))
+    def _read_requests(self) -> None:
+        for line in self._input:
+            self._dispatch(json.loads(line))
         self.control.leave()
         self._requests.put(None)
         if not self._on_bench:
             os._exit(0)
 
-    def _watch(self, control: Control) -> None:
+    def _watch_heartbeat(self, control: Control) -> None:
         """See that the window still moves. Who wakes late itself was kept from listening, and judges nobody for it."""
         while self._on_bench and self.control is control:
             begun = time.monotonic()
-            time.sleep(LOOK_S)
+            time.sleep(POLL_S)
             now = time.monotonic()
-            if self._beat_s is not None and now - begun > LOOK_S + LATE_S:
-                self._beat_s = now
-            elif self._beat_s is not None and now - self._beat_s > STILL_S:
+            if self._heartbeat_s is not None and now - begun > POLL_S + LATE_S:
+                self._heartbeat_s = now
+            elif self._heartbeat_s is not None and now - self._heartbeat_s > FROZEN_S:
                 control.leave()
                 return
 
-    def _take(self, said: dict[str, Any]) -> None:
-        if self._beat_s is not None or said["do"] == "beat":
-            self._beat_s = time.monotonic()
+    def _dispatch(self, said: dict[str, Any]) -> None:
+        if self._heartbeat_s is not None or said["do"] == "beat":
+            self._heartbeat_s = time.monotonic()
         match said["do"]:
             case "beat":
                 pass

@@ -14,11 +14,11 @@ from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signa
 from labcal.gui.ipc.wire import Fault
 from labcal.home import SECRETS
 
-Then = Callable[[Any], None]
+OnResult = Callable[[Any], None]
 COMMAND = ("-m", "labcal.gui.ipc.worker")
-AT_MOST_S = 0.01  # of one turn of the event loop for what the worker said
-TAIL = 6000  # of stderr, for the details of a crash
-BEAT_MS = 200  # so often the worker hears that this window is not standing still
+TIME_SLICE_S = 0.01  # of one turn of the event loop for what the worker said
+STDERR_TAIL = 6000  # of stderr, for the details of a crash
+HEARTBEAT_MS = 200  # so often the worker hears that this window is not standing still
 
 
 class Worker(Protocol):
@@ -28,7 +28,7 @@ class Worker(Protocol):
     states: Any  # Signal(dict)
     progress: Any  # Signal(str)
 
-    def request(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
+    def request(self, do: str, then: OnResult, failed: Callable[[Fault], None], **what: Any) -> None:
         """Ask for `do`; `then` gets the result, `failed` what went wrong."""
         ...
 
@@ -52,32 +52,32 @@ class Client(QObject):
         super().__init__(parent)
         self._command = command
         self._process: QProcess | None = None
-        self._open: dict[int, tuple[Then, Callable[[Fault], None]]] = {}
+        self._pending: dict[int, tuple[OnResult, Callable[[Fault], None]]] = {}
         self._number = 0
         self._lines: deque[bytes] = deque()
-        self._begun, self._errors = b"", ""
-        self._beats = QTimer(self, interval=BEAT_MS)
-        self._beats.timeout.connect(lambda: self.send("beat"))
+        self._partial_line, self._stderr = b"", ""
+        self._heartbeat = QTimer(self, interval=HEARTBEAT_MS)
+        self._heartbeat.timeout.connect(lambda: self.send("beat"))
 
     def start(self) -> None:
         """Have the process ready before it is needed."""
         if self._process is not None:
             return
         process = QProcess(self)
-        process.readyReadStandardOutput.connect(self._read)
-        process.readyReadStandardError.connect(self._read_errors)
-        process.finished.connect(self._ended)
-        process.errorOccurred.connect(self._not_started)
+        process.readyReadStandardOutput.connect(self._read_stdout)
+        process.readyReadStandardError.connect(self._read_stderr)
+        process.finished.connect(self._process_finished)
+        process.errorOccurred.connect(self._process_error)
         process.setProcessEnvironment(_environment())
-        self._process, self._errors, self._begun = process, "", b""
+        self._process, self._stderr, self._partial_line = process, "", b""
         process.start(sys.executable, list(self._command))
-        self._beats.start()
+        self._heartbeat.start()
 
-    def request(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
+    def request(self, do: str, then: OnResult, failed: Callable[[Fault], None], **what: Any) -> None:
         """Ask for `do`; `then` gets the result, `failed` what went wrong."""
         self.start()
         self._number += 1
-        self._open[self._number] = then, failed
+        self._pending[self._number] = then, failed
         self.send(do, id=self._number, **what)
 
     def send(self, do: str, **what: Any) -> None:
@@ -88,7 +88,7 @@ class Client(QObject):
     @property
     def busy(self) -> bool:
         """Whether anything is asked and not answered."""
-        return bool(self._open)
+        return bool(self._pending)
 
     @property
     def pid(self) -> int:
@@ -100,11 +100,11 @@ class Client(QObject):
         if self._process is not None:
             self._process.kill()
 
-    def hang_up(self, wait_ms: int = 3000) -> None:
+    def close(self, wait_ms: int = 3000) -> None:
         """Close the line: a run aborts, its coils go to zero, the process ends."""
         process, self._process = self._process, None
-        self._beats.stop()
-        self._open.clear()
+        self._heartbeat.stop()
+        self._pending.clear()
         if process is None:
             return
         process.blockSignals(True)
@@ -113,24 +113,24 @@ class Client(QObject):
             process.kill()
             process.waitForFinished(1000)
 
-    def _read(self) -> None:
+    def _read_stdout(self) -> None:
         if self._process is None:
             return
-        *lines, self._begun = (self._begun + self._process.readAllStandardOutput().data()).split(b"\n")
+        *lines, self._partial_line = (self._partial_line + self._process.readAllStandardOutput().data()).split(b"\n")
         idle = not self._lines
         self._lines.extend(lines)
         if idle:
-            self._take()
+            self._drain()
 
-    def _take(self) -> None:
+    def _drain(self) -> None:
         """What has come, as far as one turn of the event loop may take; the rest in the next."""
-        until = time.monotonic() + AT_MOST_S
+        until = time.monotonic() + TIME_SLICE_S
         while self._lines and time.monotonic() < until:
-            self._heard(json.loads(self._lines.popleft()))
+            self._dispatch(json.loads(self._lines.popleft()))
         if self._lines:
-            QTimer.singleShot(0, self, self._take)
+            QTimer.singleShot(0, self, self._drain)
 
-    def _heard(self, said: dict[str, Any]) -> None:
+    def _dispatch(self, said: dict[str, Any]) -> None:
         kind = said.pop("said")
         if kind == "items":
             self.items.emit(said["items"])
@@ -138,37 +138,37 @@ class Client(QObject):
             self.states.emit(said["state"])
         elif kind == "progress":
             self.progress.emit(said["text"])
-        elif (waiting := self._open.pop(said.pop("id"), None)) is not None:
+        elif (waiting := self._pending.pop(said.pop("id"), None)) is not None:
             then, failed = waiting
             if kind == "done":
                 then(said["result"])
             else:
                 failed(Fault(**said))
 
-    def _read_errors(self) -> None:
+    def _read_stderr(self) -> None:
         if self._process is not None:
             text = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
-            self._errors = (self._errors + text)[-TAIL:]
+            self._stderr = (self._stderr + text)[-STDERR_TAIL:]
 
-    def _ended(self, code: int) -> None:
-        self._read()
+    def _process_finished(self, code: int) -> None:
+        self._read_stdout()
         while self._lines:
-            self._heard(json.loads(self._lines.popleft()))
-        self._gone(self.tr("The work ended by itself (exit {0}).").format(code))
+            self._dispatch(json.loads(self._lines.popleft()))
+        self._process_gone(self.tr("The work ended by itself (exit {0}).").format(code))
 
-    def _not_started(self, error: QProcess.ProcessError) -> None:
+    def _process_error(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
-            self._gone(self.tr("The worker process could not be started."))
+            self._process_gone(self.tr("The worker process could not be started."))
 
-    def _gone(self, text: str) -> None:
-        self._read_errors()
+    def _process_gone(self, text: str) -> None:
+        self._read_stderr()
         process, self._process = self._process, None
-        self._beats.stop()
+        self._heartbeat.stop()
         if process is not None:
             process.deleteLater()
-        waiting, self._open = list(self._open.values()), {}
+        waiting, self._pending = list(self._pending.values()), {}
         for _, failed in waiting:
-            failed(Fault("crash", text, "", self._errors))
+            failed(Fault("crash", text, "", self._stderr))
 
 
 def _environment() -> QProcessEnvironment:

@@ -64,7 +64,7 @@ def _of_files(error: OSError) -> str:
     return f"{place}{error.strerror or error}"
 
 
-def with_names(fault: Fault, links: Mapping[str, str]) -> Fault:
+def with_instrument_names(fault: Fault, links: Mapping[str, str]) -> Fault:
     """`fault` with the instrument's name before its link; `links` by name."""
     for link in sorted({*links.values()}, key=len, reverse=True):
         if link in fault.text:

@@ -14,7 +14,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import Triple
-from labcal.gui.viewmodels.number_format import number
+from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.cage_view import CageView, vector_colours
 from labcal.gui.widgets.common import Card, button, label
 from labcal.gui.widgets.fault_card import FaultCard
@@ -120,7 +120,7 @@ class BenchPage(QWidget):
     def _reconnect(self) -> None:
         if not self._app_state.run.alive:
             for worker in (self._app_state.bench_worker, self._app_state.off_worker):
-                worker.hang_up(500)
+                worker.close(500)
             self._app_state.open_bench(self._app_state.bench)
         self.check_all()
 
@@ -186,7 +186,7 @@ class BenchPage(QWidget):
             role, said = self.table.text(row, 0), run.reading.get(self.table.text(row, 1))
             words, age = "–", self.tr("nothing in this session")
             if role.startswith("coil") and coils is not None:
-                words, age = f"{number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
+                words, age = f"{format_number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
             elif said is not None:
                 silent = run.silent_s(self.table.text(row, 1))
                 unit = f" {self._app_state.facts['dut']['unit']}" if role == "dut" else ""
@@ -217,13 +217,13 @@ class BenchPage(QWidget):
         names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
         lines = []
         for name, colour, vector in zip(names, vector_colours(self._theme), vectors, strict=True):
-            size = "–" if vector is None else f"{number(hypot(*vector), 0, signed=False)} nT"
+            size = "–" if vector is None else f"{format_number(hypot(*vector), 0, signed=False)} nT"
             lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
         return "<br>".join(lines)
 
     def _limits(self, limits: dict[str, Any]) -> str:
         most = " / ".join(f"{one:g}" for one in dict.fromkeys(limits["current_A"]))
-        field = number(limits["field_nT"], 0, signed=False)
+        field = format_number(limits["field_nT"], 0, signed=False)
         return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
 
 
@@ -235,7 +235,7 @@ def open_simulated_bench(app_state: AppState) -> None:
 def reading_text(role: str, values: Any) -> str:
     """The last sample of an instrument, short."""
     unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
-    return "  ".join(number(float(value), 1) for value in values[:3]) + unit
+    return "  ".join(format_number(float(value), 1) for value in values[:3]) + unit
 
 
 def last_vector(said: tuple[tuple[str, ...], Any] | None) -> Triple | None:

@@ -13,7 +13,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import number
+from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
@@ -234,8 +234,8 @@ class CertificatePage(QWidget):
         for row, (name, value, s, unit) in enumerate(rows):
             decimals = decimals_for(2 * (s or 0.0), value)
             self.table.set_cell(row, 0, name)
-            self.table.set_cell(row, 1, number(value, decimals), right=True)
-            self.table.set_cell(row, 2, "–" if s is None else number(2 * s, decimals, signed=False), right=True)
+            self.table.set_cell(row, 1, format_number(value, decimals), right=True)
+            self.table.set_cell(row, 2, "–" if s is None else format_number(2 * s, decimals, signed=False), right=True)
             self.table.set_cell(row, 3, unit)
 
     def _enable(self) -> None:

@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSpli
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import number
+from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.common import Card, button, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table, decimals_for
-from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, to_run
+from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
@@ -91,7 +91,7 @@ class FitPage(QWidget):
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
-        self.to_run = to_run(self._app_state)
+        self.to_run = go_to_run_button(self._app_state)
         card.body.addWidget(self.empty, 1)
         card.body.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         card.body.addWidget(self.table, 1)
@@ -200,7 +200,7 @@ def cells(fit: dict[str, Any]) -> list[str]:
         return ["✕", *["–"] * (len(QUALITY) + len(OFFSETS) + len(GAINS) - 1)]
     worst = max(fit["axis_error_deg"], default=None) if fit["axis_error_deg"] else None
     quality = ((fit["holdout_rms_scalar_nT"], 1), (worst, 3), (fit["seconds"], 2))
-    said = ["–" if value is None else number(value, decimals, signed=False) for value, decimals in quality]
+    said = ["–" if value is None else format_number(value, decimals, signed=False) for value, decimals in quality]
     said.append(translated("known") if fit["frame_known"] else translated("free"))
     values = [(n + 9, k) for n, k in enumerate(fit["k_nT"])]
     values += list(enumerate(v for row in fit["K"] for v in row))
@@ -209,7 +209,7 @@ def cells(fit: dict[str, Any]) -> list[str]:
 
 def _with_U(value: float, covariance: list[list[float]] | None, at: int) -> str:
     if covariance is None:
-        return number(value, 1 if at >= 9 else 5)
+        return format_number(value, 1 if at >= 9 else 5)
     U = 2 * sqrt(max(0.0, covariance[at][at]))
     decimals = decimals_for(U, value)
-    return f"{number(value, decimals)} ± {number(U, decimals, signed=False)}"
+    return f"{format_number(value, decimals)} ± {format_number(U, decimals, signed=False)}"

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog,
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.widgets.common import Card, button, label, shrinking
+from labcal.gui.widgets.common import Card, button, label, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
@@ -93,7 +93,7 @@ class HistoryPage(QWidget):
         row.addWidget(self.search, 1)
         for widget in (self.open, self.export, self.correct, take):
             row.addWidget(widget)
-        self.said, self.folder = shrinking(label("", "caption")), FolderButton()
+        self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
         self.said.hide()
         self.table = Table(HEADINGS, stretch=6)
         self.table.itemSelectionChanged.connect(self._chosen)

@@ -13,13 +13,13 @@ from labcal.gui.ipc.wire import Fault, unpack
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import number
+from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.study import cause_name
-from labcal.gui.widgets.common import Card, button, chooser, label, named, set_primary, set_state, shrinking
+from labcal.gui.widgets.common import Card, button, combo_box, label, named, set_primary, set_state, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
-from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, to_run
+from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
 
 WORDS = {
@@ -73,14 +73,14 @@ class LoopPage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
-        self.empty, self.to_run = label("", "ask", wrap=True), to_run(app_state)
+        self.empty, self.to_run = label("", "ask", wrap=True), go_to_run_button(app_state)
         column.addWidget(self.empty, 1)
         column.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         self.story = self._story()
         column.addWidget(self.story, 1)
         self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
-        self._study.told.connect(self._tell)
+        self._study.progressed.connect(self._tell)
         self._show()
 
     def _head(self) -> QHBoxLayout:
@@ -123,7 +123,7 @@ class LoopPage(QWidget):
 
     def _verdict_card(self) -> Card:
         card = Card()
-        self.verdict, self.summary = label("", "ask"), shrinking(label("", wrap=True))
+        self.verdict, self.summary = label("", "ask"), shrinkable(label("", wrap=True))
         self.before_after, self.noise = label("", "large"), label("", "caption", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
@@ -163,7 +163,7 @@ class LoopPage(QWidget):
     def _change_card(self) -> Card:
         card = Card(self.tr("3  What it changes"), "")
         self.change_heading, self.change_words = card.heading, card.unit
-        self.against = chooser(self.tr("What the residual is drawn against; the named cause first"), letters=5)
+        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=5)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
         self.change_why = label("", "caption", wrap=True)
@@ -247,8 +247,8 @@ class LoopPage(QWidget):
         set_state(self.verdict, state)
         self.summary.setText(loop["summary"])
         before, after = loop["before"]["holdout_rms_nT"], loop["after"]["holdout_rms_nT"]
-        self.before_after.setText(f"{number(before, signed=False)} → {number(after, signed=False)} nT")
-        floor = number(loop["noise_floor_nT"], signed=False)
+        self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
+        floor = format_number(loop["noise_floor_nT"], signed=False)
         self.noise.setText(self.tr("held-out rms; noise alone: {0} nT, {1}").format(floor, loop["noise_floor_source"]))
         self._show_unknown(loop, remarks)
         self._fill_against(loop)
@@ -364,7 +364,7 @@ class LoopPage(QWidget):
         if one is None:
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
         both = (unpack(one["before"]), unpack(one["after"]))
-        rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
+        rms = (format_number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
         self.change_words.setText(self.tr("all rows {0} nT").format(" → ".join(rms)))
         tip = self.tr(
             "Rms over all rows, before and after; the figures at the top are of rows that the fit did not see"

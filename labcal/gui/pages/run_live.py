@@ -22,9 +22,9 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import FIGURE_SPACE, duration, step_title
+from labcal.gui.viewmodels.number_format import FIGURE_SPACE, format_duration, step_title
 from labcal.gui.widgets.axis_lights import AxisLights
-from labcal.gui.widgets.common import Card, button, deferred_layout, label, set_primary, shrinking
+from labcal.gui.widgets.common import Card, button, deferred_layout, label, set_primary, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
@@ -139,7 +139,7 @@ class Live(QWidget):
 
     def _live_card(self) -> Card:
         card = Card()
-        self.headline = shrinking(label("", "large"))
+        self.headline = shrinkable(label("", "large"))
         self.headline.setAccessibleName(self.tr("What happens now"))
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
@@ -314,5 +314,5 @@ class Live(QWidget):
             self.left.setText(translated(run.status.partition(":")[0]))
         else:
             self.left.setText(
-                self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, duration(left))
+                self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, format_duration(left))
             )

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWi
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import number
-from labcal.gui.widgets.common import Card, button, flat, label, set_state, shrinking
+from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.widgets.common import Card, button, flat, label, set_state, shrinkable
 from labcal.gui.widgets.run_chooser import run_title
 
 DUE_DAYS = 365
@@ -66,7 +66,7 @@ class StartPage(QWidget):
     def _hello_card(self) -> Card:
         card = Card()
         today = QLocale().toString(QDate.currentDate(), "dddd, d MMMM")
-        self.date, self.question = shrinking(label(today, "large")), label("", wrap=True)
+        self.date, self.question = shrinkable(label(today, "large")), label("", wrap=True)
         self.morning = button(
             translated(MORNING),
             self.tr("Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time"),
@@ -161,7 +161,7 @@ class StartPage(QWidget):
         days = days_since(said["run"]["started_utc"])
         words = self.tr("Checked {0}, {1} days ago.").format(said["run"]["started_utc"][:10], days)
         if (worst := said["measurement"]) is not None:
-            words += f"\n{worst['name']}: {number(worst['value'])} {worst['unit']} ({worst['limit']:g})"
+            words += f"\n{worst['name']}: {format_number(worst['value'])} {worst['unit']} ({worst['limit']:g})"
         self._say_cage(words, days, said["verdict"])
 
     def _say_cage(self, words: str, days: int, verdict: str) -> None:
@@ -178,7 +178,8 @@ class StartPage(QWidget):
             )
         worst, run = said["measurement"], said["run"]
         shape, state = STATES.get(said["verdict"], ("", ""))
-        value = f"{worst['name']}: {number(worst['value'])} ± {number(2 * worst['u'], signed=False)} {worst['unit']}"
+        U = format_number(2 * worst["u"], signed=False)
+        value = f"{worst['name']}: {format_number(worst['value'])} ± {U} {worst['unit']}"
         return self._say("closing", f"{shape} {said['verdict']}", f"{value}\n{run_title(run)}", state)
 
     def _runs_known(self, runs: list[dict[str, Any]]) -> None:

@@ -53,16 +53,16 @@ class AppState(QObject):
         self.facts: dict[str, Any] = {}
         self.answered: dict[str, dict[str, Any]] = {}  # by instrument, when they were last asked
         self.bench = ""
-        self._pulse = QTimer(self, interval=200)
-        self._pulse.timeout.connect(self._look)
+        self._refresh_timer = QTimer(self, interval=200)
+        self._refresh_timer.timeout.connect(self._update_lab)
         self.known: state.LabState | None = None  # the lab as it was last read, by the computer's monotonic clock
         self._taken: state.LabState | None = None  # from the run
-        self._ages = QTimer(self, interval=AGES_MS)
-        self._ages.timeout.connect(self._say_coils)
-        self._ages.start()
-        self._force = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
-        self._force.timeout.connect(self._off_by_force)
-        self.run.changed.connect(self._look)
+        self._age_timer = QTimer(self, interval=AGES_MS)
+        self._age_timer.timeout.connect(self._update_coil_words)
+        self._age_timer.start()
+        self._force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
+        self._force_timer.timeout.connect(self._off_by_force)
+        self.run.changed.connect(self._update_lab)
         self.run.ended.connect(self._ended)
         self.lab.update(operator=str(self.settings.value("operator", "")))
 
@@ -127,13 +127,13 @@ class AppState(QObject):
         """Run a procedure for the DUT and the operator above."""
         study = self.study_vm
         after = study.run if procedure == study.wanted else ""
-        self._pulse.start()
+        self._refresh_timer.start()
         self.run.start(replace(self._order(procedure, given), after=after))
 
     def resume(self, run_id: str, procedure: str, dut: str) -> None:
         """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
         self.set_identity(dut=dut)
-        self._pulse.start()
+        self._refresh_timer.start()
         self.run.resume(run_id, self._order(procedure, {}))
         self.page_requested.emit("Run")
 
@@ -148,7 +148,7 @@ class AppState(QObject):
         """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
         if self.run.alive:
             self.run.abort()
-            self._force.start()
+            self._force_timer.start()
         elif self.bench:
             self._switch_off()
         else:
@@ -161,7 +161,7 @@ class AppState(QObject):
 
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
-        self._force.stop()  # the next run is not to pay for this one
+        self._force_timer.stop()  # the next run is not to pay for this one
         order = self.run.order
         if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
             self.study_vm.add(order.procedure, run_id)
@@ -185,7 +185,7 @@ class AppState(QObject):
         said = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
         known = None if None in currents else currents
         self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=said)
-        self._say_coils()
+        self._update_coil_words()
         if not good:
             self._off_failed(Fault("instrument", words))
 
@@ -200,17 +200,17 @@ class AppState(QObject):
             return state.NOT_READ
         return self.known.sentence(time.monotonic())
 
-    def _say_coils(self) -> None:
+    def _update_coil_words(self) -> None:
         self.lab.update(coil_words="" if self.known is None else self.coil_words())
 
-    def _look(self) -> None:
+    def _update_lab(self) -> None:
         """What the run knows, for the frame."""
         run = self.run
         if run.state == "idle":
             return
         if run.lab is not None and run.lab is not self._taken:
             self.known = self._taken = run.lab
-        self._say_coils()
+        self._update_coil_words()
         rows = run.reference.rows()[-20:]
         now = run.alive and len(rows) > 0  # after a run, what was measured last is not the field now
         measured = tuple(float(v) for v in rows[:, 1:].mean(axis=0)) if now else None
@@ -228,7 +228,7 @@ class AppState(QObject):
             waiting=waits.get(run.state, ""),
         )
         if not run.alive:
-            self._pulse.stop()
+            self._refresh_timer.stop()
 
     def _U(self, measured: tuple[float, ...] | None) -> float | None:
         """Of the reference, k = 2, from what the bench file states."""
@@ -267,11 +267,11 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self._force, self._pulse, self._ages):
+        for timer in (self._force_timer, self._refresh_timer, self._age_timer):
             timer.stop()
-        self.bench_worker.hang_up(8000)
+        self.bench_worker.close(8000)
         for worker in (self.quick_worker, self.fit_worker, self.off_worker):
-            worker.hang_up(500)
+            worker.close(500)
 
 
 def _coil(said: dict[str, Any]) -> state.Coil:

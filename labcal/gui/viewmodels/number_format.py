@@ -12,19 +12,19 @@ FIGURE_SPACE, NARROW_SPACE, MINUS = "\u2007", "\u202f", "\u2212"
 TURN = re.compile(r"\b([xyz])([+-])(\d+(?:\.\d+)?)uT(?:-(\w+))?")
 
 
-def number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
+def format_number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
     """`value` with a true minus sign and groups of three: +19 998.7 or −3.2."""
     value = round(value, decimals) + 0.0  # no negative zero
     text = f"{value:+,.{decimals}f}" if signed else f"{value:,.{decimals}f}"
     return text.replace(",", NARROW_SPACE).replace("-", MINUS)
 
 
-def field(value_nT: float, unit: FieldUnit = "nT", *, signed: bool = True) -> str:
+def format_field(value_nT: float, unit: FieldUnit = "nT", *, signed: bool = True) -> str:
     """A field component, or with `signed` False a magnitude, in the display unit."""
-    return number(value_nT * PER_NT[unit], DECIMALS[unit], signed=signed)
+    return format_number(value_nT * PER_NT[unit], DECIMALS[unit], signed=signed)
 
 
-def duration(seconds: float) -> str:
+def format_duration(seconds: float) -> str:
     """Minutes and seconds, 06:40; hours where there are any, 1:06:40."""
     whole = max(0, round(seconds))
     hours, minutes, rest = whole // 3600, whole // 60 % 60, whole % 60

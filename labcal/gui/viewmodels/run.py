@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.state import LabState, from_json
 from labcal.gui.ipc.client import Worker
-from labcal.gui.ipc.wire import Fault, item_from_json, with_names
+from labcal.gui.ipc.wire import Fault, item_from_json, with_instrument_names
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
@@ -283,14 +283,14 @@ class RunViewModel(QObject):
 
     def _done(self, result: dict[str, Any]) -> None:
         self.run_id, self.status = result["run_id"], result["status"]
-        self.fault = with_names(Fault(**result["fault"]), self.links) if result["fault"] else None
+        self.fault = with_instrument_names(Fault(**result["fault"]), self.links) if result["fault"] else None
         self._over()
 
     def _last_words(self) -> str:
         return self.tr("Run {0}: {1}").format(self.run_id, self.status) if self.run_id else self.status
 
     def _failed(self, fault: Fault) -> None:
-        self.fault = with_names(fault, self.links)
+        self.fault = with_instrument_names(fault, self.links)
         self.status = f"failed: {self.fault.text}"
         self._over()
 

@@ -15,7 +15,7 @@ class StudyViewModel(QObject):
     """One run at a time; asking for another forgets the first. `changed` after everything that is learned."""
 
     changed = Signal()
-    told = Signal()  # how far it is
+    progressed = Signal()  # how far it is
     drafted = Signal(str)  # path of a calibration file
     added = Signal()  # a run of all rows is new in the store
 
@@ -151,7 +151,7 @@ class StudyViewModel(QObject):
 
     def _progress(self, text: str) -> None:
         self.message = text
-        self.told.emit()
+        self.progressed.emit()
 
 
 def cause_name(effect: str, channels: list[str]) -> str:

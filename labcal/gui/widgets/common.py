@@ -45,13 +45,13 @@ def label(text: str = "", name: str = "", *, wrap: bool = False) -> QLabel:
     return widget
 
 
-def shrinking(widget: W) -> W:
+def shrinkable(widget: W) -> W:
     """`widget` with its text cut off where there is no room: a long sentence widens no window."""
     widget.setMinimumWidth(1)
     return widget
 
 
-def chooser(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
+def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
     """A list to choose from, as wide as it may be and no wider than `letters` where there is no room."""
     widget = QComboBox()
     widget.setToolTip(tip)
@@ -142,7 +142,7 @@ class Card(Surface):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         outer.setSpacing(GRID)
-        self.heading = shrinking(label(title, "title"))
+        self.heading = shrinkable(label(title, "title"))
         self.unit = label(unit, "caption")
         head = QHBoxLayout()
         head.addWidget(self.heading, 1)

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 
 from labcal.gui.ipc.wire import unpack
 from labcal.gui.theming.theme import Theme
-from labcal.gui.widgets.common import Card, chooser, label, shrinking
+from labcal.gui.widgets.common import Card, combo_box, label, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
@@ -35,9 +35,9 @@ class FitViews(Card):
         self._theme = theme
         self._look: dict[str, Any] | None = None
         self._said: dict[str, Any] | None = None
-        self.view = chooser(self.tr("The figures of the papers that the methods are from"), self.tr("View"))
-        self.against = chooser(self.tr("What the residual is drawn against"), self.tr("Against"))
-        self.words = shrinking(label("", "caption"))
+        self.view = combo_box(self.tr("The figures of the papers that the methods are from"), self.tr("View"))
+        self.against = combo_box(self.tr("What the residual is drawn against"), self.tr("Against"))
+        self.words = shrinkable(label("", "caption"))
         self.faces = QStackedWidget()
         row = QHBoxLayout()
         row.addWidget(self.view, 2)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QTimer
 
 Job = Callable[[], object]
-AT_MOST_S = 0.01  # of a turn before another piece is begun in it
+TIME_SLICE_S = 0.01  # of a turn before another piece is begun in it
 
 
 class IdleQueue(QObject):
@@ -16,9 +16,9 @@ class IdleQueue(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._waiting: dict[object, Job] = {}
-        self._next = QTimer(self, interval=0, singleShot=True)
-        self._next.timeout.connect(self._do)
+        self._jobs: dict[object, Job] = {}
+        self._timer = QTimer(self, interval=0, singleShot=True)
+        self._timer.timeout.connect(self._run_slice)
 
     def add(self, *jobs: Job) -> None:
         """Do these when it is their turn."""
@@ -27,22 +27,22 @@ class IdleQueue(QObject):
 
     def put(self, name: object, job: Job) -> None:
         """Do this when it is its turn, and not what waits under the same name."""
-        self._waiting.pop(name, None)
-        self._waiting[name] = job
-        self._next.start()
+        self._jobs.pop(name, None)
+        self._jobs[name] = job
+        self._timer.start()
 
     def finish(self) -> None:
         """Do all that waits, now."""
-        while self._waiting:
-            self._one()
+        while self._jobs:
+            self._run_next()
 
-    def _do(self) -> None:
-        until = time.monotonic() + AT_MOST_S
-        while self._waiting:
-            self._one()
+    def _run_slice(self) -> None:
+        until = time.monotonic() + TIME_SLICE_S
+        while self._jobs:
+            self._run_next()
             if time.monotonic() > until:
-                self._next.start()
+                self._timer.start()
                 return
 
-    def _one(self) -> None:
-        self._waiting.pop(next(iter(self._waiting)))()
+    def _run_next(self) -> None:
+        self._jobs.pop(next(iter(self._jobs)))()

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTab
 
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import number, step_title
+from labcal.gui.viewmodels.number_format import format_number, step_title
 from labcal.gui.widgets.common import tabular_font
 from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
@@ -128,8 +128,8 @@ class Measurements(Table):
     def _show(self, row: int, one: Measurement) -> None:
         decimals = decimals_for(2 * one.u, one.value)
         self.set_cell(row, 0, step_title(one.name))
-        self.set_cell(row, 1, number(one.value, decimals), right=True)
-        self.set_cell(row, 2, number(2 * one.u, decimals, signed=False) if one.u > 0 else "–", right=True)
+        self.set_cell(row, 1, format_number(one.value, decimals), right=True)
+        self.set_cell(row, 2, format_number(2 * one.u, decimals, signed=False) if one.u > 0 else "–", right=True)
         self.set_cell(row, 3, one.unit)
         self.set_cell(row, 4, "–" if one.limit is None else f"{one.limit:g}", right=True)
         shape, state = STATES.get(one.verdict, ("", "text"))

@@ -14,8 +14,8 @@ from labcal.files import replacing
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import button
 from labcal.outputs import claim
-from labcal.plain import one_line
 from labcal.spreadsheet import shielded
+from labcal.text_safety import one_line
 
 PICTURE = "PNG (*.png)"
 

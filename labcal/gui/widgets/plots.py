@@ -18,7 +18,7 @@ from labcal.gui.viewmodels.number_format import MINUS
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
 MAX_POINTS = 1500  # points of a locus
-REST_MS = 30
+REPAINT_DELAY_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
@@ -40,7 +40,7 @@ class DeferredRepaint(QObject):
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
         self._widget = widget
-        self._over = QTimer(self, interval=REST_MS, singleShot=True)
+        self._over = QTimer(self, interval=REPAINT_DELAY_MS, singleShot=True)
         self._over.timeout.connect(self._draw)
         widget.installEventFilter(self)
 
@@ -93,12 +93,12 @@ def _spare_plot_in_parts() -> Iterator[None]:
     _spare_plots.append(widget)
 
 
-def preallocate_plots(number: int) -> bool:
+def preallocate_plots(format_number: int) -> bool:
     """Make a part of a plot for the page that is built next, unless there are `number`; says whether there are.
 
     A plot takes 20 ms to make, and a page has up to four.
     """
-    if len(_spare_plots) >= number:
+    if len(_spare_plots) >= format_number:
         return True
     if next(_making[0], True):
         _making[0] = _spare_plot_in_parts()

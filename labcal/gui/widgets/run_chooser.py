@@ -11,7 +11,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import button
 
-LETTERS = 10  # of a run's line are seen where there is no room for all
+VISIBLE_CHARS = 10  # of a run's line are seen where there is no room for all
 USABLE = ("finished", "imported", "stopped", "failed")
 BROKEN = {"stopped": "■", "failed": "✕"}  # runs that did not come to their end are said to be so, first of all
 NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the History page."
@@ -33,7 +33,7 @@ class RunChooser(QComboBox):
         super().__init__()
         self._app_state = app_state
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.setMinimumContentsLength(LETTERS)
+        self.setMinimumContentsLength(VISIBLE_CHARS)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(self.tr("Run"))
         self.setToolTip(self.tr("The run to look at, the newest first"))
@@ -61,19 +61,19 @@ class RunChooser(QComboBox):
         self.clear()
         for one in runs:
             if one["status"].startswith(USABLE):
-                self.addItem(marked(one), one["run_id"])
+                self.addItem(run_label(one), one["run_id"])
         self.none = self.count() == 0
         self.setCurrentIndex(self.findData(kept))
         self.known.emit()
 
 
-def marked(one: dict[str, Any]) -> str:
+def run_label(one: dict[str, Any]) -> str:
     """A run's line, begun with how it ended where it did not come to its end."""
     status = one["status"].partition(":")[0]
     return f"{BROKEN[status]} {translated(status)} · {run_title(one)}" if status in BROKEN else run_title(one)
 
 
-def to_run(app_state: AppState) -> QPushButton:
+def go_to_run_button(app_state: AppState) -> QPushButton:
     """The way out of a page that has no run yet."""
     made = button(translated("Go to Run"), translated("Record a run, or import one on the History page"), primary=True)
     made.clicked.connect(lambda: app_state.page_requested.emit("Run"))

@@ -15,32 +15,32 @@ _UNSEEN = re.compile(
 )
 
 
-def seen(text: str) -> str:
+def replace_unseen(text: str) -> str:
     """`text` as a terminal may get it, with U+FFFD in place of every character that acts or is not seen."""
     return _UNSEEN.sub("\ufffd", text)
 
 
 def one_line(text: str) -> str:
     """`text` as `seen`, with a blank in place of tabs and line ends: nothing in it begins a line of its own."""
-    return seen(re.sub(r"[\t\r\n]+", " ", text))
+    return replace_unseen(re.sub(r"[\t\r\n]+", " ", text))
 
 
-def escaped(json_text: str) -> str:
+def escape_unseen(json_text: str) -> str:
     """JSON that means the same, with an escape in place of every character that acts or is not seen."""
     return _UNSEEN.sub(lambda found: json.dumps(found[0])[1:-1], json_text)
 
 
-def plain(text: str) -> str:
+def checked_text(text: str) -> str:
     """`text` itself. Raises ValueError where it holds a character that acts; a tab and a line end do not."""
     if found := _ACTS.search(text):
         raise ValueError(f"holds the control character U+{ord(found[0]):04X}")
     return text
 
 
-def made_plain(value: Any) -> Any:
+def replace_control(value: Any) -> Any:
     """`value` (JSON) with U+FFFD in place of every character in its texts that acts."""
     if isinstance(value, str):
         return _ACTS.sub("\ufffd", value)
     if isinstance(value, dict):
-        return {made_plain(key): made_plain(item) for key, item in value.items()}
-    return [made_plain(item) for item in value] if isinstance(value, list | tuple) else value
+        return {replace_control(key): replace_control(item) for key, item in value.items()}
+    return [replace_control(item) for item in value] if isinstance(value, list | tuple) else value
