@@ -62,17 +62,19 @@ def main() -> int:
     application = timed_application()
     from PySide6.QtCore import QSettings
 
-    from labcal.gui.desk import Desk
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import AppState
     from labcal.gui.window import Window
 
-    window = Window(Desk(QSettings(str(Path(os.environ["LABCAL_HOME"]) / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    window = Window(
+        AppState(QSettings(str(Path(os.environ["LABCAL_HOME"]) / "w.ini"), QSettings.Format.IniFormat)), LIGHT
+    )
     window.show()
     for name in ("History", "Fit"):
         window.page(name)
-    window.desk.study_vm.prepare()  # as the window itself does, soon after it is up
+    window.app_state.study_vm.prepare()  # as the window itself does, soon after it is up
     window.open_page("History")
-    history, study = window.page("History"), window.desk.study_vm
+    history, study = window.page("History"), window.app_state.study_vm
 
     def until(so: object) -> float:
         begun = time.perf_counter()
@@ -83,9 +85,9 @@ def main() -> int:
             time.sleep(0.001)
         return time.perf_counter() - begun
 
-    until(lambda: history.table.rowCount() > 0 and not window.desk.clerk.busy)
+    until(lambda: history.table.rowCount() > 0 and not window.app_state.quick_worker.busy)
     history.table.selectRow(0)
-    until(lambda: not window.desk.clerk.busy and bool(study.methods))
+    until(lambda: not window.app_state.quick_worker.busy and bool(study.methods))
     application.forget()
     history.open.click()
     took_s = until(lambda: study.look is not None and window.page("Fit").isVisible())

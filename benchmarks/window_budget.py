@@ -21,25 +21,27 @@ RATE_HZ, SECONDS, BATCH_S, LONGEST_MS = 1000, 20, 0.04, 50.0
 
 def feed() -> None:
     """Be the worker: answer the first request with 20 s of samples at their true pace."""
-    from labcal.gui.talk import over_standard_streams
+    from labcal.gui.ipc.channel import stdio_channel
     from labcal.record import Segment
     from labcal.record.stream import Block, SegmentOpened, Step
 
-    talk = over_standard_streams()
-    ask = next(iter(talk.asks()))
-    talk.tell(Step(0.0, 1, 1, "turn", float(SECONDS), ("turn",)))
-    talk.tell(SegmentOpened(0.0, Segment("turn", "rotation")))
+    channel = stdio_channel()
+    request = next(iter(channel.requests()))
+    channel.send_item(Step(0.0, 1, 1, "turn", float(SECONDS), ("turn",)))
+    channel.send_item(SegmentOpened(0.0, Segment("turn", "rotation")))
     begun, sent = time.monotonic(), 0
     while sent < RATE_HZ * SECONDS:
         time.sleep(BATCH_S)
         upto = min(RATE_HZ * SECONDS, int((time.monotonic() - begun) * RATE_HZ))
         t = np.arange(sent, upto) / RATE_HZ
         field = 2e4 * np.column_stack([np.cos(t), np.sin(t), np.full(len(t), 0.5)])
-        talk.tell(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, field))
-        talk.tell(Block("angle", "stage", ("angle_deg",), t[:1], np.degrees(t[:1, None])))
+        channel.send_item(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, field))
+        channel.send_item(Block("angle", "stage", ("angle_deg",), t[:1], np.degrees(t[:1, None])))
         sent = upto
-    talk.flush()
-    talk.say("done", id=ask["id"], result={"run_id": "budget", "status": "finished", "fault": None, "failed": []})
+    channel.flush()
+    channel.send(
+        "done", id=request["id"], result={"run_id": "budget", "status": "finished", "fault": None, "failed": []}
+    )
 
 
 def timed_application() -> Any:
@@ -101,32 +103,32 @@ def main() -> int:
 
     os.environ["LABCAL_HOME"] = tempfile.mkdtemp(prefix="labcal-budget-")
     application = timed_application()
-    from labcal.gui.client import Client
-    from labcal.gui.desk import Desk
-    from labcal.gui.run_vm import Order, RunViewModel
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.ipc.client import Client
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import AppState
+    from labcal.gui.viewmodels.run import Order, RunViewModel
     from labcal.gui.window import Window
 
-    desk = Desk(QSettings(os.path.join(os.environ["LABCAL_HOME"], "w.ini"), QSettings.Format.IniFormat))
-    desk.bench_worker = Client(desk, (__file__, "feed"))
-    desk.run = RunViewModel(desk.bench_worker)
-    window = Window(desk, LIGHT)
+    app_state = AppState(QSettings(os.path.join(os.environ["LABCAL_HOME"], "w.ini"), QSettings.Format.IniFormat))
+    app_state.bench_worker = Client(app_state, (__file__, "feed"))
+    app_state.run = RunViewModel(app_state.bench_worker)
+    window = Window(app_state, LIGHT)
     window.show()
     window.open_page("Run")
-    desk.run.start(Order("budget", "none"))
+    app_state.run.start(Order("budget", "none"))
     live = window.page("Run").live
     drawn = live._draw
     frames: list[float] = []
     live._frame.timeout.disconnect()
     live._frame.timeout.connect(lambda: (frames.append(time.perf_counter()), drawn()))
-    while len(desk.run.dut) < RATE_HZ:  # the first second builds what is built once
+    while len(app_state.run.dut) < RATE_HZ:  # the first second builds what is built once
         application.processEvents()
     application.forget()
     frames.clear()
-    while desk.run.alive:
+    while app_state.run.alive:
         application.processEvents()
         time.sleep(0.001)
-    rows = desk.run.dut._written
+    rows = app_state.run.dut._written
     rate = len(frames) / (frames[-1] - frames[0])
     print(f"{application.longest()}; {rate:.0f} repaints/s; {rows} rows arrived")
     window.close()

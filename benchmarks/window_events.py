@@ -50,8 +50,8 @@ class Drive:
 
     def settle(self) -> None:
         """Until nothing is asked and not answered, and a moment longer."""
-        desk = self.window.desk
-        self.wait(lambda: not desk.clerk.busy and not desk.study_vm.busy)
+        app_state = self.window.app_state
+        self.wait(lambda: not app_state.quick_worker.busy and not app_state.study_vm.busy)
         end = time.monotonic() + SETTLED_S
         self.wait(lambda: time.monotonic() > end)
 
@@ -77,11 +77,11 @@ def main() -> int:
     from PySide6.QtCore import QSettings
 
     from labcal.gui import window as window_module
-    from labcal.gui.desk import Desk
+    from labcal.gui.viewmodels.app_state import AppState
 
     settings = QSettings(str(Path(os.environ["LABCAL_HOME"]) / "events.ini"), QSettings.Format.IniFormat)
     settings.setValue("pace", "at once")
-    window = window_module.Window(Desk(settings))
+    window = window_module.Window(AppState(settings))
     drive = Drive(application, window)
     application.kind = "window comes up"
     window.show()
@@ -93,12 +93,12 @@ def main() -> int:
 
 def drive_all(drive: Drive) -> None:
     """The acts of a day."""
-    from labcal.gui.theme import DARK, LIGHT
+    from labcal.gui.theming.theme import DARK, LIGHT
 
-    window, desk = drive.window, drive.window.desk
-    drive.do("pages are built ahead", window.build_ahead, lambda: all(one.page for one in window.later.values()))
-    drive.do("a bench is opened", lambda: desk.open_bench(str(BENCH)), lambda: bool(desk.facts))
-    desk.who(operator="J. Doe", dut="EM-07")
+    window, app_state = drive.window, drive.window.app_state
+    drive.do("pages are built ahead", window.prebuild, lambda: all(one.page for one in window.lazy_pages.values()))
+    drive.do("a bench is opened", lambda: app_state.open_bench(str(BENCH)), lambda: bool(app_state.facts))
+    app_state.set_identity(operator="J. Doe", dut="EM-07")
     for name in PAGES:
         drive.do(f"page {name}, empty", lambda n=name: window.open_page(n))
     run(drive)
@@ -117,13 +117,13 @@ def drive_all(drive: Drive) -> None:
 
 def run(drive: Drive) -> None:
     """A run with its questions, notes and end."""
-    window, desk = drive.window, drive.window.desk
-    vm, live = desk.run, window.page("Run").live
+    window, app_state = drive.window, drive.window.app_state
+    vm, live = app_state.run, window.page("Run").live
     window.open_page("Run")
-    drive.do("Check all", window.page("Bench").check_all, lambda: bool(desk.answered))
+    drive.do("Check all", window.page("Bench").check_all, lambda: bool(app_state.answered))
     drive.do("a procedure is chosen", lambda: window.page("Run").open_procedure("axes-check"))
     drive.do("a procedure is chosen", lambda: window.page("Run").open_procedure("preflight"))
-    drive.do("Start", lambda: desk.start("preflight", SHORT), lambda: vm.state in ("asking", "ended"))
+    drive.do("Start", lambda: app_state.start("preflight", SHORT), lambda: vm.state in ("asking", "ended"))
     while vm.state != "ended":
         drive.do("a question in the wall size", window.toggle_wall)
         drive.do("a question in the wall size", window.toggle_wall)
@@ -135,8 +135,8 @@ def run(drive: Drive) -> None:
 
 def study(drive: Drive) -> None:
     """Open, fit, trace, look at a cause, at drafts."""
-    window, desk = drive.window, drive.window.desk
-    vm, history, fit, loop = desk.study_vm, window.page("History"), window.page("Fit"), window.page("Loop")
+    window, app_state = drive.window, drive.window.app_state
+    vm, history, fit, loop = app_state.study_vm, window.page("History"), window.page("Fit"), window.page("Loop")
     drive.do("page History, empty", lambda: window.open_page("History"), lambda: history.table.rowCount() > 0)
     drive.do("a run is chosen", lambda: history.table.selectRow(0))
     drive.do("Open", history.open.click, lambda: vm.look is not None)

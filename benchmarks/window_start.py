@@ -55,8 +55,8 @@ def _watch(window: Any) -> Any:
             return False
 
     def look() -> None:
-        if window.later["Start"].ready:
-            window.later["Start"].page.question.installEventFilter(painted)
+        if window.lazy_pages["Start"].ready:
+            window.lazy_pages["Start"].page.question.installEventFilter(painted)
             QTimer.singleShot(500, window, window.close)
         else:
             QTimer.singleShot(1, window, look)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from labcal.errors import InputError
-from labcal.plain import one_line
+from labcal.text_safety import one_line
 
 OURS = (str(Path(__file__).parent), str(Path(importlib.__file__).parent), "<frozen ")
 

@@ -7,7 +7,7 @@ import pytest
 
 from labcal.errors import InputError
 from labcal.files import replacing, write_text
-from labcal.plain import made_plain, plain
+from labcal.text_safety import checked_text, replace_control
 
 
 def test_a_file_is_whole_or_absent_and_leaves_nothing_beside_it(tmp_path: Path) -> None:
@@ -40,8 +40,8 @@ def test_a_fault_of_the_disk_names_the_file_that_was_asked_for(tmp_path: Path, m
 
 
 def test_text_that_acts_on_a_terminal_is_refused_or_marked() -> None:
-    assert plain("Grüße, 测试\tand\nmore") == "Grüße, 测试\tand\nmore"
+    assert checked_text("Grüße, 测试\tand\nmore") == "Grüße, 测试\tand\nmore"
     for acts in ("\x1b[2J", "\x00", "\x9b2J", "a\u202eb", "\ud800"):
         with pytest.raises(ValueError, match=r"control character U\+"):
-            plain(acts)
-    assert made_plain({"a": ["\x1b[2J", 1, None]}) == {"a": ["\ufffd[2J", 1, None]}
+            checked_text(acts)
+    assert replace_control({"a": ["\x1b[2J", 1, None]}) == {"a": ["\ufffd[2J", 1, None]}

@@ -11,12 +11,12 @@ import pytest
 from labcal import cli
 from labcal.cli.screen import console, say
 from labcal.errors import InputError
-from labcal.plain import escaped, one_line, seen
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Event
 from labcal.spreadsheet import first_formula, is_formula, shielded_row
 from labcal.store import Bundle, Store
 from labcal.store.export import csv_table
+from labcal.text_safety import escape_unseen, one_line, replace_unseen
 
 CLI = Path(cli.__file__).parent
 ACTS = [
@@ -38,7 +38,7 @@ NONE = ["-5", "+5.2e-3", "-.5", "1e+05", "-", "+x-20uT", "-z", "x=1", "2026-03-0
 
 @pytest.mark.parametrize("text", ACTS)
 def test_what_acts_on_a_terminal_or_is_not_seen_is_marked(text: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert text[0] not in seen(text)
+    assert text[0] not in replace_unseen(text)
     say(f"a{text}b\nc")
     console().print(f"a{text}b [/not a markup] :smile:")
     told = capsys.readouterr().out
@@ -46,12 +46,12 @@ def test_what_acts_on_a_terminal_or_is_not_seen_is_marked(text: str, capsys: pyt
     assert told.splitlines()[0].endswith("b c")
     assert "[/not a markup] :smile:" in told
     assert text[0] not in told
-    assert json.loads(escaped(json.dumps({"k": text}, ensure_ascii=False))) == {"k": text}
-    assert text[0] not in escaped(json.dumps({"k": text}, ensure_ascii=False))
+    assert json.loads(escape_unseen(json.dumps({"k": text}, ensure_ascii=False))) == {"k": text}
+    assert text[0] not in escape_unseen(json.dumps({"k": text}, ensure_ascii=False))
 
 
 def test_what_is_meant_is_left(capsys: pytest.CaptureFixture[str]) -> None:
-    assert seen("Grüße, 测试 µT\tand\nmore") == "Grüße, 测试 µT\tand\nmore"
+    assert replace_unseen("Grüße, 测试 µT\tand\nmore") == "Grüße, 测试 µT\tand\nmore"
     assert one_line("two\r\nlines\there") == "two lines here"
     console(force_terminal=True, color_system="standard").print("red", style="red")
     assert "\x1b[31mred" in capsys.readouterr().out

@@ -53,8 +53,8 @@ class Studio:
     """One window, and the patience to wait for it."""
 
     def __init__(self, home: Path, out: Path, only: tuple[str, ...]) -> None:
-        from labcal.gui.desk import Desk
-        from labcal.gui.theme import DARK, LIGHT
+        from labcal.gui.theming.theme import DARK, LIGHT
+        from labcal.gui.viewmodels.app_state import AppState
         from labcal.gui.window import Window
 
         self.themes, self.out, self.only = (LIGHT, DARK), out, only
@@ -62,13 +62,13 @@ class Studio:
         settings.clear()
         settings.setValue("pace", "100 times")
         settings.setValue("seed", 3)
-        self.desk = Desk(settings)
-        self.window = Window(self.desk, LIGHT)
+        self.app_state = AppState(settings)
+        self.window = Window(self.app_state, LIGHT)
         self.window.resize(*SIZE)
         self.window.show()
-        self.desk.who(operator="J. Doe", dut="EM-07")
-        self.desk.open_bench(str(ROOT / "examples" / "simulated.toml"))
-        self.wait(lambda: bool(self.desk.facts))
+        self.app_state.set_identity(operator="J. Doe", dut="EM-07")
+        self.app_state.open_bench(str(ROOT / "examples" / "simulated.toml"))
+        self.wait(lambda: bool(self.app_state.facts))
 
     def wait(self, until: Callable[[], bool], seconds: float = 300) -> None:
         """Let the window live until something is so."""
@@ -92,10 +92,10 @@ class Studio:
             self.window.resize(*size)
             self.window.set_theme(theme)
             self.window.open_page(page)
-            self.window.dressing.finish()
-            self.window.rail.setFocus()
+            self.window.style_queue.finish()
+            self.window.sidebar.setFocus()
             self.live(0.5)
-            self.wait(lambda: not self.desk.clerk.busy)
+            self.wait(lambda: not self.app_state.quick_worker.busy)
             self.live(0.7)
             if (self.window.width(), self.window.height()) != size:
                 print(f"{name}: {self.window.width()} x {self.window.height()}, wider or higher than {size}")
@@ -110,8 +110,8 @@ class Studio:
 
     def preflight(self) -> str:
         """A whole preflight, with pictures on the way; returns its run id."""
-        run = self.desk.run
-        self.desk.start("preflight", {})
+        run = self.app_state.run
+        self.app_state.start("preflight", {})
         live = False
         while True:
             self.wait(lambda: run.state in ("asking", "ended") or self.in_the_middle_of("z"))
@@ -132,12 +132,12 @@ class Studio:
 
     def in_the_middle_of(self, axis: str) -> bool:
         """Whether a turn about this body axis is more than half done."""
-        run = self.desk.run
+        run = self.app_state.run
         return bool(run.segment) and run.segment.startswith(axis) and run.coverage() > 0.6
 
     def study(self, run: str) -> None:
         """Fits and the loop, drawn."""
-        study = self.desk.study_vm
+        study = self.app_state.study_vm
         study.open(run)
         self.wait(lambda: not study.busy)
         if self.wants("fit"):
@@ -152,7 +152,7 @@ class Studio:
     def sign(self) -> None:
         """Two keys, one approval, one signature."""
         done: list[object] = []
-        self.desk.ask("calibrations", done.append)
+        self.app_state.request("calibrations", done.append)
         self.wait(lambda: bool(done))
         files = done[0]
         assert isinstance(files, list)
@@ -161,7 +161,7 @@ class Studio:
             for do, what in (("new_key", {"name": "jdoe@lab", "passphrase": "render"}),
                              ("approve", {"path": path, "name": "A. Smith"}),
                              ("sign", {"path": path, "name": "jdoe@lab", "passphrase": "render"})):  # fmt: skip
-                self.desk.clerk.ask(do, done.append, done.append, **what)
+                self.app_state.quick_worker.request(do, done.append, done.append, **what)
             self.wait(lambda: len(done) == 4)
 
 
@@ -184,15 +184,15 @@ def main() -> None:
 
 def render(studio: Studio) -> None:
     """All pages in the order of the work."""
-    from labcal.gui.wire import Fault
+    from labcal.gui.ipc.wire import Fault
 
-    desk = studio.desk
+    app_state = studio.app_state
     studio.shoot("run-choose", "Run")
     if studio.wants("bench"):
         studio.window.page("Bench").check_all()
         studio.live(8)
     runs: list[list[dict[str, str]]] = []
-    desk.ask("runs", runs.append)
+    app_state.request("runs", runs.append)
     studio.wait(lambda: bool(runs))
     finished = [one["run_id"] for one in runs[0] if one["status"] == "finished"]
     run = (
@@ -209,7 +209,7 @@ def render(studio: Studio) -> None:
         studio.sign()
         studio.shoot("certificate", "Certificate")
         studio.shoot("history", "History")
-    desk.fault.emit(
+    app_state.fault.emit(
         Fault(
             "instrument",
             "The reference sensor has sent nothing for 2 s.",

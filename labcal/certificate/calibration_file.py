@@ -22,8 +22,8 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.calibration import Rival
-from labcal.plain import plain
 from labcal.record import Dut
+from labcal.text_safety import checked_text
 
 FORMAT: Literal["labcal-calibration/1"] = "labcal-calibration/1"
 LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
@@ -63,7 +63,7 @@ def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
     return names
 
 
-Text = Annotated[str, Field(max_length=10_000), AfterValidator(plain)]
+Text = Annotated[str, Field(max_length=10_000), AfterValidator(checked_text)]
 Name = Annotated[Text, Field(min_length=1)]
 Names = Annotated[tuple[Name, ...], AfterValidator(_distinct)]
 Span = Annotated[tuple[float, float], AfterValidator(_range)]

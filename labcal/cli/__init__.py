@@ -87,14 +87,14 @@ def _report_of(error: Exception) -> str:
 
     from labcal.files import write_bytes
     from labcal.home import FILE, home, own_folder
-    from labcal.plain import seen
+    from labcal.text_safety import replace_unseen
 
     what = f"a fault of labcal's own: {type(error).__name__}: {error}"
     report = home() / "last-fault.txt"
     try:
         own_folder(report.parent)
         told = f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}"
-        write_bytes(report, seen(told).encode(), FILE)
+        write_bytes(report, replace_unseen(told).encode(), FILE)
     except OSError:
         return what
     return f"{what}; please report it with the file {report}"

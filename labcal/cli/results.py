@@ -12,7 +12,7 @@ import typer
 
 from labcal.files import write_text
 from labcal.outputs import claim
-from labcal.plain import escaped
+from labcal.text_safety import escape_unseen
 
 JSON = typer.Option(None, "--json", metavar="FILE", help="Write the result as JSON to FILE; - is standard output.")
 FORCE = typer.Option(
@@ -25,7 +25,7 @@ def write_json(result: Any, where: str, command: str, *, inputs: Iterable[Path] 
 
     Raises InputError where `command`, which read `inputs`, may not write there (`labcal.outputs`).
     """
-    text = escaped(json.dumps(result, indent=1, ensure_ascii=False, allow_nan=False)) + "\n"
+    text = escape_unseen(json.dumps(result, indent=1, ensure_ascii=False, allow_nan=False)) + "\n"
     if where == "-":
         sys.stdout.write(text)
         return

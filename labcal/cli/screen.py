@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from labcal.plain import one_line, seen
+from labcal.text_safety import one_line, replace_unseen
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -31,6 +31,6 @@ def console(**options: Any) -> Console:
     class Seen(Console):
         def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Any:
             for part in super().render(renderable, options):
-                yield part if part.control else Segment(seen(part.text), part.style)
+                yield part if part.control else Segment(replace_unseen(part.text), part.style)
 
     return Seen(markup=False, emoji=False, **options)

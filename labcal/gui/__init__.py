@@ -1,1 +1,1 @@
-"""gui."""
+"""The technician's window, over worker processes."""

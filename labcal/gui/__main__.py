@@ -20,17 +20,17 @@ def main() -> int:
         return 2
     from PySide6.QtCore import QLocale
 
+    from labcal.gui.translations.translate import install_translator
     from labcal.gui.window import open_window
-    from labcal.gui.words import speak
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("labcal")
     QLocale.setDefault(QLocale(QLocale.Language.English))
-    speak(application, QLocale.system())
+    install_translator(application, QLocale.system())
     window = open_window(given.bench)
-    sys.excepthook = window.desk.broke
+    sys.excepthook = window.app_state.handle_exception
     code = application.exec()
-    window.desk.close()
+    window.app_state.close()
     return code
 
 

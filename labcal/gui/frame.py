@@ -1,4 +1,4 @@
-"""The frame around every page: top bar with Coils off, rail, the field and instruments at the right, one line below."""
+"""The frame around every page: top bar with Coils off, sidebar, field and instruments at the right, one line below."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.bench.coils.state import AT_ZERO, NOT_BY_REFERENCE, NOT_CONFIRMED
-from labcal.gui.hold import HOLD_MS, KEYS
-from labcal.gui.key_sheet import KeySheet, explained, shortcuts
-from labcal.gui.lab_vm import LabState, LabViewModel
-from labcal.gui.numbers import field, number, step_words
-from labcal.gui.theme import GRID
-from labcal.gui.widgets import Ground, Numbers, label, named, set_state, shrinking
-from labcal.gui.words import say
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab import LabState, LabViewModel
+from labcal.gui.viewmodels.number_format import format_field, format_number, step_title
+from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, set_state, shrinkable
+from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
+from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 
 LIGHT_SHAPES = {
     "ok": ("✓", "good", "answers"),
@@ -36,12 +36,12 @@ LIGHT_SHAPES = {
     "fault": ("✕", "bad", "failed"),
     "absent": ("○", "", "not asked"),
 }
-NARROW_PX = 1200  # a window that is less wide has a narrow rail and side panel
+NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 OFF_KEY = Qt.Key.Key_F12
 UNITS = ("nT", "µT", "mG")
 
 
-class TopBar(Ground):
+class TopBar(Surface):
     """DUT, operator, bench, SIMULATED where it is, and Coils off: in sight on every page."""
 
     def __init__(self) -> None:
@@ -84,7 +84,7 @@ class TopBar(Ground):
         self.simulated.setVisible(state.simulated)
 
 
-class SidePanel(Ground):
+class SidePanel(Surface):
     """The field now, the coil currents and the instruments."""
 
     unit_asked = Signal(str)
@@ -102,12 +102,12 @@ class SidePanel(Ground):
         head.addStretch()
         head.addWidget(self._unit)
         self._column.addLayout(head)
-        self._field = Numbers(("set", "measured", "U (k=2)", "x", "y", "z"))
+        self._field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
         self._column.addWidget(self._field)
         self._column.addSpacing(GRID)
         self._coils_head = label(self.tr("COILS   A"), "caption")
         self._column.addWidget(self._coils_head)
-        self._coils = Numbers(("x", "y", "z"))
+        self._coils = ReadoutGrid(("x", "y", "z"))
         self._column.addWidget(self._coils)
         self._zero = label("", wrap=True)
         self._column.addWidget(self._zero)
@@ -128,7 +128,7 @@ class SidePanel(Ground):
         self._unit.setText(state.unit)
         self._show_field(state)
         for row, axis in enumerate(state.coil_A or (None,) * 3):
-            self._coils.show_row(row, "–" if axis is None else number(axis, 3))
+            self._coils.show_row(row, "–" if axis is None else format_number(axis, 3))
         shape, mark = mark_of(state.coil_words)
         self._zero.setText(f"{shape} {state.coil_words}".strip())
         set_state(self._zero, mark)
@@ -136,14 +136,14 @@ class SidePanel(Ground):
 
     def _show_field(self, state: LabState) -> None:
         def size(vector: tuple[float, float, float] | None) -> str:
-            return "–" if vector is None else field(hypot(*vector), state.unit, signed=False)
+            return "–" if vector is None else format_field(hypot(*vector), state.unit, signed=False)
 
         self._field.show_row(0, size(state.field_set_nT))
         self._field.show_row(1, size(state.field_measured_nT))
-        u = "–" if state.field_U_nT is None else "±" + field(state.field_U_nT, state.unit, signed=False)
+        u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
         self._field.show_row(2, u)
         for row, axis in enumerate(state.field_measured_nT or (None,) * 3):
-            self._field.show_row(3 + row, "–" if axis is None else field(axis, state.unit))
+            self._field.show_row(3 + row, "–" if axis is None else format_field(axis, state.unit))
 
     def _show_lights(self, state: LabState) -> None:
         while len(self._rows) < len(state.lights):
@@ -151,7 +151,7 @@ class SidePanel(Ground):
             self._lights.addWidget(self._rows[-1])
         wordless = {light for _, light, words in state.lights if not words}
         legend = "   ".join(
-            f"{shape} {say(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
+            f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
         )
         self._legend.setText(legend if state.lights else self.tr("No bench is open."))
         for row, (name, light, words) in zip(self._rows, state.lights, strict=False):
@@ -172,7 +172,7 @@ def mark_of(coil_words: str) -> tuple[str, str]:
 
 
 class Frame(QMainWindow):
-    """The main window: pages by name in the rail's order; `coils_off` fires on its button and on F12 with any focus."""
+    """The main window: pages by name in the sidebar's order; `coils_off`: its button, or F12 with any focus."""
 
     coils_off = Signal()
 
@@ -181,13 +181,13 @@ class Frame(QMainWindow):
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
-        self.message, self.waiting = shrinking(label()), label()
-        self.hearers: list[Callable[[QWidget, QKeyEvent], bool]] = []
-        self._rail_buttons, self._scale = QButtonGroup(self), 1.0
+        self.message, self.waiting = shrinkable(label()), label()
+        self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
+        self._sidebar_buttons, self._scale = QButtonGroup(self), 1.0
         self._names = tuple(pages)
         middle = QHBoxLayout()
         middle.setSpacing(0)
-        middle.addWidget(self._rail(pages))
+        middle.addWidget(self._sidebar(pages))
         self.above = QVBoxLayout()  # what concerns every page: faults
         self.above.setContentsMargins(2 * GRID, 0, 2 * GRID, 0)
         pages_column = QVBoxLayout()
@@ -214,31 +214,31 @@ class Frame(QMainWindow):
         if application is not None:
             application.installEventFilter(self)
 
-    def _rail(self, pages: dict[str, QWidget]) -> QWidget:
-        self.rail = rail = Ground(Qt.Edge.RightEdge)
-        column = QVBoxLayout(rail)
+    def _sidebar(self, pages: dict[str, QWidget]) -> QWidget:
+        self.sidebar = sidebar = Surface(Qt.Edge.RightEdge)
+        column = QVBoxLayout(sidebar)
         column.setContentsMargins(0, 2 * GRID, 0, 2 * GRID)
         column.setSpacing(0)
         for index, (name, page) in enumerate(pages.items()):
-            entry = named(QPushButton(say(name)), "rail")
+            entry = named(QPushButton(translated(name)), "rail")
             entry.setCheckable(True)
-            entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(say(name), index + 1))
-            words = self.tr("the page {0}").format(say(name))
-            explained(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
-            self._rail_buttons.addButton(entry, index)
+            entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
+            words = self.tr("the page {0}").format(translated(name))
+            described(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
+            self._sidebar_buttons.addButton(entry, index)
             column.addWidget(entry)
             self.stack.addWidget(page)
         column.addStretch()
         self.help = named(QPushButton(self.tr("Keys   F1")), "rail")
         self.help.setToolTip(self.tr("Which keys there are, and what each does"))
         self.help.clicked.connect(self.show_keys)
-        explained(QShortcut(QKeySequence("F1"), self, self.show_keys), self.tr("this sheet"))
+        described(QShortcut(QKeySequence("F1"), self, self.show_keys), self.tr("this sheet"))
         column.addWidget(self.help)
-        self._rail_buttons.idClicked.connect(self.stack.setCurrentIndex)
-        return rail
+        self._sidebar_buttons.idClicked.connect(self.stack.setCurrentIndex)
+        return sidebar
 
     def _status_line(self) -> QWidget:
-        self.bottom = line = Ground(Qt.Edge.TopEdge)
+        self.bottom = line = Surface(Qt.Edge.TopEdge)
         row = QHBoxLayout(line)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         row.addWidget(self.message, 1)
@@ -248,7 +248,7 @@ class Frame(QMainWindow):
     def open_page(self, name: str) -> None:
         """Show the page called `name`."""
         index = self._names.index(name)
-        self._rail_buttons.button(index).setChecked(True)
+        self._sidebar_buttons.button(index).setChecked(True)
         self.stack.setCurrentIndex(index)
 
     def keys(self) -> list[tuple[str, str]]:
@@ -281,9 +281,9 @@ class Frame(QMainWindow):
             entry.setFixedWidth(int(18 * GRID * scale))
 
     def _give_room(self) -> None:
-        """Rail and side panel, narrow where the window is: the page between them has what is left."""
-        rail, side = (15, 23) if self.width() < NARROW_PX * self._scale else (17, 31)
-        self.rail.setFixedWidth(int(rail * GRID * self._scale))
+        """Sidebar and side panel, narrow where the window is: the page between them has what is left."""
+        sidebar, side = (15, 23) if self.width() < NARROW_PX * self._scale else (17, 31)
+        self.sidebar.setFixedWidth(int(sidebar * GRID * self._scale))
         self.side.setFixedWidth(int(side * GRID * self._scale))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -295,18 +295,18 @@ class Frame(QMainWindow):
         """Write the lab's state into every part of the frame."""
         self.top.show_state(state)
         self.side.show_state(state)
-        self.message.setText(step_words(state.message))
+        self.message.setText(step_title(state.message))
         self.waiting.setText(state.waiting)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take F12 before anything else can, whatever has the focus and whatever card is open; then ask `hearers`."""
+        """Take F12 before anything else can, whatever has the focus and whatever card is open; then `key_handlers`."""
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:
             if not event.isAutoRepeat():
                 self.coils_off.emit()
             return True
-        return isinstance(watched, QWidget) and any(hear(watched, event) for hear in self.hearers)
+        return isinstance(watched, QWidget) and any(handle_key(watched, event) for handle_key in self.key_handlers)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Coils off before the window goes; a window that is gone hears no keys."""

@@ -1,4 +1,4 @@
-"""The window: the frame with all pages, the desk behind it, and what is remembered between two days."""
+"""The window: the frame with all pages, the state behind it, and what is remembered between two days."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
 from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
 
-from labcal.gui import hold
-from labcal.gui.desk import Desk
-from labcal.gui.dress import bare, dress, wearers
-from labcal.gui.fault_card import FaultCard
 from labcal.gui.frame import Frame
-from labcal.gui.key_sheet import explained
-from labcal.gui.scanner import Scanner
-from labcal.gui.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
-from labcal.gui.turns import AT_MOST_S, Turns
-from labcal.gui.wire import Fault
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
+from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets import hold_button
+from labcal.gui.widgets.barcode_scanner import Scanner
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import TIME_SLICE_S, IdleQueue
+from labcal.gui.widgets.key_sheet import described
 
 if TYPE_CHECKING:
     from labcal.gui.pages.run import RunPage
 
-AHEAD_MS = 400
-LOOK_MS = 20  # between two looks whether the imports or a run are done
-PLOTS = 4  # of a page, at most, when it is built
+PREBUILD_DELAY_MS = 400
+POLL_MS = 20  # between two looks whether the imports or a run are done
+SPARE_PLOTS = 4  # of a page, at most, when it is built
 PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
 
 
-class Later(QWidget):
+class LazyPage(QWidget):
     """A page that is built when it is first seen: the window is up before the plots are."""
 
     wanted = Signal()  # it is in sight, and not yet built
@@ -49,10 +49,10 @@ class Later(QWidget):
 
     @property
     def ready(self) -> bool:
-        """Whether it is built, and dressed."""
+        """Whether it is built, and has its style sheets."""
         return self.page is not None and self.page.parent() is self
 
-    def made(self) -> QWidget:
+    def built(self) -> QWidget:
         """The page itself, at once."""
         while self.page is None or not self.ready:
             self.build()
@@ -68,23 +68,23 @@ class Later(QWidget):
         yield
         while getattr(page, "build_more", bool)():
             yield
-        worn = ""
-        while worn != (worn := self._sheet()):  # again, where another theme has come meanwhile
-            until = time.monotonic() + AT_MOST_S
-            for one in wearers(page):
+        applied = ""
+        while applied != (applied := self._sheet()):  # again, where another theme has come meanwhile
+            until = time.monotonic() + TIME_SLICE_S
+            for one in styled_widgets(page):
                 if time.monotonic() > until:
                     yield
-                    until = time.monotonic() + AT_MOST_S
-                dress(one, worn)
+                    until = time.monotonic() + TIME_SLICE_S
+                apply_style(one, applied)
                 one.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
         self._column.addWidget(page)
         page.show()
 
-    def wearers(self) -> list[QWidget]:
-        """What is dressed, one by one."""
-        return wearers(self.page) if self.page is not None and self.ready else []
+    def styled_widgets(self) -> list[QWidget]:
+        """What has a style sheet of its own, in order."""
+        return styled_widgets(self.page) if self.page is not None and self.ready else []
 
-    def inked(self, theme: Theme) -> Iterator[Callable[[], object]]:
+    def theme_updates(self, theme: Theme) -> Iterator[Callable[[], object]]:
         """What puts each part that draws for itself into the colours of `theme`; holders come after what they hold."""
         parts = [] if self.page is None else [*reversed(self.page.findChildren(QWidget)), self.page]
         return (partial(part.set_theme, theme) for part in parts if hasattr(part, "set_theme"))
@@ -104,18 +104,18 @@ def import_pages() -> None:
     prepare()
 
 
-def stock_one() -> bool:
+def preallocate_plot() -> bool:
     """Make one more plot for the next page, unless there are enough; says whether there are."""
-    from labcal.gui.plots import stock_up
+    from labcal.gui.widgets.plots import preallocate_plots
 
-    return stock_up(PLOTS)
+    return preallocate_plots(SPARE_PLOTS)
 
 
-def build_page(name: str, desk: Desk, theme: Callable[[], Theme]) -> QWidget:
+def build_page(name: str, app_state: AppState, theme: Callable[[], Theme]) -> QWidget:
     """The page called `name`: class NamePage in labcal.gui.pages.name."""
     module = import_module(f"labcal.gui.pages.{name.lower()}")
-    made: QWidget = getattr(module, f"{name}Page")(desk, theme())
-    return made
+    built: QWidget = getattr(module, f"{name}Page")(app_state, theme())
+    return built
 
 
 def system_theme() -> Theme:
@@ -127,126 +127,128 @@ def system_theme() -> Theme:
 class Window(Frame):
     """Everything together. `theme` overrides what the system says."""
 
-    def __init__(self, desk: Desk, theme: Theme | None = None) -> None:
-        self.desk = desk
+    def __init__(self, app_state: AppState, theme: Theme | None = None) -> None:
+        self.app_state = app_state
         self.theme = theme or system_theme()
-        self.later = {name: Later(partial(build_page, name, desk, lambda: self.theme), self.sheet) for name in PAGES}
-        super().__init__(desk.lab, dict(self.later))
-        self.dressing = Turns(self)
-        self._ahead = QTimer(self, singleShot=True)
-        self._ahead.timeout.connect(self.build_ahead)
+        build = {name: partial(build_page, name, app_state, lambda: self.theme) for name in PAGES}
+        self.lazy_pages = {name: LazyPage(build[name], self.sheet) for name in PAGES}
+        super().__init__(app_state.lab, dict(self.lazy_pages))
+        self.style_queue = IdleQueue(self)
+        self._prebuild_timer = QTimer(self, singleShot=True)
+        self._prebuild_timer.timeout.connect(self.prebuild)
         self._imports = Thread(target=import_pages, daemon=True, name="imports")
-        self.wall = str(desk.settings.value("wall", "no")) == "yes"
+        self.wall = str(app_state.settings.value("wall", "no")) == "yes"
         self._before_wall: QSize | None = None
         self.fault = FaultCard()
         self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
         self.above.addWidget(self.fault)
-        self.fault.report_asked.connect(desk.report_asked)
+        self.fault.report_requested.connect(app_state.report_requested)
         self.scanner = Scanner(self)
-        self.hearers += [hold.hear, self.scanner.hear]
-        self._connect(desk)
-        self._look()
-        self.dressing.finish()
+        self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
+        self._connect(app_state)
+        self._restyle()
+        self.style_queue.finish()
         if theme is None:
             QGuiApplication.styleHints().colorSchemeChanged.connect(lambda _: self.set_theme(system_theme()))
-        if (geometry := desk.settings.value("geometry")) is not None:
+        if (geometry := app_state.settings.value("geometry")) is not None:
             self.restoreGeometry(geometry)
 
-    def _connect(self, desk: Desk) -> None:
-        self.scanner.scanned.connect(desk.scan)
-        self.coils_off.connect(desk.coils_off)
-        self.top.dut.textEdited.connect(lambda text: desk.who(dut=text))
-        self.top.operator.textEdited.connect(lambda text: desk.who(operator=text))
-        desk.went.connect(self.open_page)
-        desk.fault.connect(self.fault.show_fault)
-        desk.report_asked.connect(self._save_problem)
-        desk.study_asked.connect(self._study)
-        desk.procedure_asked.connect(self._procedure)
-        desk.plan_asked.connect(self._plan)
-        desk.run.changed.connect(self._lock)
+    def _connect(self, app_state: AppState) -> None:
+        self.scanner.scanned.connect(app_state.scan)
+        self.coils_off.connect(app_state.coils_off)
+        self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
+        self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
+        app_state.page_requested.connect(self.open_page)
+        app_state.fault.connect(self.fault.show_fault)
+        app_state.report_requested.connect(self._save_problem)
+        app_state.fit_requested.connect(self._study)
+        app_state.procedure_requested.connect(self._procedure)
+        app_state.plan_requested.connect(self._plan)
+        app_state.run.changed.connect(self._lock)
         wall = self.tr("letters to be read from two metres, and back")
-        explained(QShortcut(QKeySequence("F11"), self, self.toggle_wall), wall)
-        for later in self.later.values():
-            later.wanted.connect(partial(self._ahead.start, 0))
+        described(QShortcut(QKeySequence("F11"), self, self.toggle_wall), wall)
+        for lazy_page in self.lazy_pages.values():
+            lazy_page.wanted.connect(partial(self._prebuild_timer.start, 0))
 
-    def build_ahead(self) -> None:
+    def prebuild(self) -> None:
         """Build a piece of a page that is not there yet, what is in sight first; go on until all are there.
 
         While a run goes on only what is in sight. In the end, have the worker of fits ready.
         """
-        waiting = [later for later in self.later.values() if not later.ready]
+        waiting = [lazy_page for lazy_page in self.lazy_pages.values() if not lazy_page.ready]
         if not waiting:
-            return self.desk.study_vm.prepare() if stock_one() else self._ahead.start(0)
-        first = min(waiting, key=lambda later: not later.isVisible())
-        if first is self.later["Start"]:
+            return self.app_state.study_vm.prepare() if preallocate_plot() else self._prebuild_timer.start(0)
+        first = min(waiting, key=lambda lazy_page: not lazy_page.isVisible())
+        if first is self.lazy_pages["Start"]:
             first.build()
         elif self._imports.ident is None:
             self._imports.start()
-        elif self._imports.is_alive() or (self.desk.run.alive and not first.isVisible()):
-            return self._ahead.start(LOOK_MS)
-        elif first.page is not None or stock_one():
+        elif self._imports.is_alive() or (self.app_state.run.alive and not first.isVisible()):
+            return self._prebuild_timer.start(POLL_MS)
+        elif first.page is not None or preallocate_plot():
             first.build()
-        return self._ahead.start(0)
+        return self._prebuild_timer.start(0)
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
         if self._imports.is_alive():
             self._imports.join()
-        return self.later[name].made()
+        return self.lazy_pages[name].built()
 
     def toggle_wall(self) -> None:
         """Texts to be read from two metres, or back (F11)."""
         self.wall = not self.wall
-        self.desk.settings.setValue("wall", "yes" if self.wall else "no")
+        self.app_state.settings.setValue("wall", "yes" if self.wall else "no")
         if self.wall:
             self._before_wall = self.size()
-        self._look()
+        self._restyle()
         if not self.wall and self._before_wall is not None:
-            self.dressing.add(partial(self.resize, self._before_wall))
+            self.style_queue.add(partial(self.resize, self._before_wall))
 
     def set_theme(self, theme: Theme) -> None:
         """Show everything in `theme`, what is in sight first."""
         self.theme = theme
-        self._look(inked=True)
+        self._restyle(recolour=True)
 
     def sheet(self) -> str:
         """The style sheet of every part."""
         return style_sheet(self.theme, WALL_SCALE if self.wall else 1.0)
 
-    def _look(self, *, inked: bool = False) -> None:
-        """Everything is dressed bit by bit, what is in sight first: no event takes long."""
+    def _restyle(self, *, recolour: bool = False) -> None:
+        """Style everything bit by bit, what is in sight first: no event takes long."""
         QApplication.setPalette(_palette(self.theme))
         sheet = self.sheet()
         self.set_scale(WALL_SCALE if self.wall else 1.0)
-        for part in (self.top, self.side, self.rail, self.bottom, self.fault):
-            self._dress(part, wearers(part), sheet)
-        for later in sorted(self.later.values(), key=lambda one: not one.isVisible()):
-            self._dress(later, later.wearers(), sheet, later.inked(self.theme) if inked else ())
+        for part in (self.top, self.side, self.sidebar, self.bottom, self.fault):
+            self._style(part, styled_widgets(part), sheet)
+        for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
+            updates = lazy_page.theme_updates(self.theme) if recolour else ()
+            self._style(lazy_page, lazy_page.styled_widgets(), sheet, updates)
 
-    def _dress(
-        self, part: QWidget, wanted: Iterable[QWidget], sheet: str, inked: Iterable[Callable[[], object]] = ()
+    def _style(
+        self, part: QWidget, wanted: Iterable[QWidget], sheet: str, theme_updates: Iterable[Callable[[], object]] = ()
     ) -> None:
-        """Dress what is `wanted` of a part, then do `inked`; the part is painted once, when all that is done."""
+        """Style what is `wanted` of a part, then do `theme_updates`; the part is painted once, after all that."""
         part.setUpdatesEnabled(False)
         for one in wanted:
-            self.dressing.put(one, partial(dress, one, sheet))
-        self.dressing.add(*inked)
-        self.dressing.put(part, partial(part.setUpdatesEnabled, True))
+            self.style_queue.put(one, partial(apply_style, one, sheet))
+        self.style_queue.add(*theme_updates)
+        self.style_queue.put(part, partial(part.setUpdatesEnabled, True))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Dress what comes up new; then hear the keys."""
-        if event.type() == QEvent.Type.Polish and isinstance(watched, QWidget) and bare(watched, self):
-            dress(watched, self.sheet())
+        """Style what comes up new; then handle the keys."""
+        if event.type() == QEvent.Type.Polish and isinstance(watched, QWidget) and is_unstyled(watched, self):
+            apply_style(watched, self.sheet())
         return super().eventFilter(watched, event)
 
     def _lock(self) -> None:
         """Who and what stand fixed while a run goes on."""
         for entry in (self.top.dut, self.top.operator):
-            entry.setReadOnly(self.desk.run.alive)
+            entry.setReadOnly(self.app_state.run.alive)
 
     def _study(self, run: str) -> None:
         self.open_page("Fit")
-        self.desk.study_vm.open(run)
+        self.app_state.study_vm.open(run)
 
     def _procedure(self, names: str) -> RunPage:
         from labcal.gui.pages.run import RunPage
@@ -261,19 +263,19 @@ class Window(Frame):
         self._procedure(name).choose.rehearse()
 
     def _save_problem(self, fault: Fault | None) -> None:
-        from labcal.gui.problem import save_problem
+        from labcal.gui.problem_report import save_problem
 
         start = str(Path.home() / "labcal-problem.zip")
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")
         if out:
-            steps = [(name, str(mark)) for name, mark in self.desk.run.steps()]
-            save_problem(Path(out), fault, self.desk.bench, steps, self.desk.facts)
+            steps = [(name, str(mark)) for name, mark in self.app_state.run.steps()]
+            save_problem(Path(out), fault, self.app_state.bench, steps, self.app_state.facts)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Remember where it stood; coils to zero; hang up."""
-        self.desk.settings.setValue("geometry", self.saveGeometry())
+        self.app_state.settings.setValue("geometry", self.saveGeometry())
         super().closeEvent(event)
-        self.desk.close()
+        self.app_state.close()
 
 
 def _palette(theme: Theme) -> QPalette:
@@ -291,12 +293,12 @@ def _palette(theme: Theme) -> QPalette:
 
 def open_window(bench: str | None) -> Window:
     """The window on `bench`, else on the last one."""
-    desk = Desk()
-    window = Window(desk)
+    app_state = AppState()
+    window = Window(app_state)
     window.resize(window.size().boundedTo(window.screen().availableSize()))
     window.show()
-    QTimer.singleShot(AHEAD_MS, window, window.build_ahead)
-    chosen = bench or str(desk.settings.value("bench", "") or "")
+    QTimer.singleShot(PREBUILD_DELAY_MS, window, window.prebuild)
+    chosen = bench or str(app_state.settings.value("bench", "") or "")
     if chosen and (bench or Path(chosen).is_file()):
-        QTimer.singleShot(0, desk, lambda: desk.open_bench(chosen))
+        QTimer.singleShot(0, app_state, lambda: app_state.open_bench(chosen))
     return window

@@ -15,7 +15,6 @@ import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
-from labcal.plain import made_plain, plain
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
@@ -30,6 +29,7 @@ from labcal.store.limits import (
     shortened,
 )
 from labcal.store.table import decode
+from labcal.text_safety import checked_text, replace_control
 
 FORMAT = "labcal-run/1"
 FIXED_COLUMNS = (
@@ -88,10 +88,10 @@ def _iso_8601(text: str) -> str:
 def _one_line(text: str) -> str:
     if "\n" in text or "\t" in text:
         raise ValueError("expected one line without tabs")
-    return plain(text)
+    return checked_text(text)
 
 
-Text = Annotated[str, Field(max_length=10_000), AfterValidator(plain)]
+Text = Annotated[str, Field(max_length=10_000), AfterValidator(checked_text)]
 Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_one_line)]
 Mode = Annotated[str, Field(max_length=100), AfterValidator(_one_line)]
 Utc = Annotated[str, AfterValidator(_iso_8601)]
@@ -247,7 +247,7 @@ def read_run_json(data: bytes, *, file: object, of_store: bool = False) -> RunJs
 def write_run_json(run: Run) -> bytes:
     """The header of `run` as run.json: fixed order, only what is stated, UTF-8 with LF; it reads back.
 
-    What an instrument or a person put in and no text may hold (`labcal.plain`) is marked, never lost the run for.
+    What an instrument or a person put in and no text may hold (`labcal.text_safety`) is marked, never lost the run for.
     """
     header = {
         "format": FORMAT,
@@ -260,7 +260,7 @@ def write_run_json(run: Run) -> bytes:
         "segments": [_stated(segment) for segment in run.segments],
         "channels": {c.name: {"unit": c.unit, "quantity": c.quantity, "role": c.role} for c in run.channels},
     }
-    return (json.dumps(made_plain(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    return (json.dumps(replace_control(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
 def _stated(part: Dut | Reference | Segment) -> dict[str, Any]:

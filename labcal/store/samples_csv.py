@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.plain import plain
 from labcal.record import Channel, Dut, Reference, Run
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.store.limits import listed, shortened
 from labcal.store.run_json import FIXED_COLUMNS, RunJson
 from labcal.store.table import Table, read_table, require_increasing
+from labcal.text_safety import checked_text
 
 Array = NDArray[np.float64]
 
@@ -105,7 +105,7 @@ def _row_mode(table: Table) -> NDArray[np.str_] | None:
         if len(mode) > LONGEST_MODE:
             raise table.fault(f"expected a power mode of at most {LONGEST_MODE} letters", cells.index(mode), "mode")
         try:
-            plain(mode)
+            checked_text(mode)
         except ValueError as error:
             raise table.fault(str(error), cells.index(mode), "mode") from None
     return np.array(cells, dtype=np.str_)

@@ -7,28 +7,28 @@ import sys
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.window import Window
 
 app = QApplication([])
-desk = Desk(QSettings(sys.argv[2], QSettings.Format.IniFormat))
-window = Window(desk, LIGHT)
+app_state = AppState(QSettings(sys.argv[2], QSettings.Format.IniFormat))
+window = Window(app_state, LIGHT)
 window.show()
-desk.open_bench(sys.argv[1])
-desk.who(operator="J. Doe")
+app_state.open_bench(sys.argv[1])
+app_state.set_identity(operator="J. Doe")
 begun = []
 
 
 def look():
-    if desk.facts and not begun:
+    if app_state.facts and not begun:
         begun.append(True)
-        desk.start("field-hold", {"duration_s": "600"})
-    if desk.run.state == "asking":
-        print(desk.bench_worker.pid, flush=True)
-        desk.run.answer(desk.run.prompt.choices[0])
-    if desk.run.state == "ended":
-        sys.exit(desk.run.status)
+        app_state.start("field-hold", {"duration_s": "600"})
+    if app_state.run.state == "asking":
+        print(app_state.bench_worker.pid, flush=True)
+        app_state.run.answer(app_state.run.prompt.choices[0])
+    if app_state.run.state == "ended":
+        sys.exit(app_state.run.status)
 
 
 timer = QTimer()

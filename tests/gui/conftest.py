@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import AppState
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
@@ -26,16 +26,16 @@ class Deaf(QObject):
         super().__init__()
         self.asked, self.said, self.killed, self.busy, self.pid = [], [], 0, False, 0
 
-    def ask(self, do, then, failed, **what):
+    def request(self, do, then, failed, **what):
         self.asked.append((do, then, failed, what))
 
-    def say(self, do, **what):
+    def send(self, do, **what):
         self.said.append((do, what))
 
     def kill(self):
         self.killed += 1
 
-    def hang_up(self, wait_ms=0):
+    def close(self, wait_ms=0):
         pass
 
     def answer(self, do, result):
@@ -71,18 +71,18 @@ def settings_in(folder):
 @pytest.fixture(scope="session")
 def deaf_window(tmp_path_factory, qapp):
     """A window whose workers are all deaf: no process is started. One for all tests."""
-    from labcal.gui import desk as rooms
-    from labcal.gui.bench_verbs import procedures
+    from labcal.gui.ipc.bench_commands import procedures
+    from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(rooms, "Client", lambda parent: Deaf())
-        window = Window(Desk(settings_in(tmp_path_factory.mktemp("home"))), LIGHT)
+        patch.setattr(app_state, "Client", lambda parent: Deaf())
+        window = Window(AppState(settings_in(tmp_path_factory.mktemp("home"))), LIGHT)
     KEPT.append(window)
     window.show()
     window.open_page("Run")
     window.page("Run")
-    window.desk.clerk.answer("procedures", procedures(None))
+    window.app_state.quick_worker.answer("procedures", procedures(None))
     yield window
     window.close()
 
@@ -90,30 +90,30 @@ def deaf_window(tmp_path_factory, qapp):
 @pytest.fixture
 def still(deaf_window):
     """The window on a bench that is known, with nothing asked, said or begun."""
-    from labcal.gui.bench_verbs import bench_facts
+    from labcal.gui.ipc.bench_commands import bench_facts
 
-    window, desk = deaf_window, deaf_window.desk
+    window, app_state = deaf_window, deaf_window.app_state
     window.raise_()
     window.activateWindow()
-    for worker in (desk.clerk, desk.bench_worker, desk.study, desk.switch):
+    for worker in (app_state.quick_worker, app_state.bench_worker, app_state.fit_worker, app_state.off_worker):
         worker.asked, worker.said, worker.killed = [], [], 0
     scanner = window.scanner
     scanner._now, scanner._kept = time.monotonic, []
     scanner._wait.setInterval(SCAN_WAIT_MS)
-    desk._force.setInterval(3_600_000)  # a test calls it, and no clock does
-    desk._force.stop()
-    desk.run._forget()
-    desk.known = desk._taken = None
-    desk.lab.update(coils_at_zero=None)
-    desk.run.order = None
-    desk.study_vm._forget("")
-    desk.run.changed.emit()
+    app_state._force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
+    app_state._force_timer.stop()
+    app_state.run._forget()
+    app_state.known = app_state._taken = None
+    app_state.lab.update(coils_at_zero=None)
+    app_state.run.order = None
+    app_state.study_vm._forget("")
+    app_state.run.changed.emit()
     window.page("Run").live.put_away.emit()
     for card in (window.fault, window.page("Run").live.fault):
         card.show_fault(None)
-    desk.open_bench(str(BENCH))
-    desk.clerk.answer("bench", bench_facts(None, str(BENCH)))
-    desk.who(operator="J. Doe", dut="EM-07")
+    app_state.open_bench(str(BENCH))
+    app_state.quick_worker.answer("bench", bench_facts(None, str(BENCH)))
+    app_state.set_identity(operator="J. Doe", dut="EM-07")
     window.open_page("Run")
     return window
 
@@ -126,10 +126,10 @@ def alive(tmp_path_factory, qapp):
     home = tmp_path_factory.mktemp("home")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("LABCAL_HOME", str(home))
-        window = Window(Desk(settings_in(home)), LIGHT)
+        window = Window(AppState(settings_in(home)), LIGHT)
         window.home = str(home)
         window.show()
-        window.desk.open_bench(str(BENCH))
+        window.app_state.open_bench(str(BENCH))
         KEPT.append(window)
         yield window
         window.close()
@@ -138,10 +138,10 @@ def alive(tmp_path_factory, qapp):
 @pytest.fixture
 def window(qtbot, alive, monkeypatch):
     monkeypatch.setenv("LABCAL_HOME", alive.home)
-    desk = alive.desk
-    if desk.run.alive:
-        desk.run.abort()
-        qtbot.waitUntil(lambda: not desk.run.alive, timeout=PATIENCE_MS)
-    qtbot.waitUntil(lambda: bool(desk.facts) and not desk.switch.busy, timeout=PATIENCE_MS)
-    desk.who(operator="J. Doe", dut="EM-07")
+    app_state = alive.app_state
+    if app_state.run.alive:
+        app_state.run.abort()
+        qtbot.waitUntil(lambda: not app_state.run.alive, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: bool(app_state.facts) and not app_state.off_worker.busy, timeout=PATIENCE_MS)
+    app_state.set_identity(operator="J. Doe", dut="EM-07")
     return alive

@@ -11,7 +11,7 @@ SEEN = {"seen_nT": (20_400.0, 1_150.0, -43_700.0), "expected_nT": (20_400.0, 1_1
 
 def told(to, currents=(0.0, 0.0, 0.0), *, verdict="agrees", age_s=0.0):
     """The worker (of the window) `to` says how the coils are; a current of None was not read back."""
-    worker = to.desk.bench_worker if hasattr(to, "desk") else to
+    worker = to.app_state.bench_worker if hasattr(to, "app_state") else to
     read_s = time.monotonic() - age_s
     coils = tuple(
         Coil(axis, None, i, i is not None and abs(i) < 0.005, None, read_s, "" if i is not None else f"{axis}: silent")

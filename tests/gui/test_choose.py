@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from labcal.gui.bench_verbs import plan
-from labcal.gui.wire import Fault, pack
+from labcal.gui.ipc.bench_commands import plan
+from labcal.gui.ipc.wire import Fault, pack
 
 
 @pytest.fixture
@@ -29,13 +29,13 @@ def test_a_setting_out_of_range_is_named_and_start_waits(choose):
 
 
 def test_no_operator_no_run(still, choose):
-    still.desk.who(operator="")
+    still.app_state.set_identity(operator="")
     assert not choose.start.isEnabled()
     assert "operator" in choose.objection.text()
 
 
 def test_a_procedure_that_does_not_load_is_listed_with_its_fault_and_is_not_chosen(choose, monkeypatch):
-    monkeypatch.setattr(choose, "_procedures", choose._procedures)  # the window is every test's
+    monkeypatch.setattr(choose, "_procedures", choose._procedures)  # the window is that of the tests after this one
     choose._known([{"name": "other", "fault": "other.py, line 3: it exits"}])
     broken = choose.list.item(choose.list.count() - 1)
     assert (broken.text(), broken.toolTip()) == ("✕ other", "other.py, line 3: it exits")
@@ -69,7 +69,7 @@ def undecided(still):
     """The Loop page on a run whose loop has two causes that do as well."""
     still.open_page("Loop")
     still.page("Loop")
-    study, worker = still.desk.study_vm, still.desk.study
+    study, worker = still.app_state.study_vm, still.app_state.fit_worker
     study.open("r1")
     worker.answer("look", looked_at("r1"))
     study.close_loop()
@@ -98,17 +98,17 @@ def test_every_cause_is_named_whole_with_its_reason(qtbot, undecided, patience):
 
 def test_what_would_tell_causes_apart_is_not_measured_on_another_dut(qtbot, undecided):
     page = undecided.page("Loop")
-    undecided.desk.who(dut="EM-08")
+    undecided.app_state.set_identity(dut="EM-08")
     qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
     assert "This run is of EM-07; the DUT at the top is EM-08" in page.fault.text.text()
-    assert undecided.desk.bench_worker.asked == []
+    assert undecided.app_state.bench_worker.asked == []
 
 
 def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_decides_again(qtbot, undecided):
-    still, page, study = undecided, undecided.page("Loop"), undecided.desk.study_vm
+    still, page, study = undecided, undecided.page("Loop"), undecided.app_state.study_vm
     qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
-    choose, worker = still.page("Run").choose, still.desk.bench_worker
-    assert still.stack.currentWidget() is still.later["Run"]
+    choose, worker = still.page("Run").choose, still.app_state.bench_worker
+    assert still.stack.currentWidget() is still.lazy_pages["Run"]
     ((do, _, _, what),) = worker.asked
     assert (do, what["procedure"], what["given"]) == ("plan", "reverse", {})
     assert not choose.start.isEnabled()  # nothing moves before the plan is read
@@ -121,36 +121,36 @@ def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_d
     qtbot.mouseClick(choose.start, Qt.MouseButton.LeftButton)
     assert [(one[0], one[3]["procedure"], one[3]["after"]) for one in worker.asked] == [("run", "reverse", "r1")]
     worker.answer("run", {"run_id": "r2", "status": "finished", "fault": None, "failed": []})
-    assert still.stack.currentWidget() is still.later["Loop"]
-    ((_, _, _, what),) = [one for one in still.desk.study.asked if one[0] == "together"]
+    assert still.stack.currentWidget() is still.lazy_pages["Loop"]
+    ((_, _, _, what),) = [one for one in still.app_state.fit_worker.asked if one[0] == "together"]
     assert what == {"run": "r1", "new": "r2"}
-    still.desk.study.answer("together", "r1+r2")
-    assert [one[3] for one in still.desk.study.asked if one[0] == "loop"] == [{"run": "r1+r2"}]
-    still.desk.study.answer("look", looked_at("r1+r2"))
-    still.desk.study.answer("loop", told_by_the_loop("repeat"))
+    still.app_state.fit_worker.answer("together", "r1+r2")
+    assert [one[3] for one in still.app_state.fit_worker.asked if one[0] == "loop"] == [{"run": "r1+r2"}]
+    still.app_state.fit_worker.answer("look", looked_at("r1+r2"))
+    still.app_state.fit_worker.answer("loop", told_by_the_loop("repeat"))
     assert study.run == "r1+r2"
     assert "Added to it: reverse (r2)." in page.unknown.toPlainText()
 
 
 @pytest.mark.parametrize("status", ["stopped", "failed: aborted by the operator"])
 def test_a_run_that_did_not_finish_is_added_to_nothing(qtbot, undecided, status):
-    undecided.desk.study_vm.want("reverse")
-    undecided.desk.start("reverse", {})
-    undecided.desk.bench_worker.answer("run", {"run_id": "r2", "status": status, "fault": None, "failed": []})
-    undecided.desk.start("preflight", {})  # another procedure is no answer to the question either
-    undecided.desk.bench_worker.answer("run", {"run_id": "r3", "status": "finished", "fault": None, "failed": []})
-    assert [one for one in undecided.desk.study.asked if one[0] == "together"] == []
+    undecided.app_state.study_vm.want("reverse")
+    undecided.app_state.start("reverse", {})
+    undecided.app_state.bench_worker.answer("run", {"run_id": "r2", "status": status, "fault": None, "failed": []})
+    undecided.app_state.start("preflight", {})  # another procedure is no answer to the question either
+    undecided.app_state.bench_worker.answer("run", {"run_id": "r3", "status": "finished", "fault": None, "failed": []})
+    assert [one for one in undecided.app_state.fit_worker.asked if one[0] == "together"] == []
 
 
 def test_a_plan_is_that_of_its_settings_and_one_beyond_a_limit_is_refused_in_words(qtbot, still, choose):
     choose.choose("reverse")
     qtbot.mouseClick(choose.show_plan, Qt.MouseButton.LeftButton)
-    _, late, _, _ = still.desk.bench_worker.asked[-1]
+    _, late, _, _ = still.app_state.bench_worker.asked[-1]
     choose.form.set_text("rate_deg_per_s", "25")
     late(["the plan of other settings"])
     assert not choose.plan.text()
     qtbot.mouseClick(choose.show_plan, Qt.MouseButton.LeftButton)
-    _, _, failed, what = still.desk.bench_worker.asked[-1]
+    _, _, failed, what = still.app_state.bench_worker.asked[-1]
     assert what["given"] == {"rate_deg_per_s": "25"}
     failed(Fault("input", "25 deg/s is beyond the DUT's limit.", "Nothing was moved."))
     assert choose.plan.text() == "✕ 25 deg/s is beyond the DUT's limit. Nothing was moved."

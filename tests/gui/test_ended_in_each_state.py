@@ -8,8 +8,8 @@ from PySide6.QtCore import QSettings, Qt
 from served_lab import Served, at_zero, example, guardians, until
 
 from labcal import session
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.window import Window
 
 pytestmark = [
@@ -28,22 +28,22 @@ def lab(tmp_path, monkeypatch):
 
 @pytest.fixture
 def shown(tmp_path, kept_windows, lab, qtbot, patience):
-    desk = Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat))
-    window = Window(desk, LIGHT)
+    app_state = AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat))
+    window = Window(app_state, LIGHT)
     kept_windows.append(window)
     window.show()
     window.page("Run")
-    desk.open_bench(str(lab.file))
-    desk.who(operator="J. Doe", dut="EM-07")
-    qtbot.waitUntil(lambda: bool(desk.facts), timeout=patience)
+    app_state.open_bench(str(lab.file))
+    app_state.set_identity(operator="J. Doe", dut="EM-07")
+    qtbot.waitUntil(lambda: bool(app_state.facts), timeout=patience)
     yield window
     window.close()
 
 
 def bring(qtbot, window, lab, patience, state):
     """The run into `state`: asking, energised, or stopping with the coils still on their way."""
-    run = window.desk.run
-    window.desk.start("field-hold", {"duration_s": "600"})
+    run = window.app_state.run
+    window.app_state.start("field-hold", {"duration_s": "600"})
     qtbot.waitUntil(lambda: run.state in ("asking", "ended"), timeout=patience)
     assert run.state == "asking", run.fault
     if state == "asking":
@@ -57,7 +57,7 @@ def bring(qtbot, window, lab, patience, state):
 @pytest.mark.parametrize("state", ["starting", "asking", "energised", "stopping"])
 def test_a_window_that_is_closed_leaves_the_coils_at_zero(qtbot, shown, lab, patience, state):
     if state == "starting":
-        shown.desk.start("field-hold", {"duration_s": "600"})
+        shown.app_state.start("field-hold", {"duration_s": "600"})
     else:
         bring(qtbot, shown, lab, patience, state)
     shown.close()
@@ -70,9 +70,9 @@ def test_a_window_that_is_closed_leaves_the_coils_at_zero(qtbot, shown, lab, pat
 @pytest.mark.parametrize("state", ["asking", "energised"])
 def test_stop_leaves_the_coils_at_zero(qtbot, shown, lab, patience, state):
     bring(qtbot, shown, lab, patience, state)
-    run, live = shown.desk.run, shown.page("Run").live
+    run, live = shown.app_state.run, shown.page("Run").live
     qtbot.mouseClick(live.stop, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: run.state == "ended", timeout=patience)
     assert (run.status, run.coils_at_zero) == ("stopped", True)
     assert at_zero(lab)
-    assert Path(shown.desk.bench) == lab.file
+    assert Path(shown.app_state.bench) == lab.file

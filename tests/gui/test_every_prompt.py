@@ -22,10 +22,10 @@ from labcal.bench import steps
 from labcal.bench.clock import VirtualClock
 from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
-from labcal.gui.hold import HOLD_MS, HoldButton
-from labcal.gui.prompt_card import WORDS, acting
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.viewmodels.run import Order
+from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
+from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import Prompt
 from labcal.runner import find, run_procedure
 from labcal.store import Store
@@ -136,14 +136,14 @@ class Asked:
 
     def __init__(self, window, prompt, qtbot):
         self.window, self.prompt, self.bot = window, prompt, qtbot
-        self.worker, self.card = window.desk.bench_worker, window.page("Run").live.prompt
+        self.worker, self.card = window.app_state.bench_worker, window.page("Run").live.prompt
         self.ask()
 
     def ask(self):
         self.worker.said = []
         self.worker.items.emit([item_to_json(self.prompt)])
         QApplication.processEvents()
-        assert self.window.desk.run.state == "asking"
+        assert self.window.app_state.run.state == "asking"
 
     def told(self):
         return [what["text"] for word, what in self.worker.said if word == "answer"]
@@ -168,7 +168,7 @@ class Asked:
         """The button's own key, held, with the focus elsewhere; the 0.7 s are counted, not waited for."""
         assert button._held.interval() == HOLD_MS
         button._held.setInterval(0)
-        self.window.rail.setFocus()
+        self.window.sidebar.setFocus()
         self.bot.keyPress(self.window, button.key)
         self.bot.waitUntil(lambda: bool(self.worker.said), timeout=180_000)
         self.bot.keyRelease(self.window, button.key)
@@ -209,7 +209,7 @@ class Asked:
     "case", [pytest.param(one, marks=pytest.mark.slow) if one in DEAR else one for one in (*INSTALLED, *BESIDE)]
 )
 def test_every_question_of_a_procedure_is_shown_and_answered_as_it_may_be(qtbot, still, questions, case):
-    still.desk.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(Order("preflight", "bench.toml"))
     still.scanner._now = float  # the time stands still: whatever is struck until it is looked at is one burst
     still.scanner._wait.setInterval(3_600_000)
     for prompt in questions.of(case):
@@ -232,7 +232,7 @@ def by_hand(asked, words):
     if not asked.prompt.choices:
         asked.scan(asked.card.entry)
     assert asked.told() == []
-    assert "EM-99" in asked.window.desk.lab.state.message
+    assert "EM-99" in asked.window.app_state.lab.state.message
     asked.bot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert asked.told() == [words]
 
@@ -255,7 +255,7 @@ def by_keyboard(asked, words):
 
 
 def test_a_photograph_that_is_not_wanted_is_answered_too(qtbot, still, questions):
-    still.desk.run.start(Order("configuration", "bench.toml"))
+    still.app_state.run.start(Order("configuration", "bench.toml"))
     photo = next(p for p in questions.of("configuration") if p.key.startswith("photo-"))
     asked = Asked(still, photo, qtbot)
     qtbot.mouseClick(asked.card.choices[""], Qt.MouseButton.LeftButton)

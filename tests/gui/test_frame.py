@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, QSettings, Qt
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from labcal.gui.frame import Frame
-from labcal.gui.lab_vm import LabViewModel
+from labcal.gui.viewmodels.lab import LabViewModel
 
 
 @pytest.fixture
@@ -73,20 +73,20 @@ def texts(widget):
 
 
 def test_the_window_comes_back_where_it_stood_with_what_was_chosen(qtbot, tmp_path, deaf, kept_windows, monkeypatch):
-    from labcal.gui import desk as rooms
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
 
-    monkeypatch.setattr(rooms, "Client", lambda parent: deaf())
+    monkeypatch.setattr(app_state, "Client", lambda parent: deaf())
     stood = []
     for _ in range(2):
         settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
-        window = Window(rooms.Desk(settings), LIGHT)
+        window = Window(app_state.AppState(settings), LIGHT)
         kept_windows.append(window)
         window.show()
         stood.append((window.isMaximized(), window.wall, window.top.operator.text()))
         window.showMaximized()
-        window.desk.who(operator="J. Doe")
+        window.app_state.set_identity(operator="J. Doe")
         if not window.wall:
             window.toggle_wall()
         window.close()
@@ -108,17 +108,17 @@ class Shown(QObject):
 
 
 def test_pages_that_are_built_ahead_come_up_in_no_window_of_their_own(tmp_path, deaf, kept_windows, monkeypatch, qapp):
-    from labcal.gui import desk as rooms
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
 
-    monkeypatch.setattr(rooms, "Client", lambda parent: deaf())
+    monkeypatch.setattr(app_state, "Client", lambda parent: deaf())
     watching = Shown()
     qapp.installEventFilter(watching)
-    window = Window(rooms.Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    window = Window(app_state.AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
     kept_windows.append(window)
-    for later in window.later.values():
-        later.made()
+    for page in window.lazy_pages.values():
+        page.built()
     qapp.removeEventFilter(watching)
     assert watching.seen == []
     window.close()
@@ -131,10 +131,10 @@ def test_pages_out_of_sight_are_not_built_while_a_run_goes_on(still, monkeypatch
     read = Thread(target=built.clear)
     read.start()
     read.join()
-    monkeypatch.setattr(still, "later", {"Start": there, "Fit": missing})
+    monkeypatch.setattr(still, "lazy_pages", {"Start": there, "Fit": missing})
     monkeypatch.setattr(still, "_imports", read)
     for state, expected in (("running", []), ("idle", ["Fit"])):
-        monkeypatch.setattr(still.desk.run, "state", state)
-        still.build_ahead()
-        still._ahead.stop()
+        monkeypatch.setattr(still.app_state.run, "state", state)
+        still.prebuild()
+        still._prebuild_timer.stop()
         assert built == expected

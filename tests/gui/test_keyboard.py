@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
 )
 
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
 from labcal.record.stream import Prompt
 
 CONTROLS = (QAbstractButton, QAbstractItemView, QComboBox, QLineEdit, QPlainTextEdit)
@@ -40,13 +40,13 @@ def round_by_tab(qtbot, window):
 @pytest.fixture
 def active(qtbot, still, patience):
     still.activateWindow()
-    still.rail.findChildren(QAbstractButton)[0].setFocus()
+    still.sidebar.findChildren(QAbstractButton)[0].setFocus()
     qtbot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=patience)
     return still
 
 
 def test_a_run_is_started_answered_noted_and_stopped_without_a_mouse(qtbot, active, patience):
-    page, worker = active.page("Run"), active.desk.bench_worker
+    page, worker = active.page("Run"), active.app_state.bench_worker
     by_tab(qtbot, active, page.choose.list)
     qtbot.keyClick(page.choose.list, Qt.Key.Key_Home)
     assert page.choose.list.currentItem().text() == "ambient"
@@ -59,7 +59,7 @@ def test_a_run_is_started_answered_noted_and_stopped_without_a_mouse(qtbot, acti
     assert worker.asked[-1][0] == "run"
     worker.items.emit([item_to_json(Prompt(1.0, "ready", "Hands off?", ("done",), True))])
     qtbot.keyPress(active, Qt.Key.Key_F8)
-    qtbot.waitUntil(lambda: active.desk.run.state == "running", timeout=patience)
+    qtbot.waitUntil(lambda: active.app_state.run.state == "running", timeout=patience)
     by_tab(qtbot, active, page.live.note)
     for letter in "up":
         qtbot.keyClick(page.live.note, letter)
@@ -76,7 +76,7 @@ def test_a_run_is_started_answered_noted_and_stopped_without_a_mouse(qtbot, acti
 def test_every_control_of_every_page_is_reached_by_tab_and_is_seen_to_have_the_focus(qtbot, active, name):
     active.open_page(name)
     page = active.page(name)
-    active.dressing.finish()
+    active.style_queue.finish()
     QApplication.processEvents()
     seen = round_by_tab(qtbot, active)
     wanted = {one for kind in CONTROLS for one in page.findChildren(kind) if one.isVisible() and one.isEnabled()}

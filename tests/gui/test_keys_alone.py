@@ -8,8 +8,8 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
 from shiboken6 import isValid
 
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.window import Window
 
 SHORT = {"magnitudes_nT": "20000", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}
@@ -103,7 +103,7 @@ class Hands:
 @pytest.fixture
 def hands(qtbot, tmp_path, monkeypatch, patience, kept_windows):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
-    window = Window(Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    window = Window(AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
     kept_windows.append(window)
     window.show()
     window.activateWindow()
@@ -139,11 +139,11 @@ def measured(hands):
     """Serial, operator, bench, procedure, form, Start, and every question."""
     window, start = hands.window, hands.window.page("Start")
     hands.press(start.simulated)
-    hands.until(lambda: bool(window.desk.facts))
+    hands.until(lambda: bool(window.app_state.facts))
     hands.enter(window.top.dut, "EM-07")
     hands.strike(Qt.Key.Key_Return)
     hands.write("J. Doe")
-    assert (window.desk.lab.state.dut_serial, window.desk.lab.state.operator) == ("EM-07", "J. Doe")
+    assert (window.app_state.lab.state.dut_serial, window.app_state.lab.state.operator) == ("EM-07", "J. Doe")
     hands.page(3)
     choose = window.page("Run").choose
     hands.until(lambda: choose.list.count() > 0)
@@ -156,13 +156,13 @@ def measured(hands):
     hands.choose(3, choose.pace)
     assert choose.pace.currentData() == "at once"
     hands.press(choose.start)
-    hands.answer(window.desk.run)
-    assert window.desk.run.status == "finished", window.desk.run.fault
+    hands.answer(window.app_state.run)
+    assert window.app_state.run.status == "finished", window.app_state.run.fault
 
 
 def fitted_and_traced(hands):
     """Fit, another view of it, the loop, and one of its causes picked."""
-    window, study = hands.window, hands.window.desk.study_vm
+    window, study = hands.window, hands.window.app_state.study_vm
     hands.press(window.page("Run").live.fit)
     hands.until(lambda: "ml" in study.fits and not study.busy)
     fit = window.page("Fit")

@@ -16,8 +16,8 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
 ):
     from labcal import session
     from labcal.bench.clock import VirtualClock
-    from labcal.gui.desk import Desk
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import AppState
     from labcal.gui.window import Window
 
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
@@ -25,19 +25,19 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
     first = session.run("preflight", BENCH, SHORT | {"zero_s": "3"}, dut="EM-07", operator="J. Doe", clock=clock)
     settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
     settings.setValue("pace", "at once")
-    window = Window(Desk(settings), LIGHT)
+    window = Window(AppState(settings), LIGHT)
     kept_windows.append(window)
     window.show()
-    desk, study, run = window.desk, window.desk.study_vm, window.desk.run
+    app_state, study, run = window.app_state, window.app_state.study_vm, window.app_state.run
 
     def click(widget):
         qtbot.waitUntil(lambda: widget.isVisible() and widget.isEnabled(), timeout=patience)
         qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
 
     try:
-        desk.open_bench(str(BENCH))
-        desk.who(dut="EM-07", operator="J. Doe")
-        qtbot.waitUntil(lambda: bool(desk.facts), timeout=patience)
+        app_state.open_bench(str(BENCH))
+        app_state.set_identity(dut="EM-07", operator="J. Doe")
+        qtbot.waitUntil(lambda: bool(app_state.facts), timeout=patience)
         window.open_page("Loop")
         loop = window.page("Loop")
         study.open(first.run_id)

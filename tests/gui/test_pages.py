@@ -11,7 +11,7 @@ from PySide6.QtCore import QMimeData, QPointF, QSettings, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QInputDialog, QLineEdit, QPushButton
 
-from labcal.gui.wire import Fault, unpack
+from labcal.gui.ipc.wire import Fault, unpack
 
 LONG_MS = 180_000
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -23,8 +23,8 @@ def lab(tmp_path_factory, qapp, kept_windows):
     """A window whose store has one short preflight; the tests below go on from one another's work."""
     from labcal import session
     from labcal.bench.clock import VirtualClock
-    from labcal.gui.desk import Desk
-    from labcal.gui.theme import LIGHT
+    from labcal.gui.theming.theme import LIGHT
+    from labcal.gui.viewmodels.app_state import AppState
     from labcal.gui.window import Window
 
     home = tmp_path_factory.mktemp("home")
@@ -32,10 +32,10 @@ def lab(tmp_path_factory, qapp, kept_windows):
         patch.setenv("LABCAL_HOME", str(home))
         clock = VirtualClock(datetime(2026, 1, 5, tzinfo=UTC))
         session.run("preflight", BENCH, SHORT | {"zero_s": "3"}, dut="EM-07", operator="J. Doe", clock=clock, seed=3)
-        window = Window(Desk(QSettings(str(home / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+        window = Window(AppState(QSettings(str(home / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
         window.show()
-        window.desk.open_bench(str(BENCH))
-        window.desk.who(dut="EM-07", operator="J. Doe")
+        window.app_state.open_bench(str(BENCH))
+        window.app_state.set_identity(dut="EM-07", operator="J. Doe")
         window.home = str(home)
         kept_windows.append(window)
         yield window
@@ -73,7 +73,7 @@ def test_every_instrument_answers_on_the_bench_page(qtbot, lab):
     qtbot.waitUntil(lambda: page.table.text(0, 5) == "✓ answers", timeout=LONG_MS)
     assert [page.table.text(row, 5) for row in range(7)] == ["✓ answers"] * 7
     assert "THURLBY" in page.table.text(0, 3).upper()
-    assert all(light == "ok" for _, light, _ in lab.desk.lab.state.lights)
+    assert all(light == "ok" for _, light, _ in lab.app_state.lab.state.lights)
 
 
 def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):
@@ -88,10 +88,10 @@ def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):
     page = lab.page("Fit")
     qtbot.waitUntil(page.fit.isEnabled, timeout=LONG_MS)
     qtbot.mouseClick(page.fit, Qt.MouseButton.LeftButton)
-    study = lab.desk.study_vm
+    study = lab.app_state.study_vm
     qtbot.waitUntil(lambda: "ml" in study.fits or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
-    fit = lab.desk.study_vm.fits["ml"]["fit"]
+    fit = lab.app_state.study_vm.fits["ml"]["fit"]
     assert fit["ok"]
     assert page.table.horizontalHeaderItem(1).text() == "ml"
     rows = {page.table.text(row, 0): page.table.text(row, 1) for row in range(page.table.rowCount())}
@@ -102,7 +102,7 @@ def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):
 
 
 def test_every_view_of_a_fit_has_something_to_show(qtbot, lab):
-    page, study = lab.page("Fit"), lab.desk.study_vm
+    page, study = lab.page("Fit"), lab.app_state.study_vm
     views = page.views
     for n in range(views.view.count()):
         views.view.setCurrentIndex(n)
@@ -118,8 +118,8 @@ def test_every_view_of_a_fit_has_something_to_show(qtbot, lab):
 
 @pytest.mark.parametrize(("face", "columns"), [("residual", 2), ("histogram", 4), ("magnitude", 6)])
 def test_a_picture_is_saved_and_its_numbers_are_copied(qtbot, lab, tmp_path, face, columns):
-    from labcal.gui import take_away
-    from labcal.gui.fit_views import FACES
+    from labcal.gui.widgets import plot_export
+    from labcal.gui.widgets.fit_views import FACES
 
     views = lab.page("Fit").views
     views.view.setCurrentIndex(FACES.index(face))
@@ -129,25 +129,25 @@ def test_a_picture_is_saved_and_its_numbers_are_copied(qtbot, lab, tmp_path, fac
     rows = [row.split("\t") for row in QApplication.clipboard().text().splitlines()]
     assert {len(row) for row in rows} == {columns}
     if face == "residual":
-        drawn = unpack(lab.desk.study_vm.fits["ml"]["residual"])
+        drawn = unpack(lab.app_state.study_vm.fits["ml"]["residual"])
         assert sorted(float(row[1]) for row in rows[1:]) == pytest.approx(sorted(drawn[np.isfinite(drawn)]))
-    take_away.save(getattr(views, face), str(tmp_path / "picture"))
+    plot_export.save(getattr(views, face), str(tmp_path / "picture"))
     assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_the_loop_tells_its_story_and_leaves_a_draft(qtbot, lab):
     qtbot.mouseClick(lab.page("Fit").trace, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: lab.desk.study_vm.loop is not None, timeout=LONG_MS)
-    page, loop = lab.page("Loop"), lab.desk.study_vm.loop["loop"]
+    qtbot.waitUntil(lambda: lab.app_state.study_vm.loop is not None, timeout=LONG_MS)
+    page, loop = lab.page("Loop"), lab.app_state.study_vm.loop["loop"]
     assert page.story.isVisible()
     assert loop["verdict"].upper().replace("-", " ") in page.verdict.text().replace("-", " ")
     assert page.summary.text() == loop["summary"]
     assert "→" in page.before_after.text()
-    assert Path(lab.desk.study_vm.loop["draft"]).is_file()
+    assert Path(lab.app_state.study_vm.loop["draft"]).is_file()
 
 
 def test_a_cause_that_was_not_named_is_picked_and_its_change_is_drawn(qtbot, lab):
-    page, study = lab.page("Loop"), lab.desk.study_vm
+    page, study = lab.page("Loop"), lab.app_state.study_vm
     qtbot.waitUntil(lambda: page.others.count() > 0, timeout=LONG_MS)
     rejected = next(n for n in range(page.others.count()) if ": not named" in page.others.item(n).text())
     name, why = page.others.item(rejected).text().removeprefix("– ").split(": not named\n")
@@ -197,7 +197,7 @@ def test_a_wrong_serial_is_corrected_until_signing_and_the_draft_follows(qtbot, 
     for serial in ("EM-08", "EM-07"):
         correct_by_hand(qtbot, page, run, serial)
         qtbot.waitUntil(lambda s=serial: page.table.text(0, 1) == s, timeout=LONG_MS)
-        draft = json.loads(Path(lab.desk.study_vm.loop["draft"]).read_text())
+        draft = json.loads(Path(lab.app_state.study_vm.loop["draft"]).read_text())
         assert draft["dut"]["serial"] == serial
 
 
@@ -316,7 +316,7 @@ def test_a_run_is_exported_and_imported_by_clicks(qtbot, lab, tmp_path, monkeypa
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *said: (out, "Bundle (*.zip)"))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *said: (out, "*.zip"))
     qtbot.mouseClick(page.export, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: lab.desk.lab.state.message == f"Exported: {out}", timeout=LONG_MS)
+    qtbot.waitUntil(lambda: lab.app_state.lab.state.message == f"Exported: {out}", timeout=LONG_MS)
     with zipfile.ZipFile(out) as bundle:
         assert sorted(bundle.namelist()) == ["run.json", "samples.csv"]
         other = json.loads(bundle.read("run.json")) | {"run_id": "another"}
@@ -333,7 +333,7 @@ def test_a_run_is_exported_and_imported_by_clicks(qtbot, lab, tmp_path, monkeypa
 def test_a_fault_unfolds_its_details_and_a_problem_report_holds_them_and_no_key(qtbot, lab, tmp_path, monkeypatch):
     out = tmp_path / "problem.zip"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *said: (str(out), "*.zip"))
-    lab.desk.fault.emit(Fault("instrument", "The reference is silent.", "Check its plug.", "Traceback: …"))
+    lab.app_state.fault.emit(Fault("instrument", "The reference is silent.", "Check its plug.", "Traceback: …"))
     card = lab.fault
     assert not card.details.isVisible()
     qtbot.mouseClick(card.fold, Qt.MouseButton.LeftButton)
@@ -358,21 +358,21 @@ def test_the_trend_of_a_dut_is_drawn(qtbot, lab):
 
 
 def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
-    from labcal.gui.theme import DARK
+    from labcal.gui.theming.theme import DARK
 
     lab.open_page("Fit")
-    pages = {name: lab.page(name) for name in lab.later}
+    pages = {name: lab.page(name) for name in lab.lazy_pages}
     lab.set_theme(DARK)
     views = lab.page("Fit").views
     qtbot.waitUntil(lambda: views.loci._plots[0].backgroundBrush().color().name() == DARK.surface, timeout=LONG_MS)
     qtbot.waitUntil(lambda: DARK.surface in lab.page("History").table.styleSheet(), timeout=LONG_MS)
-    assert pages == {name: lab.page(name) for name in lab.later}  # in place: what is chosen stays chosen
+    assert pages == {name: lab.page(name) for name in lab.lazy_pages}  # in place: what is chosen stays chosen
     assert lab.page("Fit").table.horizontalHeaderItem(1).text() == "ml"
     size = lab.size()
     lab.resize(2400, 1400)  # wide at either size of its words
-    before, words = lab.rail.width(), lab.top.off.fontMetrics().height()
+    before, words = lab.sidebar.width(), lab.top.off.fontMetrics().height()
     lab.toggle_wall()
-    assert lab.rail.width() > 1.5 * before
+    assert lab.sidebar.width() > 1.5 * before
     qtbot.waitUntil(lambda: lab.top.off.fontMetrics().height() > 1.5 * words, timeout=LONG_MS)
     lab.resize(size)
 
@@ -381,4 +381,4 @@ def test_another_theme_and_the_wall_size_keep_what_is_known(qtbot, lab):
 def test_f12_is_heard_on_every_page(qtbot, lab, name):
     lab.open_page(name)
     with qtbot.waitSignal(lab.coils_off, timeout=2000):
-        qtbot.keyClick(lab.later[name], Qt.Key.Key_F12)
+        qtbot.keyClick(lab.lazy_pages[name], Qt.Key.Key_F12)

@@ -11,8 +11,8 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QPushButton
 
 from labcal import session
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.window import Window
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -20,7 +20,7 @@ BEGUN = """
 import sys
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
-from labcal.gui.desk import Desk
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.window import Window
 
 SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}
@@ -28,22 +28,22 @@ app = QApplication([])
 settings = QSettings(sys.argv[2], QSettings.Format.IniFormat)
 settings.setValue("pace", "20 times")
 settings.setValue("seed", 3)
-desk = Desk(settings)
-window = Window(desk)
+app_state = AppState(settings)
+window = Window(app_state)
 window.show()
-desk.open_bench(sys.argv[1])
-desk.who(operator="J. Doe", dut="EM-07")
+app_state.open_bench(sys.argv[1])
+app_state.set_identity(operator="J. Doe", dut="EM-07")
 begun, turned = [], set()
 
 def look():
-    if desk.facts and not begun:
+    if app_state.facts and not begun:
         begun.append(True)
-        desk.start("preflight", SHORT)
-    turned.add(desk.run.segment)
-    if len(turned) > 2 and desk.run.segment:  # the second turn: one is finished
+        app_state.start("preflight", SHORT)
+    turned.add(app_state.run.segment)
+    if len(turned) > 2 and app_state.run.segment:  # the second turn: one is finished
         print("measuring", flush=True)
-    elif desk.run.state == "asking":
-        desk.run.answer(desk.run.prompt.choices[0])
+    elif app_state.run.state == "asking":
+        app_state.run.answer(app_state.run.prompt.choices[0])
 
 timer = QTimer()
 timer.timeout.connect(look)
@@ -64,16 +64,16 @@ def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_pat
 
     settings = QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)
     settings.setValue("pace", "at once")
-    window = Window(Desk(settings), LIGHT)
+    window = Window(AppState(settings), LIGHT)
     kept_windows.append(window)
-    desk, run = window.desk, window.desk.run
+    app_state, run = window.app_state, window.app_state.run
     try:
         window.show()
-        desk.open_bench(str(settings.value("bench")))  # as `labcal gui` does
+        app_state.open_bench(str(settings.value("bench")))  # as `labcal gui` does
         start, live = window.page("Start"), window.page("Run").live
-        qtbot.waitUntil(lambda: start.interrupted.isVisible() and bool(desk.facts), timeout=patience)
+        qtbot.waitUntil(lambda: start.interrupted.isVisible() and bool(app_state.facts), timeout=patience)
         start.refresh()
-        qtbot.waitUntil(lambda: not desk.clerk.busy, timeout=patience)
+        qtbot.waitUntil(lambda: not app_state.quick_worker.busy, timeout=patience)
         again = start.interrupted.findChildren(QPushButton)[-1]
         assert again.text().startswith("Go on with")
         qtbot.mouseClick(again, Qt.MouseButton.LeftButton)
@@ -85,10 +85,10 @@ def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_pat
                 qtbot.mouseClick(live.prompt.choices[run.prompt.choices[0]], Qt.MouseButton.LeftButton)
         assert (run.status, run.fault) == ("finished", None)
         assert run.measurements["closure z"].verdict == "PASS"
-        assert desk.lab.state.coils_at_zero
+        assert app_state.lab.state.coils_at_zero
         assert [one.status for one in session.runs()] == ["finished"]
         qtbot.mouseClick(live.fit, Qt.MouseButton.LeftButton)
-        study, fit = desk.study_vm, window.page("Fit")
+        study, fit = app_state.study_vm, window.page("Fit")
         qtbot.waitUntil(lambda: study.look is not None and bool(study.methods) and not study.busy, timeout=patience)
         qtbot.mouseClick(fit.fit, Qt.MouseButton.LeftButton)
         qtbot.waitUntil(lambda: "ml" in study.fits, timeout=patience)

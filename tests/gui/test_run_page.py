@@ -32,13 +32,13 @@ def begin(qtbot, window, procedure="preflight", given=QUICK):
         page.choose.form.set_text(name, text)
     qtbot.waitUntil(page.choose.start.isEnabled, timeout=LONG_MS)
     qtbot.mouseClick(page.choose.start, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: window.desk.run.state in ("asking", "ended"), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: window.app_state.run.state in ("asking", "ended"), timeout=LONG_MS)
     return page
 
 
 def answer_all(qtbot, window, page):
     """Click the first button of every card until the run has ended."""
-    run = window.desk.run
+    run = window.app_state.run
     while True:
         qtbot.waitUntil(lambda: run.state in ("asking", "ended"), timeout=LONG_MS)
         if run.state == "ended":
@@ -48,45 +48,45 @@ def answer_all(qtbot, window, page):
 
 def test_a_preflight_is_clicked_through_to_its_verdicts_though_its_worker_is_killed_on_the_way(qtbot, window):
     page = begin(qtbot, window)
-    run = window.desk.run
+    run = window.app_state.run
     assert page.live.prompt.isVisible()
     assert "body X up" in page.live.prompt.text.text()
     qtbot.mouseClick(page.live.prompt.choices["done"], Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: run.state == "asking", timeout=LONG_MS)
-    os.kill(window.desk.bench_worker.pid, signal.SIGKILL)
+    os.kill(window.app_state.bench_worker.pid, signal.SIGKILL)
     qtbot.waitUntil(lambda: run.state == "ended", timeout=LONG_MS)
     assert run.fault.kind == "crash"
     assert page.live.fault.isVisible()
-    qtbot.waitUntil(lambda: "zero" in window.desk.lab.state.message, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: "zero" in window.app_state.lab.state.message, timeout=LONG_MS)
     window.open_page("Start")
     start = window.page("Start")
     qtbot.waitUntil(start.interrupted.isVisible, timeout=LONG_MS)
     qtbot.mouseClick(start.interrupted.findChildren(QPushButton)[0], Qt.MouseButton.LeftButton)
-    assert window.stack.currentWidget() is window.later["Run"]
+    assert window.stack.currentWidget() is window.lazy_pages["Run"]
     answer_all(qtbot, window, page)
     assert (run.status, run.fault) == ("finished", None)
     assert run.measurements["closure x"].verdict == "PASS"
     assert page.live.lights.worst["x"].text() == "X  ✓ PASS"
     assert [mark for _, mark in run.steps()] == ["done"] * run.step.total
     assert len(run.dut) > 500
-    assert window.desk.lab.state.coils_at_zero
+    assert window.app_state.lab.state.coils_at_zero
     assert page.live.fit.isEnabled()
 
 
 def test_f12_ends_a_run_that_waits_for_an_answer_with_the_coils_at_zero(qtbot, window):
     begin(qtbot, window)
     qtbot.keyClick(window, Qt.Key.Key_F12)
-    qtbot.waitUntil(lambda: window.desk.run.state == "ended", timeout=LONG_MS)
-    assert window.desk.run.status == "failed: aborted by the operator"
-    assert window.desk.run.coils_at_zero
+    qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
+    assert window.app_state.run.status == "failed: aborted by the operator"
+    assert window.app_state.run.coils_at_zero
 
 
 def test_stop_ends_the_run_in_order(qtbot, window):
     page = begin(qtbot, window)
     qtbot.mouseClick(page.live.stop, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: window.desk.run.state == "ended", timeout=LONG_MS)
-    assert window.desk.run.status == "stopped"
-    assert window.desk.run.coils_at_zero
+    qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
+    assert window.app_state.run.status == "stopped"
+    assert window.app_state.run.coils_at_zero
 
 
 @pytest.mark.slow
@@ -96,12 +96,12 @@ def test_an_instrument_that_dies_is_named_and_the_coils_are_not_called_safe(qtbo
     command = [sys.executable, "-c", program, "bench", "serve", str(BENCH), "--out", str(served)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as lab:
         assert lab.stdout.readline().strip() == "ready"
-        window.desk.open_bench(str(served))
-        qtbot.waitUntil(lambda: window.desk.facts["simulated"] is False, timeout=LONG_MS)
+        window.app_state.open_bench(str(served))
+        qtbot.waitUntil(lambda: window.app_state.facts["simulated"] is False, timeout=LONG_MS)
         page = begin(qtbot, window, "axes-check", {})
         lab.kill()
-    qtbot.waitUntil(lambda: window.desk.run.state == "ended", timeout=LONG_MS)
-    run = window.desk.run
+    qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
+    run = window.app_state.run
     assert run.fault.kind == "instrument"
     assert page.live.fault.isVisible()
     assert not page.live.prompt.isVisible()

@@ -7,11 +7,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QLabel
 
-from labcal.gui.key_sheet import KeySheet
-from labcal.gui.lab_vm import LabState
-from labcal.gui.numbers import MINUS
-from labcal.gui.run_vm import Order
-from labcal.gui.wire import item_to_json
+from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.viewmodels.lab import LabState
+from labcal.gui.viewmodels.number_format import MINUS
+from labcal.gui.viewmodels.run import Order
+from labcal.gui.widgets.key_sheet import KeySheet
 from labcal.record.stream import Measurement, Prompt
 
 RUN = {"run_id": "r1", "started_utc": "2026-01-05T07:00:00Z", "dut_serial": "EM-07", "procedure": "preflight",
@@ -31,8 +31,8 @@ def words_in(widget):
     ],
 )
 def test_the_button_of_a_question_says_what_has_been_done(still, prompt, words):
-    still.desk.run.start(Order("preflight", "bench.toml"))
-    still.desk.bench_worker.items.emit([item_to_json(prompt)])
+    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit([item_to_json(prompt)])
     assert still.page("Run").live.prompt.choices["done"].text() == words
 
 
@@ -40,12 +40,12 @@ def test_the_button_of_a_question_says_what_has_been_done(still, prompt, words):
 def test_a_page_without_runs_says_where_they_come_from(still, qtbot, name):
     page = still.page(name)
     still.open_page(name)
-    still.desk.clerk.answer("runs", [])
+    still.app_state.quick_worker.answer("runs", [])
     assert "record one on the Run page" in page.empty.text()
     qtbot.mouseClick(page.to_run, Qt.MouseButton.LeftButton)
-    assert still.stack.currentWidget() is still.later["Run"]
+    assert still.stack.currentWidget() is still.lazy_pages["Run"]
     page.chooser.refresh()
-    still.desk.clerk.answer("runs", [RUN, RUN | {"run_id": "r2", "status": "failed: aborted"}])
+    still.app_state.quick_worker.answer("runs", [RUN, RUN | {"run_id": "r2", "status": "failed: aborted"}])
     assert page.to_run.isHidden()
     assert "Choose a run above" in page.empty.text()
     assert page.chooser.itemText(0).startswith("2026-01-05")
@@ -53,13 +53,13 @@ def test_a_page_without_runs_says_where_they_come_from(still, qtbot, name):
 
 
 def test_fit_on_the_run_page_begins_at_once_and_once(still, qtbot):
-    still.desk.run.start(Order("preflight", "bench.toml"))
-    still.desk.bench_worker.answer("run", {"run_id": "r1", "status": "finished", "fault": None, "failed": []})
+    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.bench_worker.answer("run", {"run_id": "r1", "status": "finished", "fault": None, "failed": []})
     live = still.page("Run").live
     for _ in range(2):
         live.fit.click()
-    assert still.stack.currentWidget() is still.later["Fit"]
-    assert [do for do, *_ in still.desk.study.asked].count("fit") == 1
+    assert still.stack.currentWidget() is still.lazy_pages["Fit"]
+    assert [do for do, *_ in still.app_state.fit_worker.asked].count("fit") == 1
 
 
 def test_instruments_have_words_beside_their_lights(still):
@@ -71,15 +71,15 @@ def test_instruments_have_words_beside_their_lights(still):
 
 def test_of_a_long_serial_the_beginning_is_seen_and_the_whole_is_in_its_tip(still):
     serial = "FM-2026-0000-1234-5678-SPARE-UNIT-B"
-    still.desk.who(dut=serial)
+    still.app_state.set_identity(dut=serial)
     assert still.top.dut.cursorPosition() == 0
     assert still.top.dut.toolTip().startswith(serial)
 
 
 def test_a_long_name_of_a_measurement_is_whole_in_its_tip(still):
-    still.desk.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(Order("preflight", "bench.toml"))
     name = "closure, DUT less reference, of the first position after the last turn about the body's z"
-    still.desk.bench_worker.items.emit([item_to_json(Measurement(1.0, name, 3.0, 1.0, "nT", 50.0))])
+    still.app_state.bench_worker.items.emit([item_to_json(Measurement(1.0, name, 3.0, 1.0, "nT", 50.0))])
     assert still.page("Run").live.table.item(0, 0).toolTip() == name
 
 
@@ -116,7 +116,7 @@ def test_a_report_is_opened_and_its_folder_is_offered(still, qtbot, tmp_path, mo
     page, out = still.page("Certificate"), str(tmp_path / "r.html")
     page.write_report("c.json", out)
     assert (opened, page.folder.isHidden()) == ([], True)
-    still.desk.clerk.answer("report", out)
+    still.app_state.quick_worker.answer("report", out)
     assert (opened, page.folder.isHidden()) == ([out], False)
     page.folder.click()
     assert opened == [out, str(tmp_path)]
@@ -128,19 +128,19 @@ def test_an_exported_run_says_where_it_lies(still, qtbot, tmp_path, monkeypatch)
     still.open_page("History")
     page, out = still.page("History"), str(tmp_path / "r.zip")
     page.export_to("r1", "bundle", out)
-    still.desk.clerk.answer("export", out)
+    still.app_state.quick_worker.answer("export", out)
     assert page.said.text() == f"Exported: {out}"
     qtbot.mouseClick(page.folder, Qt.MouseButton.LeftButton)
     assert opened == [str(tmp_path)]
 
 
 def test_a_small_screen_has_room_for_every_page_and_for_a_question_with_two_answers(still, qtbot):
-    for name in still.later:
+    for name in still.lazy_pages:
         still.page(name)
-    still.desk.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(Order("preflight", "bench.toml"))
     drawing = {"body_from_cage": np.eye(3).tolist()}
     asked = Prompt(0.0, "mount-y", "Mount the DUT with body Y up.", ("done", "redo x"), True, drawing)
-    still.desk.bench_worker.items.emit([item_to_json(asked)])
+    still.app_state.bench_worker.items.emit([item_to_json(asked)])
     size = still.size()
     still.resize(1100, 700)
     QApplication.processEvents()

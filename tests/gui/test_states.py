@@ -9,10 +9,10 @@ from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from labcal.gui.prompt_card import PromptCard
-from labcal.gui.run_vm import Order
-from labcal.gui.theme import DARK, LIGHT
-from labcal.gui.wire import Fault, item_to_json
+from labcal.gui.ipc.wire import Fault, item_to_json
+from labcal.gui.theming.theme import DARK, LIGHT
+from labcal.gui.viewmodels.run import Order
+from labcal.gui.widgets.prompt_card import PromptCard
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 
@@ -30,46 +30,50 @@ SILENT = Fault("instrument", "ref: no sample for 2.1 s.", "Look at its power and
 
 
 def send(window, *items):
-    window.desk.bench_worker.items.emit([item_to_json(item) for item in items])
+    window.app_state.bench_worker.items.emit([item_to_json(item) for item in items])
 
 
 @pytest.fixture(params=INTO)
 def brought(request, still):
-    still.desk.run.start(Order("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.run.start(Order("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     send(still, *INTO[request.param])
     return still
 
 
 def end(window, status, fault=None):
     said = {"run_id": "r1", "status": status, "fault": asdict(fault) if fault else None, "failed": []}
-    window.desk.bench_worker.answer("run", said)
+    window.app_state.bench_worker.answer("run", said)
 
 
 def test_stop_is_there_in_every_state_and_ends_in_order(qtbot, brought):
-    live, worker = brought.page("Run").live, brought.desk.bench_worker
+    live, worker = brought.page("Run").live, brought.app_state.bench_worker
     qtbot.mouseClick(live.stop, Qt.MouseButton.LeftButton)
     assert worker.said == [("stop", {})]
-    assert (brought.desk.run.state, live.prompt.isVisible()) == ("stopping", False)
+    assert (brought.app_state.run.state, live.prompt.isVisible()) == ("stopping", False)
     told(brought)
     end(brought, "stopped")
-    assert (brought.desk.run.status, live.fault.isVisible(), live.close_run.isVisible()) == ("stopped", False, True)
-    assert brought.desk.lab.state.coils_at_zero is True
+    assert (brought.app_state.run.status, live.fault.isVisible(), live.close_run.isVisible()) == (
+        "stopped",
+        False,
+        True,
+    )
+    assert brought.app_state.lab.state.coils_at_zero is True
 
 
 def test_coils_off_is_heard_in_every_state(qtbot, brought):
     qtbot.keyClick(brought, Qt.Key.Key_F12)
-    assert brought.desk.bench_worker.said == [("abort", {})]
-    assert brought.desk.run.state == "stopping"
-    assert brought.desk._force.isActive()
-    brought.desk._off_by_force()  # what happens where the run does not come to its end
-    assert brought.desk.bench_worker.killed == 1
-    assert brought.desk.switch.asked[-1][0] == "off"
+    assert brought.app_state.bench_worker.said == [("abort", {})]
+    assert brought.app_state.run.state == "stopping"
+    assert brought.app_state._force_timer.isActive()
+    brought.app_state._off_by_force()  # what happens where the run does not come to its end
+    assert brought.app_state.bench_worker.killed == 1
+    assert brought.app_state.off_worker.asked[-1][0] == "off"
 
 
 def test_a_run_that_comes_to_its_end_by_itself_leaves_nothing_behind_that_could_kill_the_next(qtbot, brought):
     qtbot.keyClick(brought, Qt.Key.Key_F12)
     end(brought, "failed: aborted by the operator")
-    assert not brought.desk._force.isActive()
+    assert not brought.app_state._force_timer.isActive()
 
 
 def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(brought):
@@ -79,36 +83,38 @@ def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(
     assert (live.fault.text.text(), live.fault.remedy.text()) == (SILENT.text, SILENT.remedy)
     assert not live.prompt.isVisible()
     assert not live.fault.details.isVisible()
-    assert ("reference", "fault", "failed") not in brought.desk.lab.state.lights
-    assert not brought.desk.run.alive
+    assert ("reference", "fault", "failed") not in brought.app_state.lab.state.lights
+    assert not brought.app_state.run.alive
 
 
 def test_a_worker_that_dies_in_any_state_is_a_card_and_another_one_switches_the_coils_off(brought):
-    (_, _, failed, _) = brought.desk.bench_worker.asked[-1]
+    (_, _, failed, _) = brought.app_state.bench_worker.asked[-1]
     failed(Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
     assert brought.page("Run").live.fault.isVisible()
-    assert brought.desk.switch.asked[-1][0] == "off"
+    assert brought.app_state.off_worker.asked[-1][0] == "off"
 
 
 def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
-    still.desk.coils_off()
-    _, _, failed, _ = still.desk.switch.asked[-1]
+    still.app_state.coils_off()
+    _, _, failed, _ = still.app_state.off_worker.asked[-1]
     failed(Fault("instrument", "supply_x does not answer."))
-    assert still.desk.lab.state.coils_at_zero is None
+    assert still.app_state.lab.state.coils_at_zero is None
     assert "Switch the supplies off" in still.fault.remedy.text()
     assert still.fault.isVisible()
 
 
 def test_coils_off_without_a_run_asks_for_them_at_once(qtbot, still):
     qtbot.keyClick(still, Qt.Key.Key_F12)
-    assert still.desk.switch.asked[-1][0] == "off"
-    still.desk.switch.answer("off", [{"axis": a, "current_A": 0.0, "words": "at zero", "ok": True} for a in "xyz"])
-    assert still.desk.lab.state.coils_at_zero is True
+    assert still.app_state.off_worker.asked[-1][0] == "off"
+    still.app_state.off_worker.answer(
+        "off", [{"axis": a, "current_A": 0.0, "words": "at zero", "ok": True} for a in "xyz"]
+    )
+    assert still.app_state.lab.state.coils_at_zero is True
 
 
 def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, monkeypatch):
     card = still.page("Run").live.prompt
-    still.desk.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(Order("preflight", "bench.toml"))
     heard = []
     monkeypatch.setattr(QApplication, "beep", lambda: heard.append("beep"))
     send(still, *INTO["asking"])
@@ -118,38 +124,38 @@ def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, 
     card._call.timeout.emit()  # twenty seconds later
     assert heard == ["beep"]
     closed = PromptCard(LIGHT)
-    closed.show_prompt(still.desk.run.prompt)
+    closed.show_prompt(still.app_state.run.prompt)
     assert heard == ["beep"]
     qtbot.mouseClick(card.choices["done"], Qt.MouseButton.LeftButton)
     assert not card._call.isActive()
 
 
 def test_pause_and_go_on(qtbot, still):
-    still.desk.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(Order("preflight", "bench.toml"))
     send(still, *INTO["running"])
-    live, worker = still.page("Run").live, still.desk.bench_worker
+    live, worker = still.page("Run").live, still.app_state.bench_worker
     qtbot.mouseClick(live.pause, Qt.MouseButton.LeftButton)
     send(still, Event(1.0, "pause", "paused, coils at zero", {}))
     assert live.pause.text() == "Go on"
     qtbot.mouseClick(live.pause, Qt.MouseButton.LeftButton)
     send(still, Event(2.0, "pause", "goes on", {}))
     assert [word for word, _ in worker.said] == ["pause", "go on"]
-    assert still.desk.run.state == "running"
+    assert still.app_state.run.state == "running"
 
 
 def test_what_happens_can_be_read_from_the_cage(still):
-    still.desk.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(Order("preflight", "bench.toml"))
     live = still.page("Run").live
     send(still, *INTO["measuring"])
     t = np.array([6.0])
     send(still, Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.ones((1, 3))))
     live._draw()
     assert live.headline.text() == "Hands off · 14 s · x +20 µT nominal"
-    assert still.desk.lab.state.waiting == "hands off, measuring"
+    assert still.app_state.lab.state.waiting == "hands off, measuring"
 
 
 def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_it_is_redone(still):
-    still.desk.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(Order("preflight", "bench.toml"))
     lights, name = still.page("Run").live.lights, "x+20uT-nominal"
     send(still, *INTO["measuring"], SegmentClosed(20.0))
     assert lights.worst["x"].text() == "X  ○"
@@ -163,22 +169,22 @@ def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_i
     assert looks == ["✓", "coverage", "✓", "noise", "✓", "sign", "✕", "delay", "○", "closure"]
     assert lights.isVisible()
     still.set_theme(DARK)
-    still.dressing.finish()
+    still.style_queue.finish()
     assert DARK.good in lights.looks["x"].text()
     still.set_theme(LIGHT)
-    still.dressing.finish()
+    still.style_queue.finish()
     send(still, Event(23.0, "not-used", "lift moved", {"segments": [name], "reason": "lift moved"}))
     assert lights.worst["x"].text() == "X  ○"
-    assert name not in still.desk.run.locus
+    assert name not in still.app_state.run.locus
 
 
 def test_a_note_and_a_photograph_go_into_the_record_at_any_moment(qtbot, brought):
-    live, worker = brought.page("Run").live, brought.desk.bench_worker
+    live, worker = brought.page("Run").live, brought.app_state.bench_worker
     live.note.setText("lift moved")
     live._note()
     live.note.setText("how it stands")
     live.keep_photo("/tmp/picture.jpg")
-    brought.desk.clerk.answer("photo", {"photo": "ab.jpg", "sha256": "ab"})
+    brought.app_state.quick_worker.answer("photo", {"photo": "ab.jpg", "sha256": "ab"})
     assert worker.said == [
         ("note", {"text": "lift moved", "data": {}}),
         ("note", {"text": "how it stands", "data": {"photo": "ab.jpg", "sha256": "ab"}}),
@@ -194,20 +200,20 @@ def test_a_form_that_comes_up_new_is_in_the_theme_and_so_after_another_theme(qtb
     still.set_theme(DARK)
     choose.choose("axes-check")
     qtbot.waitUntil(lambda: choose.form.isVisible(), timeout=patience)  # the old one is gone before it is its turn
-    still.dressing.finish()
+    still.style_queue.finish()
     assert DARK.sunken in choose.form.styleSheet()
     still.set_theme(LIGHT)
-    still.dressing.finish()
+    still.style_queue.finish()
 
 
 def test_a_page_is_built_in_several_events_and_then_put_into_its_place(qapp, still):
     from labcal.gui.pages.run import RunPage
-    from labcal.gui.window import Later
+    from labcal.gui.window import LazyPage
 
-    later, turns = Later(lambda: RunPage(still.desk, LIGHT), still.sheet), 0
-    while not later.ready:
-        later.build()
+    page, turns = LazyPage(lambda: RunPage(still.app_state, LIGHT), still.sheet), 0
+    while not page.ready:
+        page.build()
         turns += 1
-    assert turns > 4  # the page, loci, traces, the live face, and what it wears
-    assert later.page.live.note.styleSheet()
-    later.build()  # there is nothing more to do
+    assert turns > 4  # the page, loci, traces, the live face, and its style sheets
+    assert page.page.live.note.styleSheet()
+    page.build()  # there is nothing more to do

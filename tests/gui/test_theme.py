@@ -1,10 +1,10 @@
 import pytest
 from PySide6.QtWidgets import QLabel, QTableWidget
 
-from labcal.gui.dress import dress, wearers
-from labcal.gui.numbers import duration, field, number
-from labcal.gui.theme import DARK, LIGHT, contrast, style_sheet
-from labcal.gui.widgets import Card, label
+from labcal.gui.theming.stylesheet import apply_style, styled_widgets
+from labcal.gui.theming.theme import DARK, LIGHT, contrast, style_sheet
+from labcal.gui.viewmodels.number_format import format_duration, format_field, format_number
+from labcal.gui.widgets.common import Card, label
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda t: t.name)
@@ -26,17 +26,17 @@ def test_contrast_of_black_on_white_is_the_standard_s_21():
 
 
 def test_numbers_have_one_format():
-    assert number(19998.72) == "+19\u202f998.7"
-    assert number(-3.25, 2) == "\u22123.25"
-    assert field(-19998.7, "µT") == "\u221219.9987"
-    assert field(100.0, "mG") == "+1.000"
-    assert (duration(400), duration(4000)) == ("06:40", "1:06:40")
+    assert format_number(19998.72) == "+19\u202f998.7"
+    assert format_number(-3.25, 2) == "\u22123.25"
+    assert format_field(-19998.7, "µT") == "\u221219.9987"
+    assert format_field(100.0, "mG") == "+1.000"
+    assert (format_duration(400), format_duration(4000)) == ("06:40", "1:06:40")
 
 
 def test_a_label_wears_what_is_said_of_labels_and_a_table_what_is_said_of_its_parts(qapp):
     sheet, words, table = style_sheet(DARK), QLabel(), QTableWidget()
     for one in (words, table):
-        dress(one, sheet)
+        apply_style(one, sheet)
     assert DARK.muted in words.styleSheet()
     assert "QTableView" not in words.styleSheet()
     assert all(part in table.styleSheet() for part in ("QTableView", "QHeaderView", "QScrollBar", "QToolTip"))
@@ -46,5 +46,5 @@ def test_a_label_wears_what_is_said_of_labels_and_a_table_what_is_said_of_its_pa
 def test_what_only_holds_others_wears_nothing(qapp):
     card, words = Card("A title"), label("words")
     card.body.addWidget(words)
-    assert words in wearers(card)
-    assert card not in wearers(card)
+    assert words in styled_widgets(card)
+    assert card not in styled_widgets(card)

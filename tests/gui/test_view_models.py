@@ -6,10 +6,10 @@ from lab_states import told
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError, InstrumentError
-from labcal.gui.form import title_of
-from labcal.gui.run_vm import Order, RunViewModel
-from labcal.gui.study_vm import StudyViewModel
-from labcal.gui.wire import Fault, fault_of, item_from_json, item_to_json, pack, unpack
+from labcal.gui.ipc.wire import Fault, fault_of, item_from_json, item_to_json, pack, unpack
+from labcal.gui.viewmodels.run import Order, RunViewModel
+from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.gui.widgets.parameter_form import title_of
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QPushButton
 
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.window import Window
 
 SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}
@@ -14,7 +14,7 @@ SHORT = {"magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_de
 @pytest.mark.slow
 def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patience, kept_windows):
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
-    window = Window(Desk(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+    window = Window(AppState(QSettings(str(tmp_path / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
     kept_windows.append(window)
     window.show()
 
@@ -33,9 +33,9 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
         assert start.open.isVisible()
         assert not start.calibrate.isVisible()
         click(start.simulated)
-        qtbot.waitUntil(lambda: bool(window.desk.facts), timeout=patience)
+        qtbot.waitUntil(lambda: bool(window.app_state.facts), timeout=patience)
         qtbot.keyClicks(window.top.operator, "J", delay=60)
-        qtbot.waitUntil(lambda: window.desk.lab.state.operator == "J", timeout=patience)
+        qtbot.waitUntil(lambda: window.app_state.lab.state.operator == "J", timeout=patience)
         click(start.calibrate)
         run, live = window.page("Run").choose, window.page("Run").live
         qtbot.waitUntil(lambda: run.form is not None, timeout=patience)
@@ -43,7 +43,7 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
             run.form.set_text(name, text)
         run.pace.setCurrentText("at once")
         click(run.start)
-        vm = window.desk.run
+        vm = window.app_state.run
         while True:
             qtbot.waitUntil(lambda: vm.state in ("asking", "ended"), timeout=patience)
             if vm.state == "ended":
@@ -51,7 +51,7 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
             click(live.prompt.choices[vm.prompt.choices[0]])
         assert vm.status == "finished", vm.fault
         click(live.fit)
-        study, fit = window.desk.study_vm, window.page("Fit")
+        study, fit = window.app_state.study_vm, window.page("Fit")
         qtbot.waitUntil(lambda: "ml" in study.fits and not study.busy, timeout=patience)  # it begins by itself
         assert primary(fit).text() == "Trace the residual"
         click(primary(fit))

@@ -10,8 +10,8 @@ import pytest
 
 from labcal import session
 from labcal.errors import Stopped
-from labcal.gui.bench_verbs import run
-from labcal.gui.talk import STILL_S, Talk
+from labcal.gui.ipc.bench_commands import run
+from labcal.gui.ipc.channel import FROZEN_S, Channel
 from labcal.record.stream import Event
 from labcal.store.live import Store
 
@@ -46,20 +46,20 @@ def test_a_run_whose_window_has_died_is_interrupted_with_the_coils_at_zero(tmp_p
         os.close(says)
         with suppress(Stopped):
             while True:
-                talk.control.check()
+                channel.control.check()
 
     heard = os.fdopen(hears)
-    talk = Talk(heard, Line(broken if way == "its ear is gone" else hung_up))
-    talk.answer = lambda prompt: prompt.choices[0]
-    asks = talk.asks()
+    channel = Channel(heard, Line(broken if way == "its ear is gone" else hung_up))
+    channel.answer = lambda prompt: prompt.choices[0]
+    requests = channel.requests()
     if way == "its mouth is gone":
         os.write(says, b'{"do": "run"}\n')
-        assert next(asks) == {"do": "run"}
-    ended = run(talk, "preflight", str(BENCH), SHORT, "EM-07", "J. Doe", seed=3)
+        assert next(requests) == {"do": "run"}
+    ended = run(channel, "preflight", str(BENCH), SHORT, "EM-07", "J. Doe", seed=3)
     if way == "its ear is gone":
         os.close(says)
     else:
-        assert list(asks) == []
+        assert list(requests) == []
     heard.close()
     assert ended["status"] == "interrupted"
     assert [one.status for one in session.runs()] == ["interrupted"]
@@ -72,35 +72,35 @@ def test_a_run_whose_window_has_died_is_interrupted_with_the_coils_at_zero(tmp_p
 def test_a_window_that_stands_still_while_real_coils_are_driven_has_gone(simulated, beats, left):
     hears, says = os.pipe()
     with os.fdopen(hears) as heard:
-        talk = Talk(heard, io.StringIO())
-        asks = talk.asks()
+        channel = Channel(heard, io.StringIO())
+        requests = channel.requests()
         os.write(says, b'{"do": "beat"}\n' * beats + b'{"do": "run"}\n')
-        assert next(asks) == {"do": "run"}
-        talk.on_bench(simulated)
-        deadline = time.monotonic() + (30.0 if left else 3 * STILL_S)
+        assert next(requests) == {"do": "run"}
+        channel.run_begins(simulated)
+        deadline = time.monotonic() + (30.0 if left else 3 * FROZEN_S)
         with pytest.raises(Stopped) if left else nullcontext():
             while time.monotonic() < deadline:
-                talk.control.check()
+                channel.control.check()
                 time.sleep(0.01)
         os.close(says)
-        assert list(asks) == []
+        assert list(requests) == []
 
 
 def test_a_window_that_moves_is_there():
     hears, says = os.pipe()
     with os.fdopen(hears) as heard:
-        talk = Talk(heard, io.StringIO())
-        asks = talk.asks()
+        channel = Channel(heard, io.StringIO())
+        requests = channel.requests()
         os.write(says, b'{"do": "beat"}\n{"do": "run"}\n')
-        assert next(asks) == {"do": "run"}
-        talk.on_bench(simulated=False)
-        deadline, slowest, before = time.monotonic() + 3 * STILL_S, 0.0, time.monotonic()
+        assert next(requests) == {"do": "run"}
+        channel.run_begins(simulated=False)
+        deadline, slowest, before = time.monotonic() + 3 * FROZEN_S, 0.0, time.monotonic()
         while time.monotonic() < deadline:
             os.write(says, b'{"do": "beat"}\n')
             time.sleep(0.2)
             slowest, before = max(slowest, time.monotonic() - before), time.monotonic()
-            if slowest > STILL_S / 2:
+            if slowest > FROZEN_S / 2:
                 pytest.skip("this computer is too busy: the test itself stood still")
-            talk.control.check()
+            channel.control.check()
         os.close(says)
-        assert list(asks) == []
+        assert list(requests) == []

@@ -15,7 +15,7 @@ import traceback
 from contextlib import suppress
 from pathlib import Path
 
-from labcal.bench.cage_file import calibrated
+from labcal.bench.coils.cage_file import calibrated
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.controller import Guardian

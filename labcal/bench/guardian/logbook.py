@@ -15,7 +15,7 @@ from queue import SimpleQueue
 
 from labcal.errors import InputError
 from labcal.home import file_at_home
-from labcal.plain import one_line
+from labcal.text_safety import one_line
 
 _jobs: SimpleQueue[Callable[[], None]] = SimpleQueue()
 

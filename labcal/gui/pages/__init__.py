@@ -1,1 +1,1 @@
-"""The pages, in the order of the rail."""
+"""The pages, in the order of the sidebar."""

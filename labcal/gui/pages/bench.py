@@ -10,15 +10,15 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
-from labcal.gui.cage_view import CageView, vector_colours
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.lab_vm import Triple
-from labcal.gui.measurement_table import Table
-from labcal.gui.numbers import number
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label
-from labcal.gui.wire import Fault
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.lab import Triple
+from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.widgets.cage_view import CageView, vector_colours
+from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.measurement_table import Table
 
 READINGS_MS = 500
 ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")
@@ -28,18 +28,18 @@ HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state
 class BenchPage(QWidget):
     """The bench file's instruments, checked at a click; the cage with the field of now."""
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
-        self._desk, self._theme = desk, theme
+        self._app_state, self._theme = app_state, theme
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         self.fault = FaultCard()
-        self.fault.report_asked.connect(desk.report_asked)
+        self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
         column.addWidget(self._instruments_card(), 3)
         column.addWidget(self._cage_card(), 2)
-        desk.bench_changed.connect(self._bench_known)
+        app_state.bench_changed.connect(self._bench_known)
         self._readings = QTimer(self, interval=READINGS_MS)
         self._readings.timeout.connect(self._show_readings)
         self._bench_known()
@@ -75,7 +75,7 @@ class BenchPage(QWidget):
         choose = button(self.tr("Open a bench file …"), self.tr("A bench.toml: what stands in the lab, on which lines"))
         choose.clicked.connect(self._choose)
         simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
-        simulated.clicked.connect(lambda: desk_simulated(self._desk))
+        simulated.clicked.connect(lambda: open_simulated_bench(self._app_state))
         self.file = label("", "caption")
         row = QHBoxLayout()
         row.addWidget(self.file, 1)
@@ -103,27 +103,29 @@ class BenchPage(QWidget):
     def _choose(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("Open a bench file"), "", "*.toml")
         if path:
-            self._desk.open_bench(path)
+            self._app_state.open_bench(path)
 
     def check_all(self) -> None:
         """Ask every instrument who it is."""
-        if self._desk.run.alive:
+        if self._app_state.run.alive:
             return self.fault.show_fault(
                 Fault("input", self.tr("A run goes on and holds the instruments; check them after it."))
             )
         self.check.setEnabled(False)
         self.check.setText(self.tr("Asking …"))
-        return self._desk.switch.ask("greet", self._greeted, self._not_greeted, bench=self._desk.bench)
+        return self._app_state.off_worker.request(
+            "greet", self._greeted, self._not_greeted, bench=self._app_state.bench
+        )
 
     def _reconnect(self) -> None:
-        if not self._desk.run.alive:
-            for worker in (self._desk.bench_worker, self._desk.switch):
-                worker.hang_up(500)
-            self._desk.open_bench(self._desk.bench)
+        if not self._app_state.run.alive:
+            for worker in (self._app_state.bench_worker, self._app_state.off_worker):
+                worker.close(500)
+            self._app_state.open_bench(self._app_state.bench)
         self.check_all()
 
     def _greeted(self, answers: list[dict[str, Any]]) -> None:
-        self._desk.take_greetings(answers)
+        self._app_state.take_greetings(answers)
         if doubt := (answers[0].get("doubt") if answers else None):
             self._tell_doubt(**doubt)
         self._checked()
@@ -131,9 +133,9 @@ class BenchPage(QWidget):
     def _tell_doubt(self, words: str, lifted: bool) -> None:
         """A zero that the reference did not see was measured again."""
         if lifted:
-            return self._desk.lab.update(message=words)
+            return self._app_state.lab.update(message=words)
         remedy = self.tr("Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME")
-        return self.fault.show_fault(Fault("instrument", words, remedy.format(Path(self._desk.bench).name)))
+        return self.fault.show_fault(Fault("instrument", words, remedy.format(Path(self._app_state.bench).name)))
 
     def _not_greeted(self, fault: Fault) -> None:
         self.fault.show_fault(fault)
@@ -149,11 +151,11 @@ class BenchPage(QWidget):
         self._show_readings()
 
     def _show(self) -> None:
-        facts = self._desk.facts
+        facts = self._app_state.facts
         there = sorted(facts.get("instruments", {}).items(), key=lambda one: ROLES.index(one[1]["role"]))
         self.heading.setText(self.tr("Instruments of {0}").format(facts["name"]) if facts else self.tr("Instruments"))
-        self.file.setText(Path(self._desk.bench).name)
-        self.file.setToolTip(self._desk.bench)
+        self.file.setText(Path(self._app_state.bench).name)
+        self.file.setToolTip(self._app_state.bench)
         self.empty.setVisible(not there)
         self.table.setVisible(bool(there))
         for widget in (self.check, self.reconnect):
@@ -163,12 +165,12 @@ class BenchPage(QWidget):
             self._show_row(row, name, one)
 
     def _show_row(self, row: int, name: str, one: dict[str, Any]) -> None:
-        answered = self._desk.answered.get(name)
+        answered = self._app_state.answered.get(name)
         fault = answered["fault"] if answered else None
         for column, text in enumerate((one["role"], name, one["link"])):
             self.table.set_cell(row, column, text, tip=f"{text}   ({one['driver']})")
         identity = (answered or {}).get("identity") or "–"
-        simulated = answered is not None and one["role"] == "dut" and self._desk.facts["simulated"]
+        simulated = answered is not None and one["role"] == "dut" and self._app_state.facts["simulated"]
         self.table.set_cell(row, 3, self.tr("{0}, simulated").format(identity) if simulated else identity)
         if answered is None:
             self.table.set_cell(row, 5, self.tr("○ not asked"), colour=self._theme.muted)
@@ -179,17 +181,17 @@ class BenchPage(QWidget):
 
     def _show_readings(self) -> None:
         """What each instrument sent last; the coils' currents as they were read back."""
-        run, coils = self._desk.run, self._desk.lab.state.coil_A
+        run, coils = self._app_state.run, self._app_state.lab.state.coil_A
         for row in range(self.table.rowCount()):
             role, said = self.table.text(row, 0), run.reading.get(self.table.text(row, 1))
             words, age = "–", self.tr("nothing in this session")
             if role.startswith("coil") and coils is not None:
-                words, age = f"{number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
+                words, age = f"{format_number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
             elif said is not None:
                 silent = run.silent_s(self.table.text(row, 1))
-                unit = f" {self._desk.facts['dut']['unit']}" if role == "dut" else ""
+                unit = f" {self._app_state.facts['dut']['unit']}" if role == "dut" else ""
                 words, age = (
-                    reading_words(role, said[1]) + unit,
+                    reading_text(role, said[1]) + unit,
                     self.tr("{0:.1f} s before the newest of all").format(silent),
                 )
             self.table.set_cell(row, 4, words, tip=f"{words}   ({age})")
@@ -197,7 +199,7 @@ class BenchPage(QWidget):
 
     def _show_cage(self) -> None:
         """The field's parts as they were last recorded together: currents, and what the reference saw with them."""
-        facts, run = self._desk.facts, self._desk.run
+        facts, run = self._app_state.facts, self._app_state.run
         now, last = self.tr("all arrows to one scale"), self.tr("as recorded last, not now; all arrows to one scale")
         self.when.setText(now if run.alive or not run.reading else last)
         if not facts:
@@ -215,25 +217,25 @@ class BenchPage(QWidget):
         names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
         lines = []
         for name, colour, vector in zip(names, vector_colours(self._theme), vectors, strict=True):
-            size = "–" if vector is None else f"{number(hypot(*vector), 0, signed=False)} nT"
+            size = "–" if vector is None else f"{format_number(hypot(*vector), 0, signed=False)} nT"
             lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
         return "<br>".join(lines)
 
     def _limits(self, limits: dict[str, Any]) -> str:
         most = " / ".join(f"{one:g}" for one in dict.fromkeys(limits["current_A"]))
-        field = number(limits["field_nT"], 0, signed=False)
+        field = format_number(limits["field_nT"], 0, signed=False)
         return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
 
 
-def desk_simulated(desk: Desk) -> None:
+def open_simulated_bench(app_state: AppState) -> None:
     """Take the simulated lab."""
-    desk.ask("simulated_bench", desk.open_bench)
+    app_state.request("simulated_bench", app_state.open_bench)
 
 
-def reading_words(role: str, values: Any) -> str:
+def reading_text(role: str, values: Any) -> str:
     """The last sample of an instrument, short."""
     unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
-    return "  ".join(number(float(value), 1) for value in values[:3]) + unit
+    return "  ".join(format_number(float(value), 1) for value in values[:3]) + unit
 
 
 def last_vector(said: tuple[tuple[str, ...], Any] | None) -> Triple | None:

@@ -9,16 +9,16 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
-from labcal.gui.desk import Desk
-from labcal.gui.drop import Drop
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Table, decimals_for
-from labcal.gui.numbers import number
-from labcal.gui.outside import FolderButton, open_outside
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, set_state
-from labcal.gui.wire import Fault
-from labcal.gui.words import say
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.drop_zone import Drop
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.measurement_table import Table, decimals_for
+from labcal.gui.widgets.open_externally import FolderButton, open_externally
 
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 
@@ -26,16 +26,16 @@ REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 class CertificatePage(QWidget):
     """Calibrations of this lab at the left; the chosen one, and what may be done with it, beside them."""
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
-        self._desk = desk
+        self._app_state = app_state
         self._files: dict[str, dict[str, Any]] = {}
         self._wanted = ""
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         self.fault = FaultCard()
-        self.fault.report_asked.connect(desk.report_asked)
+        self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
@@ -46,7 +46,7 @@ class CertificatePage(QWidget):
         self.drop = Drop()
         self.drop.dropped.connect(self.verify)
         column.addWidget(self.drop)
-        desk.calibrations_changed.connect(self._new)
+        app_state.calibrations_changed.connect(self._new)
 
     def showEvent(self, event: object) -> None:
         """What there is now."""
@@ -54,8 +54,8 @@ class CertificatePage(QWidget):
 
     def refresh(self) -> None:
         """Ask for the calibrations and the keys again."""
-        self._desk.clerk.ask("calibrations", self._known, self.fault.show_fault)
-        self._desk.clerk.ask("keys", self._keys_known, self.fault.show_fault)
+        self._app_state.quick_worker.request("calibrations", self._known, self.fault.show_fault)
+        self._app_state.quick_worker.request("keys", self._keys_known, self.fault.show_fault)
 
     def _new(self, path: str) -> None:
         self._wanted = path
@@ -69,7 +69,7 @@ class CertificatePage(QWidget):
         self.list.currentRowChanged.connect(self._show)
         self.empty = label(self.tr("None yet. Fit a run, then trace its residual: that writes a draft."), wrap=True)
         to_fit = button(self.tr("Go to Fit"), self.tr("Estimate a calibration"), primary=True)
-        to_fit.clicked.connect(lambda: self._desk.went.emit("Fit"))
+        to_fit.clicked.connect(lambda: self._app_state.page_requested.emit("Fit"))
         self.to_fit = to_fit
         card.body.addWidget(self.empty)
         card.body.addWidget(to_fit, 0, Qt.AlignmentFlag.AlignLeft)
@@ -234,8 +234,8 @@ class CertificatePage(QWidget):
         for row, (name, value, s, unit) in enumerate(rows):
             decimals = decimals_for(2 * (s or 0.0), value)
             self.table.set_cell(row, 0, name)
-            self.table.set_cell(row, 1, number(value, decimals), right=True)
-            self.table.set_cell(row, 2, "–" if s is None else number(2 * s, decimals, signed=False), right=True)
+            self.table.set_cell(row, 1, format_number(value, decimals), right=True)
+            self.table.set_cell(row, 2, "–" if s is None else format_number(2 * s, decimals, signed=False), right=True)
             self.table.set_cell(row, 3, unit)
 
     def _enable(self) -> None:
@@ -250,7 +250,7 @@ class CertificatePage(QWidget):
         self.new_key.setEnabled(new and words and twice)
         for widget in (self.report, self.export, self.apply):
             widget.setEnabled(one is not None)
-        step = next_step(one, self._desk.lab.state.operator) if one else ""
+        step = next_step(one, self._app_state.lab.state.operator) if one else ""
         if new and self.again.text() and not twice:
             step = self.tr("The two passphrases differ.")
         elif new:
@@ -286,7 +286,7 @@ class CertificatePage(QWidget):
             entry.setFocus()
 
         self.fault.show_fault(None)
-        self._desk.clerk.ask(do, known, refused, **what)
+        self._app_state.quick_worker.request(do, known, refused, **what)
 
     def _new_key(self) -> None:
         name = self.signer.currentText().strip()
@@ -310,7 +310,7 @@ class CertificatePage(QWidget):
         def said(_: object) -> str:
             self.folder.show_folder(out)
             if not out.endswith(".xml"):
-                open_outside(out)
+                open_externally(out)
             return written
 
         self._tell("report", said, source=source, out=out)
@@ -346,7 +346,7 @@ class CertificatePage(QWidget):
             self._tell("apply", str, path=one["path"], source=source, out=out, dut=dut)
 
     def _tell(self, do: str, words: Callable[[Any], str], **what: str) -> None:
-        """Ask the clerk, and say what came of it beside the buttons."""
+        """Ask the quick worker, and say what came of it beside the buttons."""
 
         def failed(fault: Fault) -> None:
             self.said.clear()
@@ -354,11 +354,11 @@ class CertificatePage(QWidget):
 
         self.fault.show_fault(None)
         self.folder.show_folder("")
-        self._desk.clerk.ask(do, lambda said: self.said.setText(words(said)), failed, **what)
+        self._app_state.quick_worker.request(do, lambda said: self.said.setText(words(said)), failed, **what)
 
     def verify(self, path: str) -> None:
         """Check the file at `path` and say how it stands."""
-        self._desk.clerk.ask("verify", self._verified, self.fault.show_fault, path=path)
+        self._app_state.quick_worker.request("verify", self._verified, self.fault.show_fault, path=path)
 
     def _verified(self, said: dict[str, Any]) -> None:
         shape = "✕" if not said["valid"] else "▲" if said["provisional"] else "✓"
@@ -370,19 +370,21 @@ class CertificatePage(QWidget):
 def next_step(one: dict[str, Any], operator: str) -> str:
     """What is to be done with a calibration now, in one sentence."""
     if one["signatures"] and not one["valid"]:
-        return say("Do not use it: make a new draft on the Fit page.")
+        return translated("Do not use it: make a new draft on the Fit page.")
     if not one["signatures"] and not one["approvers"]:
-        return say(
+        return translated(
             "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
-        ).format(one["operator"] or operator or say("the operator"))
+        ).format(one["operator"] or operator or translated("the operator"))
     waiting = [name for name in one["approvers"] if name not in one["signers"]]
     if not one["signatures"]:
-        return say("Approved by {0}. Now both sign, each under their own name.").format(", ".join(one["approvers"]))
+        return translated("Approved by {0}. Now both sign, each under their own name.").format(
+            ", ".join(one["approvers"])
+        )
     if waiting:
-        return say("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
+        return translated("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
     if not one["approvers"]:
-        return say("Good to use as PROVISIONAL: nobody approved it before it was signed.")
-    return say("Done: hand it out.")
+        return translated("Good to use as PROVISIONAL: nobody approved it before it was signed.")
+    return translated("Done: hand it out.")
 
 
 def written(chooser: QComboBox, wanted: str) -> None:

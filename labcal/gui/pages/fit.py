@@ -8,16 +8,16 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSplitter, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import NO_RUNS, RunChooser, to_run
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.fit_views import FitViews
-from labcal.gui.measurement_table import Table, decimals_for
-from labcal.gui.numbers import number
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label, set_primary
-from labcal.gui.words import say
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.widgets.common import Card, button, label, set_primary
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.fit_views import FitViews
+from labcal.gui.widgets.idle_queue import IdleQueue
+from labcal.gui.widgets.measurement_table import Table, decimals_for
+from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("k x  nT", "k y  nT", "k z  nT")
@@ -26,11 +26,11 @@ FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
 
 
 class FitPage(QWidget):
-    """Shows `desk.study_vm`."""
+    """Shows `app_state.study_vm`."""
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
-        self._desk, self._study, self._theme = desk, desk.study_vm, theme
+        self._app_state, self._study, self._theme = app_state, app_state.study_vm, theme
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -38,7 +38,7 @@ class FitPage(QWidget):
         self.waiting = label("", "caption", wrap=True)
         column.addWidget(self.waiting)
         self.fault = FaultCard()
-        self.fault.report_asked.connect(desk.report_asked)
+        self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
         self.views = FitViews(theme)
         self.views.filter_wanted.connect(self._show_growth)
@@ -49,7 +49,7 @@ class FitPage(QWidget):
         halves.addWidget(self.views)
         halves.setSizes([320, 420])
         column.addWidget(halves, 1)
-        self._turns = Turns(self)
+        self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
         self._show()
 
@@ -63,7 +63,7 @@ class FitPage(QWidget):
         self._show()
 
     def _head(self) -> QHBoxLayout:
-        self.chooser = RunChooser(self._desk)
+        self.chooser = RunChooser(self._app_state)
         self.chooser.chosen.connect(self.open_run)
         self.chooser.known.connect(self._say_empty)
         self.fit = button(self.tr("Fit"), self.tr("Estimate by maximum likelihood, the default method"), primary=True)
@@ -91,7 +91,7 @@ class FitPage(QWidget):
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectColumns)
         self.table.itemSelectionChanged.connect(self._show_pictures)
-        self.to_run = to_run(self._desk)
+        self.to_run = go_to_run_button(self._app_state)
         card.body.addWidget(self.empty, 1)
         card.body.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         card.body.addWidget(self.table, 1)
@@ -105,14 +105,14 @@ class FitPage(QWidget):
         self._study.open(run)
 
     def _trace(self) -> None:
-        self._desk.went.emit("Loop")
+        self._app_state.page_requested.emit("Loop")
         if self._study.loop is None:
             self._study.close_loop()
 
     def _draft(self) -> None:
         if (method := self.method()) is not None:
             self._study.draft(method)
-            self._desk.went.emit("Certificate")
+            self._app_state.page_requested.emit("Certificate")
 
     def method(self) -> str | None:
         """The method whose column is selected, else the best that came to a result."""
@@ -138,7 +138,7 @@ class FitPage(QWidget):
         set_primary(self.trace, "ml" in study.fits)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
-        self._turns.add(self._show_fits, self._show_pictures)
+        self._idle_queue.add(self._show_fits, self._show_pictures)
         self._say_empty()
 
     def _say_empty(self) -> None:
@@ -146,7 +146,9 @@ class FitPage(QWidget):
         study, none = self._study, self.chooser.none and not self._study.run
         ready = self.tr("Fit estimates K and k; All methods compares eleven ways.")
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
-        self.empty.setText(say(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit."))
+        self.empty.setText(
+            translated(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit.")
+        )
         self.to_run.setVisible(none)
         self.views.setVisible(bool(study.run))
 
@@ -157,7 +159,7 @@ class FitPage(QWidget):
         names = (*QUALITY, *OFFSETS, *GAINS)
         self.table.setRowCount(len(names))
         for row, name in enumerate(names):
-            self.table.set_cell(row, 0, say(name), colour=self._colour(name))
+            self.table.set_cell(row, 0, translated(name), colour=self._colour(name))
         for column, said in enumerate(fits.values(), start=1):
             for row, text in enumerate(cells(said["fit"])):
                 self.table.set_cell(row, column, text, right=True, tip=said["fit"]["why_not"] or "")
@@ -198,8 +200,8 @@ def cells(fit: dict[str, Any]) -> list[str]:
         return ["✕", *["–"] * (len(QUALITY) + len(OFFSETS) + len(GAINS) - 1)]
     worst = max(fit["axis_error_deg"], default=None) if fit["axis_error_deg"] else None
     quality = ((fit["holdout_rms_scalar_nT"], 1), (worst, 3), (fit["seconds"], 2))
-    said = ["–" if value is None else number(value, decimals, signed=False) for value, decimals in quality]
-    said.append(say("known") if fit["frame_known"] else say("free"))
+    said = ["–" if value is None else format_number(value, decimals, signed=False) for value, decimals in quality]
+    said.append(translated("known") if fit["frame_known"] else translated("free"))
     values = [(n + 9, k) for n, k in enumerate(fit["k_nT"])]
     values += list(enumerate(v for row in fit["K"] for v in row))
     return said + [_with_U(value, fit["covariance"], at) for at, value in values]
@@ -207,7 +209,7 @@ def cells(fit: dict[str, Any]) -> list[str]:
 
 def _with_U(value: float, covariance: list[list[float]] | None, at: int) -> str:
     if covariance is None:
-        return number(value, 1 if at >= 9 else 5)
+        return format_number(value, 1 if at >= 9 else 5)
     U = 2 * sqrt(max(0.0, covariance[at][at]))
     decimals = decimals_for(U, value)
-    return f"{number(value, decimals)} ± {number(U, decimals, signed=False)}"
+    return f"{format_number(value, decimals)} ± {format_number(U, decimals, signed=False)}"

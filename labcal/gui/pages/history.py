@@ -11,15 +11,15 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QVBoxLayout, QWidget
 
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Table
-from labcal.gui.outside import FolderButton
-from labcal.gui.plots import ink, name_above, plot
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label, shrinking
-from labcal.gui.words import say
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.common import Card, button, label, shrinkable
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import IdleQueue
+from labcal.gui.widgets.measurement_table import Table
+from labcal.gui.widgets.open_externally import FolderButton
+from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
 HEADINGS = ("started (UTC)", "DUT", "procedure", "operator", "status", "verdict", "run")
@@ -38,21 +38,21 @@ def matches(one: dict[str, Any], words: str) -> bool:
 class HistoryPage(QWidget):
     """The store's runs, and the calibrations of the DUT that is chosen over time."""
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
-        self._desk, self._theme = desk, theme
+        self._app_state, self._theme = app_state, theme
         self._runs: list[dict[str, Any]] = []
         self._calibrations: list[dict[str, Any]] = []
-        self._turns = Turns(self)
+        self._idle_queue = IdleQueue(self)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         self.fault = FaultCard()
-        self.fault.report_asked.connect(desk.report_asked)
+        self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
         column.addWidget(self._runs_card(), 3)
         column.addWidget(self._trend_card(), 2)
-        desk.run.ended.connect(self.refresh)
+        app_state.run.ended.connect(self.refresh)
 
     def showEvent(self, event: object) -> None:
         """What there is now."""
@@ -61,13 +61,13 @@ class HistoryPage(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """The trend in the theme's colours."""
         self._theme = theme
-        ink(self.plot, theme)
-        self._turns.add(self._draw)
+        apply_theme(self.plot, theme)
+        self._idle_queue.add(self._draw)
 
     def refresh(self) -> None:
         """Ask for runs and calibrations again."""
-        self._desk.clerk.ask("runs", self._runs_known, self.fault.show_fault)
-        self._desk.clerk.ask("calibrations", self._calibrations_known, self.fault.show_fault)
+        self._app_state.quick_worker.request("runs", self._runs_known, self.fault.show_fault)
+        self._app_state.quick_worker.request("calibrations", self._calibrations_known, self.fault.show_fault)
 
     def _runs_card(self) -> Card:
         card = Card(self.tr("Runs"))
@@ -93,7 +93,7 @@ class HistoryPage(QWidget):
         row.addWidget(self.search, 1)
         for widget in (self.open, self.export, self.correct, take):
             row.addWidget(widget)
-        self.said, self.folder = shrinking(label("", "caption")), FolderButton()
+        self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
         self.said.hide()
         self.table = Table(HEADINGS, stretch=6)
         self.table.itemSelectionChanged.connect(self._chosen)
@@ -115,7 +115,7 @@ class HistoryPage(QWidget):
         self.trend_heading = card.heading
         self.parameter = QComboBox()
         for name in PARAMETERS:
-            self.parameter.addItem(say(name), name)
+            self.parameter.addItem(translated(name), name)
         self.parameter.setToolTip(self.tr("k: offsets in nT; gain: the diagonal of K, ppm from the first calibration"))
         self.parameter.activated.connect(self._draw)
         self.plot = plot(self._theme, "", "")
@@ -142,7 +142,7 @@ class HistoryPage(QWidget):
 
     def _calibrations_known(self, files: list[dict[str, Any]]) -> None:
         self._calibrations = files
-        self._turns.add(self._draw)
+        self._idle_queue.add(self._draw)
 
     def _show(self) -> None:
         found = [one for one in self._runs if matches(one, self.search.text())]
@@ -168,7 +168,7 @@ class HistoryPage(QWidget):
         for widget in (self.open, self.export):
             widget.setEnabled(one is not None and one["status"] not in ("running", "interrupted"))
         self.correct.setEnabled(one is not None and one["status"] not in ("running", "imported"))
-        self._turns.add(self._draw)
+        self._idle_queue.add(self._draw)
 
     def _correct(self) -> None:
         if (one := self.chosen()) is not None:
@@ -180,18 +180,20 @@ class HistoryPage(QWidget):
     def correct_serial(self, run: str, serial: str) -> None:
         """State another serial of the DUT of `run`, in the operator's name."""
         said = self.tr("Run {0}: DUT {1}").format(run, serial.strip())
-        who = self._desk.lab.state.operator
+        who = self._app_state.lab.state.operator
 
         def corrected(_: object) -> None:
-            self._desk.lab.update(message=said)
-            self._desk.store_changed.emit()
+            self._app_state.lab.update(message=said)
+            self._app_state.store_changed.emit()
             self.refresh()
 
-        self._desk.clerk.ask("correct_serial", corrected, self.fault.show_fault, run=run, serial=serial, who=who)
+        self._app_state.quick_worker.request(
+            "correct_serial", corrected, self.fault.show_fault, run=run, serial=serial, who=who
+        )
 
     def _open(self) -> None:
         if (one := self.chosen()) is not None and self.open.isEnabled():
-            self._desk.study_asked.emit(one["run_id"])
+            self._app_state.fit_requested.emit(one["run_id"])
 
     def _export(self) -> None:
         one = self.chosen()
@@ -210,19 +212,19 @@ class HistoryPage(QWidget):
             self.said.setText(words)
             self.said.show()
             self.folder.show_folder(out)
-            self._desk.lab.update(message=words)
+            self._app_state.lab.update(message=words)
 
-        self._desk.clerk.ask("export", known, self.fault.show_fault, run=run, format=kind, out=out)
+        self._app_state.quick_worker.request("export", known, self.fault.show_fault, run=run, format=kind, out=out)
 
     def _import(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("Import a run bundle"), "", "*.zip")
         if path:
-            self._desk.clerk.ask("import", lambda _: self.refresh(), self.fault.show_fault, path=path)
+            self._app_state.quick_worker.request("import", lambda _: self.refresh(), self.fault.show_fault, path=path)
 
     def dut(self) -> str:
         """Of the chosen run, else the one at the top of the window."""
         one = self.chosen()
-        return str(one["dut_serial"]) if one is not None else self._desk.lab.state.dut_serial
+        return str(one["dut_serial"]) if one is not None else self._app_state.lab.state.dut_serial
 
     def _draw(self) -> None:
         dut = self.dut()
@@ -234,16 +236,16 @@ class HistoryPage(QWidget):
         times = [self._when(one) for one in mine]
         start, names, unit = PARAMETERS[self.parameter.currentData()]
         self.plot.getPlotItem().setLabel(
-            "left", f"{self.parameter.currentText()}  {say(unit)}", color=self._theme.muted
+            "left", f"{self.parameter.currentText()}  {translated(unit)}", color=self._theme.muted
         )
         for axis, colour in enumerate(self._theme.axes):
-            self._turns.put(("line", axis), partial(self._line, np.array(times), mine, start, axis, colour))
-        self._turns.put("range", partial(self._name_and_range, times, names))
+            self._idle_queue.put(("line", axis), partial(self._line, np.array(times), mine, start, axis, colour))
+        self._idle_queue.put("range", partial(self._name_and_range, times, names))
 
     def _name_and_range(self, times: list[float], names: tuple[str, ...]) -> None:
         """What is drawn last: the names above, and what is seen of time and value."""
         if times:
-            name_above(self.plot, zip(names, self._theme.axes, strict=True))
+            legend_above(self.plot, zip(names, self._theme.axes, strict=True))
             self.plot.autoRange(padding=0.1)
             if max(times) - min(times) < DAY_S:
                 self.plot.setXRange(min(times) - DAY_S, max(times) + DAY_S)

@@ -9,18 +9,18 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QPlainTextEdit, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import NO_RUNS, RunChooser, to_run
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.numbers import number
-from labcal.gui.study_plots import Bars, Residuals
-from labcal.gui.study_vm import cause_name
-from labcal.gui.take_away import take_away
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, chooser, label, named, set_primary, set_state, shrinking
-from labcal.gui.wire import Fault, unpack
-from labcal.gui.words import say
+from labcal.gui.ipc.wire import Fault, unpack
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.study import cause_name
+from labcal.gui.widgets.common import Card, button, combo_box, label, named, set_primary, set_state, shrinkable
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import IdleQueue
+from labcal.gui.widgets.plot_export import export_buttons
+from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
+from labcal.gui.widgets.study_plots import Bars, Residuals
 
 WORDS = {
     "clean": ("✓ CLEAN", "good"),
@@ -52,17 +52,18 @@ def candidates(loop: dict[str, Any]) -> list[tuple[str, dict[str, Any], str]]:
     found = [("accepted", effect, effect["why"]) for effect in loop["accepted"]]
     for effect in loop["accepted"]:
         found += [
-            ("rival", rival, say("does about as well as {0}").format(cause(effect))) for rival in effect["rivals"]
+            ("rival", rival, translated("does about as well as {0}").format(cause(effect)))
+            for rival in effect["rivals"]
         ]
     return found + [("rejected", effect, effect["why"]) for effect in loop["rejected"]]
 
 
 class LoopPage(QWidget):
-    """Shows the loop of `desk.study_vm`."""
+    """Shows the loop of `app_state.study_vm`."""
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
-        self._desk, self._study, self._theme = desk, desk.study_vm, theme
+        self._app_state, self._study, self._theme = app_state, app_state.study_vm, theme
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -70,20 +71,20 @@ class LoopPage(QWidget):
         self.waiting = label("", "caption", wrap=True)
         column.addWidget(self.waiting)
         self.fault = FaultCard()
-        self.fault.report_asked.connect(desk.report_asked)
+        self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
-        self.empty, self.to_run = label("", "ask", wrap=True), to_run(desk)
+        self.empty, self.to_run = label("", "ask", wrap=True), go_to_run_button(app_state)
         column.addWidget(self.empty, 1)
         column.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         self.story = self._story()
         column.addWidget(self.story, 1)
-        self._turns = Turns(self)
+        self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
-        self._study.told.connect(self._tell)
+        self._study.progressed.connect(self._tell)
         self._show()
 
     def _head(self) -> QHBoxLayout:
-        self.chooser = RunChooser(self._desk)
+        self.chooser = RunChooser(self._app_state)
         self.chooser.chosen.connect(self._study.open)
         self.chooser.known.connect(self._say_empty)
         self.close_loop = button(
@@ -95,7 +96,7 @@ class LoopPage(QWidget):
         self.sign = button(
             self.tr("To the certificate"), self.tr("The draft with the accepted effects: approve and sign it")
         )
-        self.sign.clicked.connect(lambda: self._desk.went.emit("Certificate"))
+        self.sign.clicked.connect(lambda: self._app_state.page_requested.emit("Certificate"))
         row = QHBoxLayout()
         row.addWidget(self.chooser, 1)
         for widget in (self.cancel, self.close_loop, self.sign):
@@ -122,7 +123,7 @@ class LoopPage(QWidget):
 
     def _verdict_card(self) -> Card:
         card = Card()
-        self.verdict, self.summary = label("", "ask"), shrinking(label("", wrap=True))
+        self.verdict, self.summary = label("", "ask"), shrinkable(label("", wrap=True))
         self.before_after, self.noise = label("", "large"), label("", "caption", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
@@ -162,7 +163,7 @@ class LoopPage(QWidget):
     def _change_card(self) -> Card:
         card = Card(self.tr("3  What it changes"), "")
         self.change_heading, self.change_words = card.heading, card.unit
-        self.against = chooser(self.tr("What the residual is drawn against; the named cause first"), letters=5)
+        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=5)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
         self.change_why = label("", "caption", wrap=True)
@@ -170,7 +171,7 @@ class LoopPage(QWidget):
         card.body.addWidget(self.change_why)
         row = QHBoxLayout()
         row.addWidget(self.against, 1)
-        for widget in take_away(self, lambda: self.change):
+        for widget in export_buttons(self, lambda: self.change):
             row.addWidget(widget)
         card.body.addLayout(row)
         card.body.addWidget(self.change, 1)
@@ -190,12 +191,12 @@ class LoopPage(QWidget):
 
     def _measure(self) -> None:
         proposed = (self._study.loop or {}).get("loop", {}).get("next_experiment") or {}
-        mine, there = (self._study.look or {}).get("dut", ""), self._desk.lab.state.dut_serial
+        mine, there = (self._study.look or {}).get("dut", ""), self._app_state.lab.state.dut_serial
         if mine != there:
             words = self.tr("This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.")
             return self.fault.show_fault(Fault("input", words.format(mine, there)))
         self._study.want(proposed["procedure"])
-        return self._desk.plan_asked.emit(proposed["procedure"])
+        return self._app_state.plan_requested.emit(proposed["procedure"])
 
     def set_theme(self, theme: Theme) -> None:
         """States, bars and points in the theme's colours."""
@@ -228,7 +229,7 @@ class LoopPage(QWidget):
             words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
         elif study.run:
             words = self.tr("Trace the residual of this run to its cause.")
-        self.empty.setText(say(NO_RUNS) if none else words)
+        self.empty.setText(translated(NO_RUNS) if none else words)
         self.to_run.setVisible(none)
         height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter
         self.empty.setAlignment(height | Qt.AlignmentFlag.AlignHCenter)
@@ -242,17 +243,17 @@ class LoopPage(QWidget):
 
     def _show_loop(self, loop: dict[str, Any], remarks: list[str]) -> None:
         words, state = WORDS[loop["verdict"]]
-        self.verdict.setText(say(words))
+        self.verdict.setText(translated(words))
         set_state(self.verdict, state)
         self.summary.setText(loop["summary"])
         before, after = loop["before"]["holdout_rms_nT"], loop["after"]["holdout_rms_nT"]
-        self.before_after.setText(f"{number(before, signed=False)} → {number(after, signed=False)} nT")
-        floor = number(loop["noise_floor_nT"], signed=False)
+        self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
+        floor = format_number(loop["noise_floor_nT"], signed=False)
         self.noise.setText(self.tr("held-out rms; noise alone: {0} nT, {1}").format(floor, loop["noise_floor_source"]))
         self._show_unknown(loop, remarks)
         self._fill_against(loop)
         self._name_change()
-        self._turns.add(self._show_candidates, self._show_bars, self._show_left, self._show_change)
+        self._idle_queue.add(self._show_candidates, self._show_bars, self._show_left, self._show_change)
 
     def _show_bars(self) -> None:
         """As calibrated, with each named cause in turn, and with its rivals instead."""
@@ -305,7 +306,7 @@ class LoopPage(QWidget):
         if self._study.loop is not None:
             self._fill_against(self._study.loop["loop"])
             self._name_change()
-            self._turns.add(self._show_change)
+            self._idle_queue.add(self._show_change)
 
     def _show_unknown(self, loop: dict[str, Any], remarks: list[str]) -> None:
         lines = [self.tr("Added to it: {0}.").format(one) for one in self._study.measured] + list(remarks)
@@ -363,7 +364,7 @@ class LoopPage(QWidget):
         if one is None:
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
         both = (unpack(one["before"]), unpack(one["after"]))
-        rms = (number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
+        rms = (format_number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
         self.change_words.setText(self.tr("all rows {0} nT").format(" → ".join(rms)))
         tip = self.tr(
             "Rms over all rows, before and after; the figures at the top are of rows that the fit did not see"

@@ -6,20 +6,20 @@ from collections.abc import Iterator
 
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
-from labcal.gui.desk import Desk
 from labcal.gui.pages.run_choose import Choose
 from labcal.gui.pages.run_live import Live
-from labcal.gui.plots import Loci, Traces
-from labcal.gui.theme import GRID, Theme
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.plots import Loci, Traces
 
 
 class RunPage(QWidget):
     """Two faces: `choose` while nothing runs, `live` from the start of a run until it is put away."""
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
-        self._desk = desk
-        self.choose = Choose(desk)
+        self._app_state = app_state
+        self.choose = Choose(app_state)
         self.faces = QStackedWidget()
         self.faces.addWidget(self.choose)
         column = QVBoxLayout(self)
@@ -40,19 +40,19 @@ class RunPage(QWidget):
         traces = Traces(theme, "DUT  nT")
         traces.setParent(self)
         yield True
-        self.live = Live(self._desk, theme, loci, traces)
+        self.live = Live(self._app_state, theme, loci, traces)
         self.faces.addWidget(self.live)
         self.live.put_away.connect(lambda: self.faces.setCurrentWidget(self.choose))
-        self._desk.run.changed.connect(self._show)
+        self._app_state.run.changed.connect(self._show)
         self._show()
         yield True
 
     def open_procedure(self, names: str) -> None:
         """Show the form of a procedure, unless a run goes on."""
-        if not self._desk.run.alive:
+        if not self._app_state.run.alive:
             self.choose.choose(names)
             self.faces.setCurrentWidget(self.choose)
 
     def _show(self) -> None:
-        if self._desk.run.alive or self._desk.run.state == "ended":
+        if self._app_state.run.alive or self._app_state.run.state == "ended":
             self.faces.setCurrentWidget(self.live)

@@ -8,13 +8,13 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QListWidgetItem, QScrollArea, QWidget
 
-from labcal.gui.desk import Desk
-from labcal.gui.form import Form, spec_of
-from labcal.gui.pace import PACES
-from labcal.gui.theme import GRID
-from labcal.gui.turns import Turns
-from labcal.gui.widgets import Card, button, label
-from labcal.gui.words import procedure_words, say
+from labcal.gui.ipc.simulated_clock import SPEEDS
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import procedure_title, translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.widgets.idle_queue import IdleQueue
+from labcal.gui.widgets.parameter_form import ParameterForm, spec_of
 
 PACE_WORDS = {"true": "real time"}
 
@@ -22,11 +22,11 @@ PACE_WORDS = {"true": "real time"}
 class Choose(QWidget):
     """Procedures with what they do, and the settings of the one that is chosen."""
 
-    def __init__(self, desk: Desk) -> None:
+    def __init__(self, app_state: AppState) -> None:
         super().__init__()
-        self._desk, self._turns = desk, Turns(self)
+        self._app_state, self._idle_queue = app_state, IdleQueue(self)
         self._procedures: dict[str, dict[str, Any]] = {}
-        self.form: Form | None = None
+        self.form: ParameterForm | None = None
         self._wanted, self._plan_wanted = "preflight", False
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
@@ -35,9 +35,9 @@ class Choose(QWidget):
         row.setSpacing(2 * GRID)
         row.addWidget(self._list_card(), 1)
         row.addWidget(self._form_card(), 3)
-        desk.lab.changed.connect(self._check)
-        desk.bench_changed.connect(self._check)
-        desk.ask("procedures", self._known)
+        app_state.lab.changed.connect(self._check)
+        app_state.bench_changed.connect(self._check)
+        app_state.request("procedures", self._known)
 
     def _list_card(self) -> Card:
         card = Card(self.tr("Procedures"))
@@ -67,13 +67,15 @@ class Choose(QWidget):
         card.body.addWidget(self.plan)
         self.objection = label("", "caption")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
-        for pace in PACES:
-            self.pace.addItem(say(PACE_WORDS.get(pace, pace)), pace)
-        self.pace.setCurrentIndex(self.pace.findData(str(self._desk.settings.value("pace", "20 times"))))
+        for pace in SPEEDS:
+            self.pace.addItem(translated(PACE_WORDS.get(pace, pace)), pace)
+        self.pace.setCurrentIndex(self.pace.findData(str(self._app_state.settings.value("pace", "20 times"))))
         self.pace.setToolTip(
             self.tr("How fast simulated time passes: as in the lab, faster, or as fast as the computer goes")
         )
-        self.pace.currentIndexChanged.connect(lambda _: self._desk.settings.setValue("pace", self.pace.currentData()))
+        self.pace.currentIndexChanged.connect(
+            lambda _: self._app_state.settings.setValue("pace", self.pace.currentData())
+        )
         tip = self.tr("Asks every instrument who it is, then begins. Nothing is energised before you are asked.")
         self.start = button(self.tr("Start"), tip, primary=True)
         self.start.clicked.connect(self._start)
@@ -97,32 +99,32 @@ class Choose(QWidget):
     def rehearse(self) -> None:
         """Say what the chosen procedure would do, before anything real moves; Start waits for it."""
         self._plan_wanted = self.form is None
-        if self.form is None or self._desk.run.alive or not self._desk.bench:
+        if self.form is None or self._app_state.run.alive or not self._app_state.bench:
             return
         self._rehearsed = mine = object()
         self._planned = name, given = self.list.currentItem().text(), self.form.given()
 
-        def say(text: str) -> None:
+        def show_plan(text: str) -> None:
             if self._rehearsed is mine:
                 self._rehearsed = None
                 self.plan.setText(text)
                 self._check()
 
         def planned(lines: list[str]) -> None:
-            self.needs.setText(needs_words(self._procedures[name] | {"lasts_min": 0}))  # the plan says it better
-            say("\n".join([*lines[1:], *self._what_for()]))  # the first line stands above as heading
+            self.needs.setText(needs_text(self._procedures[name] | {"lasts_min": 0}))  # the plan says it better
+            show_plan("\n".join([*lines[1:], *self._what_for()]))  # the first line stands above as heading
 
         self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
         self.plan.show()
         self._check()
-        self._desk.bench_worker.ask(
-            "plan", planned, lambda fault: say(f"✕ {fault.text} {fault.remedy}"),
-            procedure=name, bench=self._desk.bench, given=given,
+        self._app_state.bench_worker.request(
+            "plan", planned, lambda fault: show_plan(f"✕ {fault.text} {fault.remedy}"),
+            procedure=name, bench=self._app_state.bench, given=given,
         )  # fmt: skip
 
     def _what_for(self) -> list[str]:
         """Where the run is wanted to tell causes apart: what becomes of it."""
-        study, item = self._desk.study_vm, self.list.currentItem()
+        study, item = self._app_state.study_vm, self.list.currentItem()
         if not study.wanted or item.text() != study.wanted:
             return []
         words = self.tr("What this measures is added to run {0}; then the cause is decided again, by itself.")
@@ -134,7 +136,7 @@ class Choose(QWidget):
             self._rehearsed = self._planned = None
             self.plan.clear()
             self.plan.hide()
-            self.needs.setText(needs_words(self._procedures[self.list.currentItem().text()]))
+            self.needs.setText(needs_text(self._procedures[self.list.currentItem().text()]))
         self._check()
 
     def _known(self, procedures: list[dict[str, Any]]) -> None:
@@ -159,38 +161,38 @@ class Choose(QWidget):
 
     def _chosen(self, name: str) -> None:
         one = self._procedures[name]
-        self._heading.setText(procedure_words(name))
+        self._heading.setText(procedure_title(name))
         self.title.setText(one["title"])
-        self.needs.setText(needs_words(one))
-        self.form = Form([spec_of(p) for p in one["parameters"]])
+        self.needs.setText(needs_text(one))
+        self.form = ParameterForm([spec_of(p) for p in one["parameters"]])
         self.form.changed.connect(self._other_settings)
-        self.form.setParent(self._area.viewport())  # it is dressed there, before it is seen
-        self._turns.put("form", partial(self._show_form, self.form))
+        self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
+        self._idle_queue.put("form", partial(self._show_form, self.form))
         self._other_settings()
 
-    def _show_form(self, form: Form) -> None:
+    def _show_form(self, form: ParameterForm) -> None:
         self._area.setWidget(form)
         form.setAutoFillBackground(False)
 
     def _check(self) -> None:
-        simulated = bool(self._desk.facts.get("simulated"))
+        simulated = bool(self._app_state.facts.get("simulated"))
         for widget in (self.pace, self.pace_label):
             widget.setVisible(simulated)
-        objection = self._desk.objection()
+        objection = self._app_state.objection()
         if not objection and self.form is not None and not self.form.valid():
             objection = self.tr("A setting is not accepted: see above.")
         self.objection.setText(objection)
-        ready = not objection and self.form is not None and not self._desk.run.alive and self._rehearsed is None
+        ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         self.start.setEnabled(ready)
         self.show_plan.setEnabled(ready)
 
     def _start(self) -> None:
         if self.form is not None:
-            self._desk.start(self.list.currentItem().text(), self.form.given())
+            self._app_state.start(self.list.currentItem().text(), self.form.given())
 
 
-def needs_words(one: dict[str, Any]) -> str:
+def needs_text(one: dict[str, Any]) -> str:
     """What a procedure needs and how long it takes, in one line."""
-    needs = say("Needs: {0}").format(one["needs"]) if one["needs"] else ""
-    lasts = say("About {0:g} min of measuring, and your own time beside it").format(one["lasts_min"] or 0)
+    needs = translated("Needs: {0}").format(one["needs"]) if one["needs"] else ""
+    lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one["lasts_min"] or 0)
     return "\n".join(part for part in (needs, lasts if one["lasts_min"] else "") if part)

@@ -18,17 +18,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from labcal.gui.axis_lights import AxisLights
-from labcal.gui.desk import Desk
-from labcal.gui.fault_card import FaultCard
-from labcal.gui.measurement_table import Measurements
-from labcal.gui.numbers import FIGURE_SPACE, duration, step_words
-from labcal.gui.plots import Loci, Traces
-from labcal.gui.prompt_card import PromptCard
-from labcal.gui.theme import GRID, Theme
-from labcal.gui.widgets import Card, button, label, laid_out_later, set_primary, shrinking
-from labcal.gui.wire import Fault
-from labcal.gui.words import procedure_words, say
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import procedure_title, translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.number_format import FIGURE_SPACE, format_duration, step_title
+from labcal.gui.widgets.axis_lights import AxisLights
+from labcal.gui.widgets.common import Card, button, deferred_layout, label, set_primary, shrinkable
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.measurement_table import Measurements
+from labcal.gui.widgets.plots import Loci, Traces
+from labcal.gui.widgets.prompt_card import PromptCard
 
 FRAME_MS = 40
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
@@ -38,13 +38,13 @@ PICTURES = "*.jpg *.jpeg *.png *.webp"
 
 
 class Live(QWidget):
-    """Shows `desk.run`; `put_away` says the person has seen how it ended."""
+    """Shows `app_state.run`; `put_away` says the person has seen how it ended."""
 
     put_away = Signal()
 
-    def __init__(self, desk: Desk, theme: Theme, loci: Loci, traces: Traces) -> None:
+    def __init__(self, app_state: AppState, theme: Theme, loci: Loci, traces: Traces) -> None:
         super().__init__()
-        self._desk, self._run, self._theme = desk, desk.run, theme
+        self._app_state, self._run, self._theme = app_state, app_state.run, theme
         self.loci, self.traces = loci, traces
         self._asked: object = None
         self._drawn, self._ticks = -1, 0
@@ -68,7 +68,7 @@ class Live(QWidget):
         self._frame = QTimer(self, interval=FRAME_MS)
         self._frame.timeout.connect(self._draw)
         self._run.changed.connect(self._show)
-        desk.lab.changed.connect(self._coils_known)
+        app_state.lab.changed.connect(self._coils_known)
         self._show()
 
     def set_theme(self, theme: Theme) -> None:
@@ -122,7 +122,7 @@ class Live(QWidget):
     def _middle(self) -> QWidget:
         self.prompt, self.fault = PromptCard(self._theme), FaultCard(closable=False)
         self.prompt.answered.connect(self._run.answer)
-        self.fault.report_asked.connect(self._desk.report_asked)
+        self.fault.report_requested.connect(self._app_state.report_requested)
         self.middle = QStackedWidget()
         self._picture = self._live_card()
         for widget in (self._picture, self.prompt):
@@ -139,7 +139,7 @@ class Live(QWidget):
 
     def _live_card(self) -> Card:
         card = Card()
-        self.headline = shrinking(label("", "large"))
+        self.headline = shrinkable(label("", "large"))
         self.headline.setAccessibleName(self.tr("What happens now"))
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
@@ -165,8 +165,8 @@ class Live(QWidget):
 
     def _fit(self) -> None:
         """To the Fit page, which begins at once: it was asked for."""
-        self._desk.study_asked.emit(self._run.run_id)
-        self._desk.study_vm.fit("ml")
+        self._app_state.fit_requested.emit(self._run.run_id)
+        self._app_state.study_vm.fit("ml")
 
     def _note(self) -> None:
         self._run.note(self.note.text())
@@ -180,7 +180,7 @@ class Live(QWidget):
     def keep_photo(self, path: str) -> None:
         """Copy the photograph at `path` beside the store and put it into the record, with the note as its words."""
         text = self.note.text().strip() or self.tr("photograph")
-        self._desk.ask("photo", lambda kept: self._run.note(text, **kept), path=path)
+        self._app_state.request("photo", lambda kept: self._run.note(text, **kept), path=path)
         self.note.clear()
 
     def _pause_or_go_on(self) -> None:
@@ -192,13 +192,13 @@ class Live(QWidget):
     def _show(self) -> None:
         run = self._run
         ended = run.state == "ended"
-        self.title.setText(procedure_words(run.order.procedure) if run.order else "")
+        self.title.setText(procedure_title(run.order.procedure) if run.order else "")
         self._show_steps()
         self.pause.setText(self.tr("Go on") if run.state == "paused" else self.tr("Pause"))
         self.pause.setEnabled(run.state in ("running", "asking", "paused"))
         self.stop.setEnabled(run.alive and run.state != "stopping")
         turned = bool(run.names or run.locus)  # else there is no turn to show, and nothing to fit
-        with laid_out_later(self, *self._holders):
+        with deferred_layout(self, *self._holders):
             for widget, shown in (
                 (self.pause, not ended),
                 (self.stop, not ended),
@@ -239,10 +239,10 @@ class Live(QWidget):
 
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
-        words = self._desk.coil_words()
-        if fault.kind == "crash" and self._desk.known is None:
+        words = self._app_state.coil_words()
+        if fault.kind == "crash" and self._app_state.known is None:
             return self.tr("{0}; another process is asked to switch them off.").format(words)
-        if self._desk.lab.state.coils_at_zero is False:
+        if self._app_state.lab.state.coils_at_zero is False:
             return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
         return words
 
@@ -258,9 +258,9 @@ class Live(QWidget):
         run, steps = self._run, self._run.steps()
         if self.steps.count() != len(steps):
             self.steps.clear()
-            self.steps.addItems([step_words(name) for name, _ in steps])
+            self.steps.addItems([step_title(name) for name, _ in steps])
         for row, (name, mark) in enumerate(steps):
-            self._show_step(self.steps.item(row), f"{SHAPES[mark]}  {step_words(name)}", mark)
+            self._show_step(self.steps.item(row), f"{SHAPES[mark]}  {step_title(name)}", mark)
             if mark in ("now", "broken"):
                 self.steps.setCurrentRow(row)
                 self.steps.scrollToItem(self.steps.item(row))
@@ -297,11 +297,11 @@ class Live(QWidget):
         run = self._run
         if run.state == "ended":
             shape = {"finished": "✓", "stopped": "■"}.get(run.status, "✕")
-            return f"{shape} {say(run.status.partition(':')[0]).capitalize()}"
+            return f"{shape} {translated(run.status.partition(':')[0]).capitalize()}"
         words = {"starting": self.tr("Starting"), "stopping": self.tr("Stopping"), "paused": self.tr("Paused")}
         if run.state in words:
             return words[run.state]
-        doing = step_words(run.segment) if run.segment else step_words(run.step.name) if run.step else ""
+        doing = step_title(run.segment) if run.segment else step_title(run.step.name) if run.step else ""
         left = run.step_left_s()
         wait = "" if left is None else f"{left:.0f} s"
         return " · ".join(part for part in (self.tr("Hands off"), wait, doing) if part)
@@ -311,8 +311,8 @@ class Live(QWidget):
         if run.step is None:
             self.left.setText(run.message if run.state == "starting" else "")
         elif left is None:
-            self.left.setText(say(run.status.partition(":")[0]))
+            self.left.setText(translated(run.status.partition(":")[0]))
         else:
             self.left.setText(
-                self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, duration(left))
+                self.tr("step {0} of {1} · {2} left").format(run.step.number, run.step.total, format_duration(left))
             )

@@ -9,12 +9,12 @@ from typing import Any
 from PySide6.QtCore import QDate, QLocale
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from labcal.gui.chooser import run_words
-from labcal.gui.desk import Desk
-from labcal.gui.numbers import number
-from labcal.gui.theme import GRID, STATES, Theme
-from labcal.gui.widgets import Card, button, flat, label, set_state, shrinking
-from labcal.gui.words import MORNING, MORNING_CHECKS, say
+from labcal.gui.theming.theme import GRID, STATES, Theme
+from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.widgets.common import Card, button, flat, label, set_state, shrinkable
+from labcal.gui.widgets.run_chooser import run_title
 
 DUE_DAYS = 365
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
@@ -23,9 +23,9 @@ CAGE_DAYS = 30  # a cage calibration older than this is checked again
 class StartPage(QWidget):
     """Answers "may I begin?" before it is asked."""
 
-    def __init__(self, desk: Desk, theme: Theme) -> None:
+    def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
-        self._desk = desk
+        self._app_state = app_state
         self._cage_check: dict[str, Any] | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
@@ -48,9 +48,9 @@ class StartPage(QWidget):
             grid.setColumnStretch(n % 2, 1)
         column.addLayout(grid)
         column.addStretch()
-        desk.bench_changed.connect(self._bench_known)
-        desk.lab.changed.connect(self._enable)
-        desk.run.ended.connect(self.refresh)
+        app_state.bench_changed.connect(self._bench_known)
+        app_state.lab.changed.connect(self._enable)
+        app_state.run.ended.connect(self.refresh)
         self._bench_known()
 
     def showEvent(self, event: object) -> None:
@@ -59,26 +59,26 @@ class StartPage(QWidget):
 
     def refresh(self) -> None:
         """Ask again."""
-        self._desk.ask("runs", self._runs_known)
-        self._desk.ask("closing", self._closing_known)
-        self._desk.ask("cage_check", self._cage_known)
+        self._app_state.request("runs", self._runs_known)
+        self._app_state.request("closing", self._closing_known)
+        self._app_state.request("cage_check", self._cage_known)
 
     def _hello_card(self) -> Card:
         card = Card()
         today = QLocale().toString(QDate.currentDate(), "dddd, d MMMM")
-        self.date, self.question = shrinking(label(today, "large")), label("", wrap=True)
+        self.date, self.question = shrinkable(label(today, "large")), label("", wrap=True)
         self.morning = button(
-            say(MORNING),
+            translated(MORNING),
             self.tr("Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time"),
             primary=True,
         )
         self.morning.clicked.connect(self._morning)
         self.calibrate = button(self.tr("Calibrate a DUT"), self.tr("The preflight on the Run page"))
-        self.calibrate.clicked.connect(lambda: self._desk.procedure_asked.emit("preflight"))
+        self.calibrate.clicked.connect(lambda: self._app_state.procedure_requested.emit("preflight"))
         self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
-        self.simulated.clicked.connect(lambda: self._desk.ask("simulated_bench", self._desk.open_bench))
+        self.simulated.clicked.connect(lambda: self._app_state.request("simulated_bench", self._app_state.open_bench))
         self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
-        self.open.clicked.connect(lambda: self._desk.went.emit("Bench"))
+        self.open.clicked.connect(lambda: self._app_state.page_requested.emit("Bench"))
         row = QHBoxLayout()
         words = QVBoxLayout()
         words.addWidget(self.date)
@@ -105,28 +105,28 @@ class StartPage(QWidget):
         beside.setText(detail)
 
     def _morning(self) -> None:
-        self._desk.procedure_asked.emit("|".join(MORNING_CHECKS))
+        self._app_state.procedure_requested.emit("|".join(MORNING_CHECKS))
 
     def _enable(self) -> None:
-        objection = self._desk.objection()
+        objection, facts = self._app_state.objection(), self._app_state.facts
         self.question.setText(
             objection
-            or self.tr("Ready. {0} stands on {1}.").format(self._desk.lab.state.dut_serial, self._desk.facts["name"])
+            or self.tr("Ready. {0} stands on {1}.").format(self._app_state.lab.state.dut_serial, facts["name"])
         )
-        known = bool(self._desk.facts)
+        known = bool(facts)
         for widget in (self.simulated, self.open):
             widget.setVisible(not known)
         for widget in (self.morning, self.calibrate):
             widget.setVisible(known)
-            widget.setEnabled(not self._desk.run.alive)
+            widget.setEnabled(not self._app_state.run.alive)
 
     def _bench_known(self) -> None:
-        self._show_reference((self._desk.facts.get("reference") or {}).get("calibration") or "")
-        self._show_cage(self._desk.facts.get("cage") or {})
+        self._show_reference((self._app_state.facts.get("reference") or {}).get("calibration") or "")
+        self._show_cage(self._app_state.facts.get("cage") or {})
         self._enable()
 
     def _show_reference(self, said: str) -> None:
-        if not self._desk.facts:
+        if not self._app_state.facts:
             return self._say("reference", self.tr("not known"), self.tr("No bench is open."))
         dated = re.search(r"\d{4}-\d{2}-\d{2}", said)
         if dated is None:
@@ -154,14 +154,14 @@ class StartPage(QWidget):
 
     def _cage_known(self, said: dict[str, Any] | None) -> None:
         self._cage_check = said
-        self._show_cage(self._desk.facts.get("cage") or {})
+        self._show_cage(self._app_state.facts.get("cage") or {})
 
     def _show_cage_check(self, said: dict[str, Any]) -> None:
         """What the last cage-calibration found, and how long ago."""
         days = days_since(said["run"]["started_utc"])
         words = self.tr("Checked {0}, {1} days ago.").format(said["run"]["started_utc"][:10], days)
         if (worst := said["measurement"]) is not None:
-            words += f"\n{worst['name']}: {number(worst['value'])} {worst['unit']} ({worst['limit']:g})"
+            words += f"\n{worst['name']}: {format_number(worst['value'])} {worst['unit']} ({worst['limit']:g})"
         self._say_cage(words, days, said["verdict"])
 
     def _say_cage(self, words: str, days: int, verdict: str) -> None:
@@ -178,12 +178,13 @@ class StartPage(QWidget):
             )
         worst, run = said["measurement"], said["run"]
         shape, state = STATES.get(said["verdict"], ("", ""))
-        value = f"{worst['name']}: {number(worst['value'])} ± {number(2 * worst['u'], signed=False)} {worst['unit']}"
-        return self._say("closing", f"{shape} {said['verdict']}", f"{value}\n{run_words(run)}", state)
+        U = format_number(2 * worst["u"], signed=False)
+        value = f"{worst['name']}: {format_number(worst['value'])} ± {U} {worst['unit']}"
+        return self._say("closing", f"{shape} {said['verdict']}", f"{value}\n{run_title(run)}", state)
 
     def _runs_known(self, runs: list[dict[str, Any]]) -> None:
         if runs:
-            lines = [run_words(one) for one in runs[:3]]
+            lines = [run_title(one) for one in runs[:3]]
             self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
         else:
             words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
@@ -195,13 +196,13 @@ class StartPage(QWidget):
         self.interrupted.setVisible(bool(broken))
         for one in broken:
             again = button(
-                self.tr("Go on with  {0}").format(run_words(one)),
+                self.tr("Go on with  {0}").format(run_title(one)),
                 self.tr("After its last finished step; you are asked whether the mounting stands"),
             )
             again.clicked.connect(
-                lambda _=False, o=one: self._desk.resume(o["run_id"], o["procedure"], o["dut_serial"])
+                lambda _=False, o=one: self._app_state.resume(o["run_id"], o["procedure"], o["dut_serial"])
             )
-            again.setEnabled(bool(self._desk.facts))
+            again.setEnabled(bool(self._app_state.facts))
             self.interrupted.body.addWidget(again)
 
 

@@ -2,6 +2,69 @@
 <!DOCTYPE TS>
 <TS version="2.1" sourcelanguage="en">
 <context>
+    <name>AppState</name>
+    <message>
+        <source>A run goes on; open another bench after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned {0}; a run goes on, its DUT stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned: DUT {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a bench on the Bench page first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan or type the DUT&apos;s serial at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the operator&apos;s name at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coils off: no bench is open, this window drives no coil.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coils off: reading them back …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read back at {0:%H:%M:%S}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the supplies off at their mains switches.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hands off, measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silent {0:.0f} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BenchPage</name>
     <message>
         <source>Instruments</source>
@@ -389,69 +452,6 @@
     </message>
 </context>
 <context>
-    <name>Desk</name>
-    <message>
-        <source>A run goes on; open another bench after it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scanned {0}; a run goes on, its DUT stays.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scanned: DUT {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a bench on the Bench page first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scan or type the DUT&apos;s serial at the top.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type the operator&apos;s name at the top.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Coils off: no bench is open, this window drives no coil.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Coils off: reading them back …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read back at {0:%H:%M:%S}: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Switch the supplies off at their mains switches.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>your turn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>paused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>hands off, measuring</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>silent {0:.0f} s</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Drop</name>
     <message>
         <source>Drop a calibration file here to verify it</source>
@@ -652,17 +652,6 @@
     </message>
     <message>
         <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>Form</name>
-    <message>
-        <source>needed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>expected {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1085,6 +1074,17 @@
     </message>
     <message>
         <source>Drawing of a dial</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ParameterForm</name>
+    <message>
+        <source>needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

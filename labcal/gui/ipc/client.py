@@ -1,0 +1,178 @@
+"""The window's end of the channel to a worker process. Nothing here waits: answers come as callbacks."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections import deque
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
+
+from labcal.gui.ipc.wire import Fault
+from labcal.home import SECRETS
+
+OnResult = Callable[[Any], None]
+COMMAND = ("-m", "labcal.gui.ipc.worker")
+TIME_SLICE_S = 0.01  # of one turn of the event loop for what the worker said
+STDERR_TAIL = 6000  # of stderr, for the details of a crash
+HEARTBEAT_MS = 200  # so often the worker hears that this window is not standing still
+
+
+class Worker(Protocol):
+    """What view-models need of a worker."""
+
+    items: Any  # Signal(list)
+    states: Any  # Signal(dict)
+    progress: Any  # Signal(str)
+
+    def request(self, do: str, then: OnResult, failed: Callable[[Fault], None], **what: Any) -> None:
+        """Ask for `do`; `then` gets the result, `failed` what went wrong."""
+        ...
+
+    def send(self, do: str, **what: Any) -> None:
+        """A word into a run that goes on: answer, pause, stop and so on."""
+        ...
+
+    def kill(self) -> None:
+        """End the process at once."""
+        ...
+
+
+class Client(QObject):
+    """One worker process, started at the first request, and started again after it died."""
+
+    items = Signal(list)  # items as JSON, in order
+    states = Signal(dict)  # of the lab, as JSON, by the computer's monotonic clock
+    progress = Signal(str)
+
+    def __init__(self, parent: QObject | None = None, command: tuple[str, ...] = COMMAND) -> None:
+        super().__init__(parent)
+        self._command = command
+        self._process: QProcess | None = None
+        self._pending: dict[int, tuple[OnResult, Callable[[Fault], None]]] = {}
+        self._number = 0
+        self._lines: deque[bytes] = deque()
+        self._partial_line, self._stderr = b"", ""
+        self._heartbeat = QTimer(self, interval=HEARTBEAT_MS)
+        self._heartbeat.timeout.connect(lambda: self.send("beat"))
+
+    def start(self) -> None:
+        """Have the process ready before it is needed."""
+        if self._process is not None:
+            return
+        process = QProcess(self)
+        process.readyReadStandardOutput.connect(self._read_stdout)
+        process.readyReadStandardError.connect(self._read_stderr)
+        process.finished.connect(self._process_finished)
+        process.errorOccurred.connect(self._process_error)
+        process.setProcessEnvironment(_environment())
+        self._process, self._stderr, self._partial_line = process, "", b""
+        process.start(sys.executable, list(self._command))
+        self._heartbeat.start()
+
+    def request(self, do: str, then: OnResult, failed: Callable[[Fault], None], **what: Any) -> None:
+        """Ask for `do`; `then` gets the result, `failed` what went wrong."""
+        self.start()
+        self._number += 1
+        self._pending[self._number] = then, failed
+        self.send(do, id=self._number, **what)
+
+    def send(self, do: str, **what: Any) -> None:
+        """A word into a run that goes on, or a request's line."""
+        if self._process is not None:
+            self._process.write((json.dumps({"do": do, **what}) + "\n").encode())
+
+    @property
+    def busy(self) -> bool:
+        """Whether anything is asked and not answered."""
+        return bool(self._pending)
+
+    @property
+    def pid(self) -> int:
+        """Of the process; 0 where there is none."""
+        return self._process.processId() if self._process is not None else 0
+
+    def kill(self) -> None:
+        """End the process at once; whoever waits is told."""
+        if self._process is not None:
+            self._process.kill()
+
+    def close(self, wait_ms: int = 3000) -> None:
+        """Close the line: a run aborts, its coils go to zero, the process ends."""
+        process, self._process = self._process, None
+        self._heartbeat.stop()
+        self._pending.clear()
+        if process is None:
+            return
+        process.blockSignals(True)
+        process.closeWriteChannel()
+        if not process.waitForFinished(wait_ms):
+            process.kill()
+            process.waitForFinished(1000)
+
+    def _read_stdout(self) -> None:
+        if self._process is None:
+            return
+        *lines, self._partial_line = (self._partial_line + self._process.readAllStandardOutput().data()).split(b"\n")
+        idle = not self._lines
+        self._lines.extend(lines)
+        if idle:
+            self._drain()
+
+    def _drain(self) -> None:
+        """What has come, as far as one turn of the event loop may take; the rest in the next."""
+        until = time.monotonic() + TIME_SLICE_S
+        while self._lines and time.monotonic() < until:
+            self._dispatch(json.loads(self._lines.popleft()))
+        if self._lines:
+            QTimer.singleShot(0, self, self._drain)
+
+    def _dispatch(self, said: dict[str, Any]) -> None:
+        kind = said.pop("said")
+        if kind == "items":
+            self.items.emit(said["items"])
+        elif kind == "state":
+            self.states.emit(said["state"])
+        elif kind == "progress":
+            self.progress.emit(said["text"])
+        elif (waiting := self._pending.pop(said.pop("id"), None)) is not None:
+            then, failed = waiting
+            if kind == "done":
+                then(said["result"])
+            else:
+                failed(Fault(**said))
+
+    def _read_stderr(self) -> None:
+        if self._process is not None:
+            text = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
+            self._stderr = (self._stderr + text)[-STDERR_TAIL:]
+
+    def _process_finished(self, code: int) -> None:
+        self._read_stdout()
+        while self._lines:
+            self._dispatch(json.loads(self._lines.popleft()))
+        self._process_gone(self.tr("The work ended by itself (exit {0}).").format(code))
+
+    def _process_error(self, error: QProcess.ProcessError) -> None:
+        if error == QProcess.ProcessError.FailedToStart:
+            self._process_gone(self.tr("The worker process could not be started."))
+
+    def _process_gone(self, text: str) -> None:
+        self._read_stderr()
+        process, self._process = self._process, None
+        self._heartbeat.stop()
+        if process is not None:
+            process.deleteLater()
+        waiting, self._pending = list(self._pending.values()), {}
+        for _, failed in waiting:
+            failed(Fault("crash", text, "", self._stderr))
+
+
+def _environment() -> QProcessEnvironment:
+    found = QProcessEnvironment.systemEnvironment()
+    for name in SECRETS:
+        found.remove(name)
+    return found

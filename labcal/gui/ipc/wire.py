@@ -1,0 +1,84 @@
+"""What goes between the window and its workers: one JSON object a line; items of the timeline in compact form.
+
+The store, which knows the form, is imported with the first item: the window is up before it is needed.
+"""
+
+from __future__ import annotations
+
+from base64 import b64decode, b64encode
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
+from labcal.record.stream import Item
+
+
+def item_to_json(item: Item) -> list[Any]:
+    """An item as the store writes it, samples in base64; the raw frames stay behind."""
+    from labcal.store.items import to_row
+
+    row = to_row(item)
+    return [row.kind, row.t_s, row.content, *(b64encode(part or b"").decode() for part in (row.stamps, row.samples))]
+
+
+def item_from_json(said: list[Any]) -> Item:
+    """The item that `item_to_json` wrote."""
+    from labcal.store.items import Row, from_row
+
+    kind, t_s, content, stamps, samples = said
+    return from_row(Row(kind, t_s, content, b64decode(stamps), b64decode(samples)))
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """What went wrong, for a card: `kind` is input, instrument, limit, stopped or crash."""
+
+    kind: str
+    text: str
+    remedy: str = ""
+    details: str = ""
+
+
+def fault_of(error: BaseException, details: str = "") -> Fault:
+    """The fault that an exception of labcal's (or any other) stands for."""
+    if isinstance(error, InstrumentError):
+        return Fault("instrument", error.what, error.remedy, details)
+    kinds = ((InputError, "input"), (LimitNotMet, "limit"), ((Stopped, KeyboardInterrupt), "stopped"))
+    kind = next((name for types, name in kinds if isinstance(error, types)), "crash")
+    if isinstance(error, InputError) and error.file is not None:  # its name; the whole path stands in the details
+        return Fault(
+            kind, str(error).replace(str(error.file), Path(str(error.file)).name, 1), "", details or str(error)
+        )
+    if isinstance(error, OSError) and error.errno is not None:  # the disk, or a file: nothing in labcal broke
+        return Fault("input", _of_files(error), "", details)
+    return Fault(kind, str(error) or type(error).__name__, "", details)
+
+
+def _of_files(error: OSError) -> str:
+    place = f"{error.filename}: " if error.filename else ""
+    return f"{place}{error.strerror or error}"
+
+
+def with_instrument_names(fault: Fault, links: Mapping[str, str]) -> Fault:
+    """`fault` with the instrument's name before its link; `links` by name."""
+    for link in sorted({*links.values()}, key=len, reverse=True):
+        if link in fault.text:
+            names = ", ".join(name for name, its in links.items() if its == link)
+            return replace(fault, text=fault.text.replace(link, f"{names} ({link})", 1))
+    return fault
+
+
+def pack(values: ArrayLike) -> dict[str, Any]:
+    """An array as JSON: its shape, and float64 in base64."""
+    array = np.ascontiguousarray(values, dtype="<f8")
+    return {"shape": list(array.shape), "f8": b64encode(array.tobytes()).decode()}
+
+
+def unpack(said: Mapping[str, Any]) -> NDArray[np.float64]:
+    """The array that `pack` wrote."""
+    return np.frombuffer(b64decode(said["f8"]), dtype="<f8").reshape(said["shape"])

@@ -1,0 +1,41 @@
+"""The problem report: one .zip with what a developer asks for first, and no key, passphrase or recording in it."""
+
+from __future__ import annotations
+
+import json
+import platform
+import sys
+import zipfile
+from dataclasses import asdict
+from importlib.metadata import version
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+from labcal.files import write_bytes
+from labcal.gui.ipc.wire import Fault
+from labcal.outputs import claim
+
+PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
+
+
+def save_problem(
+    out: Path, fault: Fault | None, bench: str, steps: list[tuple[str, str]], facts: dict[str, Any]
+) -> None:
+    """Write fault, versions, bench file and steps to `out`, which a dialogue has asked for. Raises InputError."""
+    [output] = claim("problem report", out, inputs=[Path(bench)] if bench else (), force=True)
+    about = {
+        "fault": asdict(fault) if fault is not None else None,
+        "steps": steps,
+        "simulated": facts.get("simulated"),
+        "python": sys.version,
+        "system": platform.platform(),
+        "packages": {name: version(name) for name in PACKAGES},
+    }
+    packed = BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("problem.json", json.dumps(about, indent=1, default=str))
+        if bench and Path(bench).is_file():
+            archive.writestr("bench.toml", Path(bench).read_text(encoding="utf-8", errors="replace"))
+    with output.writing():
+        write_bytes(out, packed.getvalue())

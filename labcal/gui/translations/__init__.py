@@ -1,0 +1,1 @@
+"""The window in other languages: labcal.ts holds every text of it."""

@@ -1,0 +1,150 @@
+"""The window in another language, by Qt's own means: what a widget's own `tr` does not say stands here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale, QTranslator
+
+from labcal.home import home
+
+FOLDER = Path(__file__).parent
+MORNING, MORNING_CHECKS = "Morning check", ("morning-check", "axes-check")  # the first that is installed
+TEXTS = (  # of tables, headings and functions: lupdate reads them here
+    QT_TRANSLATE_NOOP("Words", "Start"),
+    QT_TRANSLATE_NOOP("Words", "Bench"),
+    QT_TRANSLATE_NOOP("Words", "Run"),
+    QT_TRANSLATE_NOOP("Words", "Fit"),
+    QT_TRANSLATE_NOOP("Words", "Loop"),
+    QT_TRANSLATE_NOOP("Words", "Certificate"),
+    QT_TRANSLATE_NOOP("Words", "History"),
+    QT_TRANSLATE_NOOP("Words", "Done"),
+    QT_TRANSLATE_NOOP("Words", "Mounted"),
+    QT_TRANSLATE_NOOP("Words", "Placed"),
+    QT_TRANSLATE_NOOP("Words", "Taken away"),
+    QT_TRANSLATE_NOOP("Words", "Switched"),
+    QT_TRANSLATE_NOOP("Words", "Switched off"),
+    QT_TRANSLATE_NOOP("Words", "Switched on"),
+    QT_TRANSLATE_NOOP("Words", "Warmed"),
+    QT_TRANSLATE_NOOP("Words", "Hands off: begin"),
+    QT_TRANSLATE_NOOP("Words", "Redo axis {0}"),
+    QT_TRANSLATE_NOOP("Words", "answers"),
+    QT_TRANSLATE_NOOP("Words", "not heard yet"),
+    QT_TRANSLATE_NOOP("Words", "not asked"),
+    QT_TRANSLATE_NOOP("Words", "Open the folder"),
+    QT_TRANSLATE_NOOP("Words", "Show in the file manager what was just written"),
+    QT_TRANSLATE_NOOP("Words", "Go to Run"),
+    QT_TRANSLATE_NOOP("Words", "Record a run, or import one on the History page"),
+    QT_TRANSLATE_NOOP("Words", "No run yet: record one on the Run page, or import a bundle on the History page."),
+    QT_TRANSLATE_NOOP("Words", "Morning check"),
+    QT_TRANSLATE_NOOP("Words", "Yes"),
+    QT_TRANSLATE_NOOP("Words", "No"),
+    QT_TRANSLATE_NOOP("Words", "Stop the run"),
+    QT_TRANSLATE_NOOP("Words", "Try again"),
+    QT_TRANSLATE_NOOP("Words", "Skip this step"),
+    QT_TRANSLATE_NOOP("Words", "Send"),
+    QT_TRANSLATE_NOOP("Words", "✕ This cannot be done as asked"),
+    QT_TRANSLATE_NOOP("Words", "✕ An instrument failed"),
+    QT_TRANSLATE_NOOP("Words", "✕ A limit is not met"),
+    QT_TRANSLATE_NOOP("Words", "■ Stopped"),
+    QT_TRANSLATE_NOOP("Words", "✕ Something in labcal broke"),
+    QT_TRANSLATE_NOOP("Words", "✓ CLEAN"),
+    QT_TRANSLATE_NOOP("Words", "✓ EXPLAINED"),
+    QT_TRANSLATE_NOOP("Words", "▲ PARTLY EXPLAINED"),
+    QT_TRANSLATE_NOOP("Words", "? AMBIGUOUS"),
+    QT_TRANSLATE_NOOP("Words", "✕ UNEXPLAINED"),
+    QT_TRANSLATE_NOOP("Words", "coverage"),
+    QT_TRANSLATE_NOOP("Words", "noise"),
+    QT_TRANSLATE_NOOP("Words", "sign"),
+    QT_TRANSLATE_NOOP("Words", "delay"),
+    QT_TRANSLATE_NOOP("Words", "closure"),
+    QT_TRANSLATE_NOOP("Words", "from above"),
+    QT_TRANSLATE_NOOP("Words", "from the side"),
+    QT_TRANSLATE_NOOP("Words", "cage X"),
+    QT_TRANSLATE_NOOP("Words", "cage Y"),
+    QT_TRANSLATE_NOOP("Words", "role"),
+    QT_TRANSLATE_NOOP("Words", "instrument"),
+    QT_TRANSLATE_NOOP("Words", "link"),
+    QT_TRANSLATE_NOOP("Words", "who answered"),
+    QT_TRANSLATE_NOOP("Words", "last reading"),
+    QT_TRANSLATE_NOOP("Words", "state"),
+    QT_TRANSLATE_NOOP("Words", "started (UTC)"),
+    QT_TRANSLATE_NOOP("Words", "DUT"),
+    QT_TRANSLATE_NOOP("Words", "procedure"),
+    QT_TRANSLATE_NOOP("Words", "operator"),
+    QT_TRANSLATE_NOOP("Words", "status"),
+    QT_TRANSLATE_NOOP("Words", "verdict"),
+    QT_TRANSLATE_NOOP("Words", "run"),
+    QT_TRANSLATE_NOOP("Words", "measured"),
+    QT_TRANSLATE_NOOP("Words", "value"),
+    QT_TRANSLATE_NOOP("Words", "U (k=2)"),
+    QT_TRANSLATE_NOOP("Words", "unit"),
+    QT_TRANSLATE_NOOP("Words", "limit"),
+    QT_TRANSLATE_NOOP("Words", "set"),
+    QT_TRANSLATE_NOOP("Words", "held-out |b|  nT"),
+    QT_TRANSLATE_NOOP("Words", "axis error, worst  deg"),
+    QT_TRANSLATE_NOOP("Words", "time  s"),
+    QT_TRANSLATE_NOOP("Words", "frame"),
+    QT_TRANSLATE_NOOP("Words", "known"),
+    QT_TRANSLATE_NOOP("Words", "free"),
+    QT_TRANSLATE_NOOP("Words", "yes"),
+    QT_TRANSLATE_NOOP("Words", "no"),
+    QT_TRANSLATE_NOOP("Words", "several, with commas"),
+    QT_TRANSLATE_NOOP("Words", "real time"),
+    QT_TRANSLATE_NOOP("Words", "20 times"),
+    QT_TRANSLATE_NOOP("Words", "100 times"),
+    QT_TRANSLATE_NOOP("Words", "at once"),
+    QT_TRANSLATE_NOOP("Words", "k"),
+    QT_TRANSLATE_NOOP("Words", "gain"),
+    QT_TRANSLATE_NOOP("Words", "nT"),
+    QT_TRANSLATE_NOOP("Words", "ppm from the first"),
+    QT_TRANSLATE_NOOP("Words", "DUT  nT"),
+    QT_TRANSLATE_NOOP("Words", "residual  nT"),
+    QT_TRANSLATE_NOOP("Words", "held-out rms  nT"),
+    QT_TRANSLATE_NOOP("Words", "noise alone"),
+    QT_TRANSLATE_NOOP("Words", "finished"),
+    QT_TRANSLATE_NOOP("Words", "stopped"),
+    QT_TRANSLATE_NOOP("Words", "failed"),
+    QT_TRANSLATE_NOOP("Words", "interrupted"),
+    QT_TRANSLATE_NOOP("Words", "Save the picture"),
+    QT_TRANSLATE_NOOP("Words", "Save …"),
+    QT_TRANSLATE_NOOP("Words", "Write this picture to a .png file, as it is shown"),
+    QT_TRANSLATE_NOOP("Words", "Copy"),
+    QT_TRANSLATE_NOOP("Words", "Every point that is drawn to the clipboard, as columns x and y of each curve"),
+    QT_TRANSLATE_NOOP("Words", "Needs: {0}"),
+    QT_TRANSLATE_NOOP("Words", "About {0:g} min of measuring, and your own time beside it"),
+    QT_TRANSLATE_NOOP("Words", "does about as well as {0}"),
+    QT_TRANSLATE_NOOP("Words", "Do not use it: make a new draft on the Fit page."),
+    QT_TRANSLATE_NOOP(
+        "Words", "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
+    ),
+    QT_TRANSLATE_NOOP("Words", "the operator"),
+    QT_TRANSLATE_NOOP("Words", "Approved by {0}. Now both sign, each under their own name."),
+    QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL; {0} has still to sign."),
+    QT_TRANSLATE_NOOP("Words", "Good to use as PROVISIONAL: nobody approved it before it was signed."),
+    QT_TRANSLATE_NOOP("Words", "Done: hand it out."),
+)
+
+
+def translated(text: str) -> str:
+    """One of `WORDS` in the language of the window; what is none of them as it is."""
+    return QCoreApplication.translate("Words", text)
+
+
+def procedure_title(name: str) -> str:
+    """A procedure as its page is headed: with the words that lead there, where they are others than its name."""
+    return f"{translated(MORNING)} · {name}" if name in MORNING_CHECKS else name
+
+
+def install_translator(application: QCoreApplication, locale: QLocale, folders: Iterable[Path] | None = None) -> bool:
+    """Have the window speak the language of `locale`, from the first labcal_xx.qm of it; says whether there is one.
+
+    Looked for in the `translations` of the lab's own folder, then in those that are shipped.
+    """
+    for folder in folders or (home() / "translations", FOLDER):
+        translator = QTranslator(application)
+        if translator.load(locale, "labcal", "_", str(folder), ".qm"):
+            QLocale.setDefault(locale)  # days and months follow the words
+            return application.installTranslator(translator)
+    return False

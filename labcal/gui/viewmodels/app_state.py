@@ -1,0 +1,281 @@
+"""What the pages share: the workers, the choices made, the lab's state, the run that goes on."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from traceback import format_exception
+from types import TracebackType
+from typing import Any
+
+from PySide6.QtCore import QObject, QSettings, QTimer, Signal
+
+from labcal.bench.coils import state
+from labcal.gui.ipc.client import Client
+from labcal.gui.ipc.wire import Fault, fault_of
+from labcal.gui.viewmodels.lab import LabViewModel, Light
+from labcal.gui.viewmodels.run import Order, RunViewModel
+from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.home import file_at_home
+
+SILENT_S = 2.0
+AGES_MS = 500  # what was read grows old
+OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
+
+
+class AppState(QObject):
+    """Workers: `quick` for what is short, `bench` for the run, `fit` for fits and the loop, `off` for Coils off."""
+
+    fault = Signal(object)  # of anything that has no card of its own
+    bench_changed = Signal()
+    page_requested = Signal(str)  # a page is asked for, by name
+    fit_requested = Signal(str)  # a run to fit
+    procedure_requested = Signal(str)  # to be chosen on the Run page; several names: the first that there is
+    plan_requested = Signal(str)  # the same, with its plan before it may be started
+    store_changed = Signal()
+    calibrations_changed = Signal(str)  # the path of the one that is new
+    report_requested = Signal(object)  # a Fault, for a problem report
+
+    def __init__(self, settings: QSettings | None = None) -> None:
+        super().__init__()
+        self.settings = settings or QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
+        self.quick_worker, self.bench_worker = Client(self), Client(self)
+        self.fit_worker, self.off_worker = Client(self), Client(self)
+        self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
+        self.study_vm = StudyViewModel(self.fit_worker)
+        self.study_vm.drafted.connect(self.calibrations_changed)
+        self.study_vm.added.connect(self.store_changed)
+        self.facts: dict[str, Any] = {}
+        self.answered: dict[str, dict[str, Any]] = {}  # by instrument, when they were last asked
+        self.bench = ""
+        self._refresh_timer = QTimer(self, interval=200)
+        self._refresh_timer.timeout.connect(self._update_lab)
+        self.known: state.LabState | None = None  # the lab as it was last read, by the computer's monotonic clock
+        self._taken: state.LabState | None = None  # from the run
+        self._age_timer = QTimer(self, interval=AGES_MS)
+        self._age_timer.timeout.connect(self._update_coil_words)
+        self._age_timer.start()
+        self._force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
+        self._force_timer.timeout.connect(self._off_by_force)
+        self.run.changed.connect(self._update_lab)
+        self.run.ended.connect(self._ended)
+        self.lab.update(operator=str(self.settings.value("operator", "")))
+
+    def request(self, do: str, then: Callable[[Any], None], **what: Any) -> None:
+        """Ask the quick worker; a fault comes up as a card."""
+        self.quick_worker.request(do, then, self.fault.emit, **what)
+
+    def open_bench(self, bench: str) -> None:
+        """Take `bench` as the bench from here on, unless a run goes on or it cannot be read."""
+        if self.run.alive:
+            return self.fault.emit(Fault("input", self.tr("A run goes on; open another bench after it.")))
+        path = str(Path(bench).resolve())
+        self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
+        return self.request("bench", partial(self._bench_known, path), bench=path)
+
+    def _bench_known(self, path: str, facts: dict[str, Any]) -> None:
+        self.known = self.known if path == self.bench else None  # what was read on another bench says nothing of this
+        self.bench, self.facts, self.answered = path, facts, {}
+        self.settings.setValue("bench", path)
+        self.run.nominal_nT_per_unit = facts["dut"]["nominal_nT_per_unit"]
+        self.run.links = {name: one["link"] for name, one in facts["instruments"].items()}
+        lights: tuple[tuple[str, Light, str], ...] = tuple((name, "absent", "") for name in facts["instruments"])
+        serial = self.lab.state.dut_serial or facts["dut"]["serial"]
+        self.lab.update(bench=facts["name"], simulated=facts["simulated"], dut_serial=serial, lights=lights)
+        self.bench_changed.emit()
+
+    def take_greetings(self, answers: list[dict[str, Any]]) -> None:
+        """Who answered, and who did not."""
+        self.answered = {one["name"]: one for one in answers}
+        self.lab.update(lights=tuple((n, "fault" if one["fault"] else "ok", "") for n, one in self.answered.items()))
+
+    def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
+        """Take the DUT's serial or the operator's name."""
+        if dut is not None:
+            scanned = self.lab.state.message == self._scanned(self.lab.state.dut_serial)
+            self.lab.update(dut_serial=dut.strip(), message="" if scanned else self.lab.state.message)
+        if operator is not None:
+            self.lab.update(operator=operator.strip())
+            self.settings.setValue("operator", operator.strip())
+
+    def scan(self, serial: str) -> None:
+        """A scanner read this: the DUT's serial, unless a run goes on."""
+        if self.run.alive:
+            self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
+        else:
+            self.set_identity(dut=serial)
+            self.lab.update(message=self._scanned(serial))
+
+    def _scanned(self, serial: str) -> str:
+        return self.tr("Scanned: DUT {0}").format(serial)
+
+    def objection(self) -> str:
+        """What is missing before a run may start; "" where nothing is."""
+        state = self.lab.state
+        if not self.facts:
+            return self.tr("Choose a bench on the Bench page first.")
+        if not state.dut_serial:
+            return self.tr("Scan or type the DUT's serial at the top.")
+        return "" if state.operator else self.tr("Type the operator's name at the top.")
+
+    def start(self, procedure: str, given: dict[str, str]) -> None:
+        """Run a procedure for the DUT and the operator above."""
+        study = self.study_vm
+        after = study.run if procedure == study.wanted else ""
+        self._refresh_timer.start()
+        self.run.start(replace(self._order(procedure, given), after=after))
+
+    def resume(self, run_id: str, procedure: str, dut: str) -> None:
+        """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
+        self.set_identity(dut=dut)
+        self._refresh_timer.start()
+        self.run.resume(run_id, self._order(procedure, {}))
+        self.page_requested.emit("Run")
+
+    def _order(self, procedure: str, given: dict[str, str]) -> Order:
+        state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))
+        seed = self.settings.value("seed")
+        return Order(
+            procedure, self.bench, given, state.dut_serial, state.operator, pace, int(str(seed)) if seed else None
+        )
+
+    def coils_off(self) -> None:
+        """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
+        if self.run.alive:
+            self.run.abort()
+            self._force_timer.start()
+        elif self.bench:
+            self._switch_off()
+        else:
+            self.lab.update(message=self.tr("Coils off: no bench is open, this window drives no coil."))
+
+    def _off_by_force(self) -> None:
+        if self.run.alive:
+            self.bench_worker.kill()
+            self._switch_off()
+
+    def _ended(self, run_id: str, status: str) -> None:
+        """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
+        self._force_timer.stop()  # the next run is not to pay for this one
+        order = self.run.order
+        if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
+            self.study_vm.add(order.procedure, run_id)
+            self.page_requested.emit("Loop")
+        fault = self.run.fault
+        if fault is not None and (fault.kind == "crash" or self.run.coils_at_zero is False):
+            self._switch_off()
+
+    def _switch_off(self) -> None:
+        self.known = None
+        self.lab.update(coil_A=None, message=self.tr("Coils off: reading them back …"))
+        self.off_worker.request("off", self._off_known, self._off_failed, bench=self.bench)
+
+    def _off_known(self, axes: list[dict[str, Any]]) -> None:
+        good = all(axis["ok"] for axis in axes) and not axes[0].get("doubt")
+        words = "; ".join(f"{axis['axis']}: {axis['words']}" for axis in axes)
+        currents = tuple(axis["current_A"] for axis in axes)
+        doubt = str(axes[0].get("doubt", ""))
+        witness = state.Witness("disagrees", doubt) if doubt else state.Witness()
+        self.known = state.LabState(tuple(map(_coil, axes)), witness)
+        said = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
+        known = None if None in currents else currents
+        self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=said)
+        self._update_coil_words()
+        if not good:
+            self._off_failed(Fault("instrument", words))
+
+    def _off_failed(self, fault: Fault) -> None:
+        remedy = self.tr("Switch the supplies off at their mains switches.")
+        self.lab.update(coils_at_zero=None, message=fault.text)
+        self.fault.emit(Fault(fault.kind, fault.text, f"{self.coil_words()} {remedy}".strip(), fault.details))
+
+    def coil_words(self) -> str:
+        """What may be said of the coils now."""
+        if self.known is None:
+            return state.NOT_READ
+        return self.known.sentence(time.monotonic())
+
+    def _update_coil_words(self) -> None:
+        self.lab.update(coil_words="" if self.known is None else self.coil_words())
+
+    def _update_lab(self) -> None:
+        """What the run knows, for the frame."""
+        run = self.run
+        if run.state == "idle":
+            return
+        if run.lab is not None and run.lab is not self._taken:
+            self.known = self._taken = run.lab
+        self._update_coil_words()
+        rows = run.reference.rows()[-20:]
+        now = run.alive and len(rows) > 0  # after a run, what was measured last is not the field now
+        measured = tuple(float(v) for v in rows[:, 1:].mean(axis=0)) if now else None
+        waits = {"asking": self.tr("your turn"), "paused": self.tr("paused")}
+        if run.segment is not None:
+            waits["running"] = self.tr("hands off, measuring")
+        self.lab.update(
+            field_set_nT=run.field_set_nT,
+            field_measured_nT=measured,
+            field_U_nT=self._U(measured),
+            coil_A=run.coil_A if self.known is self._taken else self.lab.state.coil_A,
+            coils_at_zero=run.coils_at_zero,
+            lights=self._lights(),
+            message=run.message,
+            waiting=waits.get(run.state, ""),
+        )
+        if not run.alive:
+            self._refresh_timer.stop()
+
+    def _U(self, measured: tuple[float, ...] | None) -> float | None:
+        """Of the reference, k = 2, from what the bench file states."""
+        said = self.facts.get("reference", {})
+        if measured is None or said.get("u_offset_nT") is None:
+            return None
+        size = sum(v * v for v in measured) ** 0.5
+        return 2.0 * float((said["u_offset_nT"] ** 2 + (size * 1e-6 * (said.get("u_scale_ppm") or 0.0)) ** 2) ** 0.5)
+
+    def _lights(self) -> tuple[tuple[str, Light, str], ...]:
+        said = self.run.fault.text if self.run.fault else ""
+        failed = "" if said.startswith(state.NOT_BY_REFERENCE) else said  # the witness has not failed
+
+        def light(name: str, role: str) -> tuple[str, Light, str]:
+            source = "cage" if role.startswith("coil") or role in ("polarity", "interlock") else name
+            if name in failed:
+                return name, "fault", self.tr("failed")
+            if name in wrong and self.run.alive:
+                return name, "fault", wrong[name]
+            if source not in self.run.heard_s:
+                return name, "waiting", ""
+            silent = self.run.silent_s(source)
+            if self.run.alive and silent > SILENT_S:
+                return name, "fault", self.tr("silent {0:.0f} s").format(silent)
+            return name, "ok", ""
+
+        told = self.run.lab.instruments if self.run.lab is not None else ()
+        wrong = {one.name: one.fault for one in told if one.fault}
+        return tuple(light(name, one["role"]) for name, one in self.facts.get("instruments", {}).items())
+
+    def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        """What broke in the window itself is a card as well; the window goes on."""
+        details = "".join(format_exception(kind, error, trace))
+        print(details, file=sys.stderr)
+        self.fault.emit(fault_of(error, details))
+
+    def close(self) -> None:
+        """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
+        for timer in (self._force_timer, self._refresh_timer, self._age_timer):
+            timer.stop()
+        self.bench_worker.close(8000)
+        for worker in (self.quick_worker, self.fit_worker, self.off_worker):
+            worker.close(500)
+
+
+def _coil(said: dict[str, Any]) -> state.Coil:
+    """One axis as it was read back when it was switched off."""
+    known, read_s = said["current_A"] is not None, said.get("read_s") or time.monotonic()
+    fault = "" if said["ok"] else str(said["words"])
+    return state.Coil(said["axis"], None, said["current_A"], known, known, read_s if known else None, fault)

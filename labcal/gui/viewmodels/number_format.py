@@ -1,0 +1,36 @@
+"""One way to write a number: sign always shown, thin groups of three, fixed decimals, unit said elsewhere, once."""
+
+from __future__ import annotations
+
+import re
+from typing import Literal
+
+FieldUnit = Literal["nT", "µT", "mG"]
+PER_NT: dict[FieldUnit, float] = {"nT": 1.0, "µT": 1e-3, "mG": 1e-2}
+DECIMALS: dict[FieldUnit, int] = {"nT": 1, "µT": 4, "mG": 3}
+FIGURE_SPACE, NARROW_SPACE, MINUS = "\u2007", "\u202f", "\u2212"
+TURN = re.compile(r"\b([xyz])([+-])(\d+(?:\.\d+)?)uT(?:-(\w+))?")
+
+
+def format_number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
+    """`value` with a true minus sign and groups of three: +19 998.7 or −3.2."""
+    value = round(value, decimals) + 0.0  # no negative zero
+    text = f"{value:+,.{decimals}f}" if signed else f"{value:,.{decimals}f}"
+    return text.replace(",", NARROW_SPACE).replace("-", MINUS)
+
+
+def format_field(value_nT: float, unit: FieldUnit = "nT", *, signed: bool = True) -> str:
+    """A field component, or with `signed` False a magnitude, in the display unit."""
+    return format_number(value_nT * PER_NT[unit], DECIMALS[unit], signed=signed)
+
+
+def format_duration(seconds: float) -> str:
+    """Minutes and seconds, 06:40; hours where there are any, 1:06:40."""
+    whole = max(0, round(seconds))
+    hours, minutes, rest = whole // 3600, whole // 60 % 60, whole % 60
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes:02}:{rest:02}"
+
+
+def step_title(name: str) -> str:
+    """A step, a segment or a measurement as a person says it: "x-50uT-full" is "x −50 µT full"."""
+    return TURN.sub(lambda m: f"{m[1]} {m[2].replace('-', MINUS)}{m[3]} µT {m[4] or ''}".rstrip(), name)

@@ -1,0 +1,300 @@
+"""A run as the window sees it: states, steps, prompt, measurements, and samples in rings. No widgets."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+
+from labcal.bench.coils.state import LabState, from_json
+from labcal.gui.ipc.client import Worker
+from labcal.gui.ipc.wire import Fault, item_from_json, with_instrument_names
+from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.viewmodels.ring_buffer import RingBuffer
+from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
+
+State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
+Mark = Literal["done", "now", "next", "skipped", "broken"]
+Triple = tuple[float, float, float]
+ALIVE = ("starting", "running", "asking", "paused", "stopping")
+LOCUS = 4000
+SECTORS = 24  # of 15 degrees: what coverage counts
+WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
+AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements are named
+    "coverage": "{axis}[+-].*: missing sectors",
+    "noise": "{axis}[+-].*: noise",
+    "sign": "{axis}[+-].*: wrong signs",
+    "delay": "delay {axis}",
+    "closure": "closure {axis}",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What is to be run. `given` holds settings as text, as `--set` takes them."""
+
+    procedure: str
+    bench: str
+    given: Mapping[str, str] = field(default_factory=dict)
+    dut: str = ""
+    operator: str = ""
+    pace: str = "at once"
+    seed: int | None = None
+    after: str = ""  # the run that this one is added to
+
+
+class RunViewModel(QObject):
+    """Drives one worker. `changed`: anything but samples; `item`: each item that is not samples, as it comes."""
+
+    changed = Signal()
+    item = Signal(object)
+    ended = Signal(str, str)  # run id, status
+
+    def __init__(self, worker: Worker, nominal_nT_per_unit: float = 1.0) -> None:
+        super().__init__()
+        self._worker = worker
+        worker.items.connect(self._take)
+        worker.states.connect(self._take_state)
+        self.nominal_nT_per_unit = nominal_nT_per_unit
+        self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
+        self.order: Order | None = None
+        self.dut, self.reference = RingBuffer(3), RingBuffer(3)
+        self._forget()
+
+    def _forget(self) -> None:
+        self.state: State = "idle"
+        self.prompt: Prompt | None = None
+        self.fault: Fault | None = None
+        self.run_id, self.status, self.message = "", "", ""
+        self.step: Step | None = None
+        self.names: tuple[str, ...] = ()
+        self.skipped: set[str] = set()
+        self.measurements: dict[str, Measurement] = {}
+        self.locus: dict[str, RingBuffer] = {}  # by segment: t, x, y, z of the DUT
+        self.segment: str | None = None
+        self.sectors: set[int] = set()
+        self._seen_s = 0.0
+        self.field_set_nT: Triple | None = None
+        self.coil_A: Triple | None = None
+        self.lab: LabState | None = None  # by the computer's monotonic clock
+        self.coils_at_zero: bool | None = None  # when that was read
+        self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
+        self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
+        self.dut.clear()
+        self.reference.clear()
+
+    @property
+    def alive(self) -> bool:
+        """Whether a run goes on."""
+        return self.state in ALIVE
+
+    def start(self, order: Order) -> None:
+        """Begin. One run at a time."""
+        self._begin(order, "run", procedure=order.procedure, given=dict(order.given), dut=order.dut,
+                    operator=order.operator, after=order.after)  # fmt: skip
+
+    def resume(self, run_id: str, order: Order) -> None:
+        """Go on with an interrupted run."""
+        self._begin(order, "resume", run=run_id, dut=order.dut)
+
+    def _begin(self, order: Order, do: str, **what: Any) -> None:
+        if self.alive:
+            raise RuntimeError("a run goes on")
+        self._forget()
+        self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
+        common = {"bench": order.bench, "pace": order.pace, "seed": order.seed}
+        self._worker.request(do, self._done, self._failed, **what, **common)
+        self.changed.emit()
+
+    def answer(self, text: str) -> None:
+        """Answer the prompt that is open."""
+        if self.prompt is None:
+            return
+        self._worker.send("answer", key=self.prompt.key, text=text)
+        self.prompt, self.message = None, self.tr("Hands off: it goes on.")
+        self._be("running")
+
+    def pause(self) -> None:
+        """Wait where the next step begins, coils at zero."""
+        self._worker.send("pause")
+        self.message = self.tr("Pauses where the next step begins.")
+        self.changed.emit()
+
+    def go_on(self) -> None:
+        """Go on after a pause."""
+        self._worker.send("go on")
+
+    def stop(self) -> None:
+        """End in order: the procedure undoes what it did, the coils go to zero."""
+        self._end("stop", self.tr("Stopping …"))
+
+    def abort(self) -> None:
+        """Coils to zero before anything else; the run ends."""
+        self._end("abort", self.tr("Coils off: the run ends …"))
+
+    def _end(self, word: str, message: str) -> None:
+        if self.alive:
+            self._worker.send(word)
+            self.prompt, self.message = None, message
+            self._be("stopping")
+
+    def note(self, text: str, **data: str) -> None:
+        """A remark into the record; `data` goes with it."""
+        if self.alive and text.strip():
+            self._worker.send("note", text=text.strip(), data=data)
+
+    def silent_s(self, source: str) -> float:
+        """For how long `source` has sent nothing, by the bench's clock."""
+        return self._seen_s - self.heard_s.get(source, 0.0)
+
+    def left_s(self) -> float | None:
+        """Lab time that is left of the run."""
+        return None if self.step is None else self._of_it_left(self.step.left_s)
+
+    def step_left_s(self) -> float | None:
+        """Lab time that is left of this step."""
+        return None if self.step is None or self.step.step_s is None else self._of_it_left(self.step.step_s)
+
+    def _of_it_left(self, seconds: float) -> float | None:
+        assert self.step is not None
+        return max(0.0, seconds - max(0.0, self._seen_s - self.step.t_s)) if self.alive else None
+
+    def steps(self) -> list[tuple[str, Mark]]:
+        """All steps known, with their marks."""
+        if self.step is None:
+            return []
+        at = self.names.index(self.step.name) if self.step.name in self.names else len(self.names)
+        over = self.state == "ended"
+        here: Mark = ("done" if self.status == "finished" else "broken") if over else "now"
+        marks: list[Mark] = ["done" if n < at else here if n == at else "next" for n in range(len(self.names))]
+        return [(n, "skipped" if n in self.skipped else mark) for n, mark in zip(self.names, marks, strict=True)]
+
+    def axis_light(self, axis: str) -> str:
+        """The worst verdict of what was measured about one body axis; "" where nothing was yet."""
+        return max(self.axis_checks(axis).values(), key=WORST.index)
+
+    def axis_checks(self, axis: str) -> dict[str, str]:
+        """The worst verdict of each of `AXIS_LOOKS` for one body axis; "" where nothing was measured yet."""
+        found = {look: re.compile(pattern.format(axis=axis)) for look, pattern in AXIS_CHECKS.items()}
+        return {look: self._worst(pattern) for look, pattern in found.items()}
+
+    def _worst(self, pattern: re.Pattern[str]) -> str:
+        about = [m.verdict for name, m in self.measurements.items() if pattern.fullmatch(name)]
+        return max(about, key=WORST.index, default="")
+
+    def coverage(self) -> float:
+        """The part of the circle that this segment has seen, 0 to 1."""
+        return len(self.sectors) / SECTORS
+
+    def field_rows(self) -> NDArray[np.float64]:
+        """All DUT readings of all segments (n, 3) [nominal nT], thinned."""
+        rows = [ring.rows()[:, 1:] for ring in self.locus.values()]
+        return np.concatenate(rows) if rows else np.empty((0, 3))
+
+    def _take_state(self, said: dict[str, Any]) -> None:
+        self.lab = lab = from_json(said, 0.0)
+        self.coils_at_zero = lab.at_zero(time.monotonic())
+        x, y, z = (coil.current_A for coil in lab.coils)
+        self.coil_A = None if x is None or y is None or z is None else (x, y, z)
+        self.changed.emit()
+
+    def _take(self, said: list[list[Any]]) -> None:
+        for one in said:
+            self._one(item_from_json(one))
+        if any(one[0] != "block" for one in said):
+            self.changed.emit()
+
+    def _one(self, item: Item) -> None:
+        if isinstance(item, Block):
+            return self._samples(item)
+        self._seen_s = max(self._seen_s, item.t_s)
+        match item:
+            case Step():
+                self.step, self.names = item, item.names or self.names
+                self._running(item.name)
+            case Measurement():
+                self.measurements[item.name] = item
+            case Prompt():
+                self.prompt, self.state, self.message = item, "asking", item.text
+            case SegmentOpened():
+                self.segment, self.sectors = item.segment.id, set()
+                self.locus[item.segment.id] = RingBuffer(3, LOCUS)
+                self._running(self.tr("{0}: measuring, hands off").format(step_title(item.segment.id)))
+            case SegmentClosed():
+                self.segment = None
+            case Event():
+                self._event(item)
+        return self.item.emit(item)
+
+    def _running(self, message: str) -> None:
+        self.message = message
+        if self.state in ("starting", "asking", "paused"):
+            self.state = "running"
+
+    def _event(self, event: Event) -> None:
+        if event.kind == "pause":
+            paused = event.text != "goes on"
+            self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", event.text)
+        elif event.kind == "skip":
+            self.skipped.add(str(event.data.get("step", "")))
+        elif event.kind == NOT_USED:
+            self._not_used(list(event.data["segments"]))
+        elif event.kind in ("set-point", "read-back"):
+            b = event.data.get("field_nT")
+            self.field_set_nT = None if b is None else (b[0], b[1], b[2])
+        elif event.kind != "answer":  # the person knows what they answered; what happens next is said next
+            self.message = event.text
+
+    def _not_used(self, segments: list[str]) -> None:
+        """What was measured of these says nothing any more: their axis is redone."""
+        axes = {segment[:1] for segment in segments}
+        gone = (
+            *(f"{segment}:" for segment in segments),
+            *(f"{look} {a}" for look in ("delay", "closure") for a in axes),
+        )
+        self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
+        self.locus = {name: ring for name, ring in self.locus.items() if name not in segments}
+
+    def _samples(self, block: Block) -> None:
+        if len(block) == 0:
+            return
+        self._seen_s = max(self._seen_s, float(block.t_s[-1]))
+        self.heard_s[block.source] = float(block.t_s[-1])
+        self.reading[block.source] = block.columns, block.values[-1]
+        if block.stream == "dut":
+            values = block.values * self.nominal_nT_per_unit
+            self.dut.push(block.t_s, values)
+            if self.segment is not None:
+                self.locus[self.segment].push(block.t_s, values)
+        elif block.stream == "reference" and block.values.shape[1] == 3:
+            self.reference.push(block.t_s, block.values)
+        elif block.stream == "angle" and self.segment is not None:
+            self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[:, 0]}
+
+    def _be(self, state: State) -> None:
+        self.state = state
+        self.changed.emit()
+
+    def _done(self, result: dict[str, Any]) -> None:
+        self.run_id, self.status = result["run_id"], result["status"]
+        self.fault = with_instrument_names(Fault(**result["fault"]), self.links) if result["fault"] else None
+        self._over()
+
+    def _last_words(self) -> str:
+        return self.tr("Run {0}: {1}").format(self.run_id, self.status) if self.run_id else self.status
+
+    def _failed(self, fault: Fault) -> None:
+        self.fault = with_instrument_names(fault, self.links)
+        self.status = f"failed: {self.fault.text}"
+        self._over()
+
+    def _over(self) -> None:
+        self.prompt, self.segment, self.message = None, None, self._last_words()
+        self._be("ended")
+        self.ended.emit(self.run_id, self.status)

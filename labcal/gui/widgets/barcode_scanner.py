@@ -1,0 +1,83 @@
+"""Tells a barcode scanner from a person: more than 30 characters a second are a scan, and go to the serial field."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QWidget
+
+FASTEST_TYPIST_S = 1 / 30  # between two characters
+SHORTEST = 4  # characters of a scan
+ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+
+
+class Scanner(QObject):
+    """Handles all keys (see `Frame.key_handlers`): holds them back for the blink in which a burst shows itself.
+
+    A single key is handed on 40 ms later, exactly as it came; a burst is emitted whole as `scanned` and reaches
+    neither a field nor a button.
+    """
+
+    scanned = Signal(str)
+
+    def __init__(self, parent: QObject, now: Callable[[], float] = time.monotonic) -> None:
+        super().__init__(parent)
+        self._now = now
+        self._last_s = 0.0
+        self._kept: list[tuple[QWidget, QKeyEvent]] = []
+        self._replaying = False
+        self._wait = QTimer(self, interval=int(FASTEST_TYPIST_S * 1000) + 7, singleShot=True)
+        self._wait.timeout.connect(self.flush)
+
+    def handle_key(self, watched: QWidget, event: QKeyEvent) -> bool:
+        """Hold characters back until it is known who types."""
+        if self._replaying or self._of_another(watched.window()):
+            return False
+        if event.type() == QEvent.Type.KeyRelease and any(event.key() == kept.key() for _, kept in self._kept):
+            self._kept.append((watched, event.clone()))  # a release never comes before its press
+            return True
+        if event.type() != QEvent.Type.KeyPress or not self._counts(event):
+            return False
+        if watched is not (QApplication.focusWidget() or watched.window()) or _secret(watched):
+            return False
+        at_s = event.timestamp() / 1000 or self._now()  # when it was struck, however late a busy window hears of it
+        if self._kept and at_s - self._last_s > FASTEST_TYPIST_S:
+            self.flush()
+        self._last_s = at_s
+        self._kept.append((watched, event.clone()))
+        self._wait.start()
+        return True
+
+    def _of_another(self, window: QWidget) -> bool:
+        """Whether these keys go to another main window; those of a dialog are ours."""
+        return isinstance(window, QMainWindow) and window is not self.parent()
+
+    def _counts(self, event: QKeyEvent) -> bool:
+        command = event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
+        if command or event.isAutoRepeat():
+            return False
+        return (event.text().isprintable() and bool(event.text())) or (event.key() in ENTER and bool(self._kept))
+
+    def flush(self) -> None:
+        """Decide about what is held: a scan, or keys of a person."""
+        kept, self._kept = self._kept, []
+        self._wait.stop()
+        struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
+        text = "".join(event.text() for event in struck if event.key() not in ENTER)
+        if len(text) >= SHORTEST:
+            self.scanned.emit(text.strip())
+            return
+        self._replaying = True
+        try:
+            for widget, event in kept:
+                QCoreApplication.sendEvent(widget, event)
+        finally:
+            self._replaying = False
+
+
+def _secret(watched: QWidget) -> bool:
+    """Whether this is where a passphrase is typed: what a password manager types stays there, unseen."""
+    return isinstance(watched, QLineEdit) and watched.echoMode() != QLineEdit.EchoMode.Normal

@@ -1,0 +1,229 @@
+"""The few building blocks that every page uses: cards, captions, buttons, a column of aligned numbers."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TypeVar
+
+from PySide6.QtCore import QRect, QRectF, Qt
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QResizeEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import translated
+
+W = TypeVar("W", bound=QWidget)
+ROUND_PX = 6
+SIDES = (Qt.Edge.LeftEdge, Qt.Edge.TopEdge, Qt.Edge.RightEdge, Qt.Edge.BottomEdge)
+LARGEST_PT, SMALLEST_PT = 54, 13  # words that are as large as their place allows, to be read from the cage
+
+
+def named(widget: W, name: str) -> W:
+    """`widget` with the name that the style sheet knows it by."""
+    widget.setObjectName(name)
+    return widget
+
+
+def label(text: str = "", name: str = "", *, wrap: bool = False) -> QLabel:
+    """A text; `name` is its style: title, caption, large, simulated."""
+    widget = QLabel(text)
+    widget.setObjectName(name)
+    widget.setWordWrap(wrap)
+    widget.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    return widget
+
+
+def shrinkable(widget: W) -> W:
+    """`widget` with its text cut off where there is no room: a long sentence widens no window."""
+    widget.setMinimumWidth(1)
+    return widget
+
+
+def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
+    """A list to choose from, as wide as it may be and no wider than `letters` where there is no room."""
+    widget = QComboBox()
+    widget.setToolTip(tip)
+    widget.setAccessibleName(name or tip)
+    widget.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    widget.setMinimumContentsLength(letters)
+    widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    return widget
+
+
+def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
+    """A push button; `primary` is the one thing to do on a page."""
+    widget = QPushButton(text)
+    widget.setToolTip(tip)
+    widget.setObjectName("primary" if primary else "")
+    widget.setAutoDefault(False)
+    return widget
+
+
+def set_primary(widget: QPushButton, primary: bool) -> None:
+    """Make a button the one thing to do, or one of several."""
+    if (name := "primary" if primary else "") != widget.objectName():
+        widget.setObjectName(name)
+        widget.style().unpolish(widget)
+        widget.style().polish(widget)
+
+
+def set_state(widget: QWidget, state: str) -> None:
+    """Colour a label by state: good, warning, bad or ""."""
+    if (widget.property("state") or "") != state:
+        widget.setProperty("state", state)
+        widget.style().unpolish(widget)
+        widget.style().polish(widget)
+
+
+def flat(widget: W) -> W:
+    """`widget` no taller than what is in it."""
+    widget.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+    return widget
+
+
+@contextmanager
+def deferred_layout(*holders: QWidget) -> Iterator[None]:
+    """Show and hide what these hold; their places are found once, in an event of its own, not anew after each."""
+    layouts = [layout for one in holders if (layout := one.layout()) is not None]
+    for layout in layouts:
+        layout.setEnabled(False)
+    try:
+        yield
+    finally:
+        for layout in layouts:
+            layout.setEnabled(True)
+
+
+class Surface(QWidget):
+    """What cards and bars stand on: the palette's base, with an edge all around, or at `side` alone.
+
+    It is painted, not styled: Qt goes through whatever has a style sheet with all that stands on it.
+    """
+
+    edge, width_px = QPalette.ColorRole.Mid, 1
+
+    def __init__(self, side: Qt.Edge | None = None) -> None:
+        super().__init__()
+        self._side = side
+        if side is not None:
+            self.setContentsMargins(*(int(side == one) for one in SIDES))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint."""
+        within, palette, inset = QRectF(self.contentsRect()), self.palette(), self.width_px / 2
+        with QPainter(self) as painter:
+            if self._side is not None:
+                painter.fillRect(self.rect(), palette.color(self.edge))
+                painter.fillRect(within, palette.base())
+                return
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setBrush(palette.base())
+            painter.setPen(QPen(palette.color(self.edge), self.width_px))
+            painter.drawRoundedRect(within.adjusted(inset, inset, -inset, -inset), ROUND_PX, ROUND_PX)
+
+
+class Card(Surface):
+    """A titled surface; add to `body`."""
+
+    def __init__(self, title: str = "", unit: str = "") -> None:
+        super().__init__()
+        outer = QVBoxLayout(self)
+        outer.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        outer.setSpacing(GRID)
+        self.heading = shrinkable(label(title, "title"))
+        self.unit = label(unit, "caption")
+        head = QHBoxLayout()
+        head.addWidget(self.heading, 1)
+        head.addWidget(self.unit)
+        if title or unit:
+            outer.addLayout(head)
+        self.body = QVBoxLayout()
+        self.body.setSpacing(GRID)
+        outer.addLayout(self.body, 1)
+
+
+def tabular_font() -> QFont:
+    """The interface's font with figures of one width, so that nothing jumps when a digit changes."""
+    font = QFont()
+    font.setFeature(QFont.Tag("tnum"), 1)
+    return font
+
+
+class ReadoutGrid(QWidget):
+    """Rows of name, value and word, right-aligned in tabular figures."""
+
+    def __init__(self, names: tuple[str, ...]) -> None:
+        super().__init__()
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(GRID)
+        grid.setVerticalSpacing(GRID // 2)
+        self._values, self._words = [label("–") for _ in names], [label("", "caption") for _ in names]
+        for row, name in enumerate(names):
+            grid.addWidget(label(translated(name), "caption"), row, 0)
+            grid.addWidget(self._values[row], row, 1)
+            self._values[row].setAlignment(Qt.AlignmentFlag.AlignRight)
+            grid.addWidget(self._words[row], row, 2)
+            self._values[row].setFont(tabular_font())
+        grid.setColumnStretch(1, 1)
+
+    def show_row(self, row: int, value: str, word: str = "", state: str = "") -> None:
+        """Write one row; "–" stands for what is not known."""
+        self._values[row].setText(value)
+        self._words[row].setText(word)
+        set_state(self._words[row], state)
+
+
+class AutoSizeLabel(QLabel):
+    """A text as large as its place allows, which has nothing to say about how large that is."""
+
+    styles_itself = True  # its font is its own: no style sheet is put on it
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWordWrap(True)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._pt = 0
+
+    def set_text(self, text: str) -> None:
+        """Write `text`."""
+        self.setText(text)
+        self._enlarge()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The place is another."""
+        super().resizeEvent(event)
+        self._enlarge()
+
+    def _enlarge(self) -> None:
+        sizes = range(SMALLEST_PT + 1, LARGEST_PT + 1)
+        fitting = SMALLEST_PT + bisect_left(sizes, True, key=lambda pt: not self._fits(pt))
+        if fitting != self._pt:
+            self._pt = fitting
+            self.setFont(self._font(fitting))
+
+    def _font(self, pt: int) -> QFont:
+        font = QFont(self.font())
+        font.setPointSize(pt)
+        font.setWeight(QFont.Weight.DemiBold)
+        return font
+
+    def _fits(self, pt: int) -> bool:
+        place = self.contentsRect()
+        room = QRect(0, 0, place.width(), 10_000)
+        needed = QFontMetrics(self._font(pt)).boundingRect(room, int(Qt.TextFlag.TextWordWrap), self.text())
+        return needed.height() <= place.height() and needed.width() <= place.width()

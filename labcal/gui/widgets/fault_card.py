@@ -1,0 +1,87 @@
+"""What went wrong, in words for the person at the bench, with the details behind a fold."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit
+
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.common import Card, button, label, set_state
+
+TITLES = {
+    "input": "✕ This cannot be done as asked",
+    "instrument": "✕ An instrument failed",
+    "limit": "✕ A limit is not met",
+    "stopped": "■ Stopped",
+    "crash": "✕ Something in labcal broke",
+}
+
+
+class FaultCard(Card):
+    """Words, state of the coils where that matters, what to do, details and "save a problem report"."""
+
+    report_requested = Signal(object)  # Fault
+    closed = Signal()
+    edge, width_px = QPalette.ColorRole.BrightText, 2
+
+    def __init__(self, closable: bool = True) -> None:
+        super().__init__(" ")
+        self.fault: Fault | None = None
+        self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
+        self.details = QPlainTextEdit()
+        self.details.setReadOnly(True)
+        self.details.hide()
+        self.details.setMinimumHeight(160)
+        self.fold = button(self.tr("Details"), self.tr("Show what labcal itself says about it"))
+        self.fold.setCheckable(True)
+        self.fold.toggled.connect(self.details.setVisible)
+        self.save = save = button(
+            self.tr("Save a problem report …"), self.tr("A .zip with the details, settings and versions, no keys")
+        )
+        save.clicked.connect(lambda: self.report_requested.emit(self.fault))
+        close = button(self.tr("Close"), self.tr("Put this card away"))
+        if not closable:  # shown while it has no place yet, it would be a window of its own
+            close.hide()
+        close.clicked.connect(self._close)
+        row = QHBoxLayout()
+        for widget in (self.fold, save):
+            row.addWidget(widget)
+        row.addStretch()
+        row.addWidget(close)
+        for part in (self.text, self.coils, self.remedy, self.details):
+            self.body.addWidget(part)
+        self.body.addLayout(row)
+        self.hide()
+
+    def show_fault(self, fault: Fault | None) -> None:
+        """Show `fault`, or nothing."""
+        if fault is self.fault:
+            return None
+        self.fault = fault
+        if fault is None:
+            return self.hide()
+        self.heading.setText(translated(TITLES[fault.kind]))
+        stopped = fault.kind == "stopped"  # as it was asked for: nothing is wrong
+        set_state(self.heading, "" if stopped else "bad")
+        self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
+        self.save.setVisible(not stopped)
+        self.text.setText(fault.text)
+        self.coils.hide()
+        self.remedy.setText(fault.remedy)
+        self.remedy.setVisible(bool(fault.remedy))
+        self.details.setPlainText(fault.details)
+        self.fold.setVisible(bool(fault.details) and not stopped)
+        self.fold.setChecked(False)
+        self.details.hide()
+        return self.show()  # whole at once: what is folded widens no window
+
+    def say_coils(self, words: str) -> None:
+        """How the coils are left, below what happened."""
+        self.coils.setText(words)
+        self.coils.show()
+
+    def _close(self) -> None:
+        self.hide()
+        self.closed.emit()

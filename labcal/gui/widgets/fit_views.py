@@ -1,0 +1,211 @@
+"""Pictures of a fit as the three papers draw them: loci, magnitudes, residuals, their histogram, a filter's growth."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
+
+from labcal.gui.ipc.wire import unpack
+from labcal.gui.theming.theme import Theme
+from labcal.gui.widgets.common import Card, combo_box, label, shrinkable
+from labcal.gui.widgets.plot_export import export_buttons
+from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
+from labcal.gui.widgets.study_plots import Residuals, with_alpha
+
+Array = NDArray[np.float64]
+W = TypeVar("W", bound=QWidget)
+FACES = ("loci", "residual", "magnitude", "histogram", "growth")  # pictures, by the names of their widgets
+BINS = 60
+SIGMAS = 3.0  # the papers' bounds
+
+
+class FitViews(Card):
+    """One picture at a time, as large as there is room; `filter_wanted` asks for a filter's history."""
+
+    filter_wanted = Signal()
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._look: dict[str, Any] | None = None
+        self._said: dict[str, Any] | None = None
+        self.view = combo_box(self.tr("The figures of the papers that the methods are from"), self.tr("View"))
+        self.against = combo_box(self.tr("What the residual is drawn against"), self.tr("Against"))
+        self.words = shrinkable(label("", "caption"))
+        self.faces = QStackedWidget()
+        row = QHBoxLayout()
+        row.addWidget(self.view, 2)
+        row.addWidget(self.against, 1)
+        for widget in export_buttons(self, lambda: getattr(self, self.shown())):
+            row.addWidget(widget)
+        self.body.addLayout(row)
+        self.body.addWidget(self.faces, 1)
+        self.body.addWidget(self.words)
+        self.view.addItems(self._titles())
+        self.view.activated.connect(self._chosen)
+        self.against.activated.connect(self._draw)
+
+    def begin(self) -> bool:
+        """Build a part of the first picture; says whether any was missing."""
+        if self.faces.count() > 0:
+            return self.loci.build_more()
+        self._chosen()
+        return True
+
+    @cached_property
+    def loci(self) -> Loci:
+        """Directions as read and calibrated."""
+        return self._face(Loci(self._theme, clouds=2))
+
+    @cached_property
+    def residual(self) -> Residuals:
+        """Of the magnitude, against anything."""
+        return self._face(Residuals(self._theme, self.tr("residual of |b|  nT")))
+
+    @cached_property
+    def magnitude(self) -> pg.PlotWidget:
+        """As read, calibrated, and of the reference."""
+        return self._face(plot(self._theme, "time  s", self.tr("|b|  nT")))
+
+    @cached_property
+    def histogram(self) -> pg.PlotWidget:
+        """Of the residual, with the noise that the method states."""
+        return self._face(plot(self._theme, self.tr("residual of |b|  nT"), self.tr("samples")))
+
+    @cached_property
+    def growth(self) -> pg.PlotWidget:
+        """A filter's bias with its bounds."""
+        return self._face(plot(self._theme, "time  s", self.tr("bias of the reading  nT")))
+
+    def _face(self, widget: W) -> W:
+        """A picture is built when it is first looked at."""
+        self.faces.addWidget(widget)
+        return widget
+
+    def set_theme(self, theme: Theme) -> None:
+        """What is shown next has the theme's colours."""
+        self._theme = theme
+        for n in range(self.faces.count()):
+            if isinstance(face := self.faces.widget(n), pg.PlotWidget):
+                apply_theme(face, theme)
+
+    def _titles(self) -> tuple[str, ...]:
+        """Of `FACES`."""
+        return (
+            self.tr("Loci on the sphere (Riwanto 2017, figs. 5, 7)"),
+            self.tr("Residual of the magnitude (Crassidis 2003, fig. 3)"),
+            self.tr("Magnitude and reference (Springmann 2011, figs. 2, 4)"),
+            self.tr("Histogram of the residual (Springmann 2011, fig. 7)"),
+            self.tr("Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)"),
+        )
+
+    def shown(self) -> str:
+        """Which of `FACES` is looked at."""
+        return FACES[self.view.currentIndex()]
+
+    def show_fit(self, look: dict[str, Any] | None, method: str, said: dict[str, Any] | None) -> None:
+        """Draw what is known of a run (`look`) and of one method's answer (`said`)."""
+        self._look, self._method, self._said = look, method, said
+        names = list(look["against"]) if look else []
+        if [self.against.itemText(n) for n in range(self.against.count())] != names:
+            self.against.clear()
+            self.against.addItems(names)
+        self._draw()
+
+    def show_growth(self, method: str, said: dict[str, Any] | None) -> None:
+        """Draw a filter's history: estimates as lines, their bounds as bands of the same colour."""
+        self.growth.clear()
+        if said is None:
+            return
+        t, bias, u = unpack(said["t_s"]), unpack(said["bias_nT"]), unpack(said["u_nT"])
+        for axis, colour in enumerate(self._theme.axes):
+            upper, lower = (
+                pg.PlotCurveItem(t, bias[:, axis] + s * u[:, axis], pen=pg.mkPen(with_alpha(colour, 120)))
+                for s in (SIGMAS, -SIGMAS)
+            )
+            for item in (upper, lower, pg.FillBetweenItem(upper, lower, brush=with_alpha(colour, 50))):
+                self.growth.addItem(item)
+            self.growth.plot(t, bias[:, axis], pen=pg.mkPen(colour, width=2))
+        names = [(f"{method}  b{axis}", colour) for axis, colour in zip("xyz", self._theme.axes, strict=True)]
+        legend_above(self.growth, names)
+        self.growth.autoRange()
+
+    def _chosen(self) -> None:
+        self.faces.setCurrentWidget(getattr(self, self.shown()))
+        self.against.setVisible(self.shown() == "residual")
+        words = (
+            self.tr("orange: as read   blue: calibrated   faint: behind the sphere"),
+            self.tr("band: the noise this method states, k=2"),
+            "",
+            self.tr("line: the noise this method states"),
+            self.tr("the ekf, or the filter that is chosen above"),
+        )
+        self.words.setText(words[self.view.currentIndex()])
+        if self.shown() == "growth":
+            self.filter_wanted.emit()
+        self._draw()
+
+    def _draw(self) -> None:
+        """The picture that is looked at."""
+        look, said = self._look, self._said
+        if look is None or self.shown() == "growth":
+            return
+        fitted = said if said is not None and "residual" in said else None
+        if self.shown() == "loci":
+            self.loci.show_field(unpack(look["before"]), 1)
+            self.loci.show_field(unpack(fitted["after"]) if fitted else np.empty((0, 3)), 0)
+        elif self.shown() == "magnitude":
+            self._draw_magnitude(look, fitted)
+        elif self.shown() == "residual":
+            self._draw_residual(look, fitted)
+        else:
+            self._draw_histogram(fitted)
+
+    def _draw_residual(self, look: dict[str, Any], said: dict[str, Any] | None) -> None:
+        if said is None:
+            return self.residual.clear()
+        against = self.against.currentText()
+        cloud = (self._method, self._theme.accent, unpack(said["residual"]))
+        return self.residual.show_residual(against, unpack(look["against"][against]), [cloud], said["noise_nT"])
+
+    def _draw_magnitude(self, look: dict[str, Any], said: dict[str, Any] | None) -> None:
+        self.magnitude.clear()
+        against = {name.split("  ")[0]: unpack(values) for name, values in look["against"].items()}
+        curves = [(self.tr("as read"), self._theme.axis_x, np.linalg.norm(unpack(look["before"]), axis=1))]
+        if said is not None:
+            curves.append((self.tr("calibrated"), self._theme.accent, np.linalg.norm(unpack(said["after"]), axis=1)))
+        if "field" in against:
+            curves.append((self.tr("reference"), self._theme.text, against["field"]))
+        named_curves(self.magnitude, against["time"], curves)
+
+    def _draw_histogram(self, said: dict[str, Any] | None) -> None:
+        self.histogram.clear()
+        residual = unpack(said["residual"]) if said else np.empty(0)
+        residual = residual[np.isfinite(residual)]
+        if said is None or not len(residual):
+            return
+        noise_nT = said["noise_nT"]
+        counts, edges = np.histogram(residual, BINS)
+        bars = pg.BarGraphItem(
+            x0=edges[:-1],
+            width=np.diff(edges),
+            y0=0,
+            height=counts,
+            pen=None,
+            brush=with_alpha(self._theme.accent, 160),
+        )
+        self.histogram.addItem(bars)
+        if noise_nT:
+            x = np.linspace(edges[0], edges[-1], 301)
+            area = len(residual) * (edges[1] - edges[0])
+            gauss = area * np.exp(-0.5 * (x / noise_nT) ** 2) / (noise_nT * np.sqrt(2 * np.pi))
+            self.histogram.plot(x, gauss, pen=pg.mkPen(self._theme.text, width=2))
+        rms = float(np.sqrt(np.mean(residual**2)))
+        self.histogram.setTitle(self.tr("mean {0:+.1f} nT, rms {1:.1f} nT").format(float(residual.mean()), rms))
+        self.histogram.autoRange()

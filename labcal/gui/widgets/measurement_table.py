@@ -1,0 +1,136 @@
+"""The measurements of a run: value ± U (k = 2), limit, and the verdict in word, shape and colour."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QBrush, QColor, QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableWidget, QTableWidgetItem
+
+from labcal.gui.theming.theme import GRID, STATES, Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.number_format import format_number, step_title
+from labcal.gui.widgets.common import tabular_font
+from labcal.gui.widgets.key_sheet import described
+from labcal.record.stream import Measurement
+
+NAME_PX = 18 * GRID
+RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+def decimals_for(u: float, value: float) -> int:
+    """Decimals that show two figures of the uncertainty; of a value without one, four figures."""
+    from math import floor, isfinite, log10
+
+    shown = u if u > 0 else abs(value) / 100
+    if not isfinite(shown) or shown == 0:
+        return 0
+    return min(6, max(0, 1 - floor(log10(shown))))
+
+
+class Table(QTableWidget):
+    """A read-only table with named columns; Ctrl+C copies what is selected, with tabs."""
+
+    def __init__(self, headings: tuple[str, ...], stretch: int = 0) -> None:
+        super().__init__(0, len(headings))
+        self._headings: tuple[str, ...] = ()
+        self.set_headings(headings)
+        self.verticalHeader().hide()
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setAlternatingRowColors(True)
+        self.setShowGrid(False)
+        self.setTabKeyNavigation(False)
+        self.setWordWrap(False)
+        self.setFont(tabular_font())
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        copy = QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
+        described(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
+
+    def set_headings(self, headings: tuple[str, ...]) -> None:
+        """Name the columns, as many as there are names."""
+        if headings != self._headings:
+            self._headings = headings
+            self.setColumnCount(len(headings))
+            self.setHorizontalHeaderLabels([translated(heading) for heading in headings])
+
+    def set_cell(
+        self, row: int, column: int, text: str, *, right: bool = False, colour: str = "", tip: str = ""
+    ) -> None:
+        """Write one cell; numbers stand right in figures of one width."""
+        cell = self.item(row, column)
+        if cell is None:
+            cell = QTableWidgetItem()
+            self.setItem(row, column, cell)
+        if cell.text() != text:
+            cell.setText(text)
+        cell.setToolTip(tip or text)
+        if right:
+            cell.setTextAlignment(RIGHT)
+        if colour:
+            cell.setForeground(QBrush(QColor(colour)))
+
+    def right_heading(self, *columns: int) -> None:
+        """Headings over numbers stand right, as the numbers do."""
+        for column in columns:
+            if (heading := self.horizontalHeaderItem(column)) is not None:
+                heading.setTextAlignment(RIGHT)
+
+    def copy(self) -> None:
+        """Selected rows to the clipboard, or all where none is."""
+        rows = sorted({i.row() for i in self.selectedIndexes()}) or range(self.rowCount())
+        lines = ["\t".join(translated(heading) for heading in self._headings)]
+        lines += ["\t".join(self.text(row, c) for c in range(self.columnCount())) for row in rows]
+        QApplication.clipboard().setText("\n".join(lines))
+
+    def text(self, row: int, column: int) -> str:
+        """What stands in a cell."""
+        cell = self.item(row, column)
+        return cell.text() if cell is not None else ""
+
+
+class Measurements(Table):
+    """The newest on top."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__(("measured", "value", "U (k=2)", "unit", "limit", "verdict"))
+        self.right_heading(1, 2, 4)
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
+        self._theme = theme
+        self._shown: tuple[int, int] = (0, 0)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where there is no room for all columns, names keep some of it and the verdict is scrolled to."""
+        super().resizeEvent(event)
+        header, mode = self.horizontalHeader(), QHeaderView.ResizeMode
+        others = sum(header.sectionSize(column) for column in range(1, self.columnCount()))
+        narrow = self.viewport().width() - others < NAME_PX
+        header.setSectionResizeMode(0, mode.Interactive if narrow else mode.Stretch)
+        if narrow:
+            header.resizeSection(0, NAME_PX)
+
+    def set_theme(self, theme: Theme) -> None:
+        """What is shown next has the theme's colours."""
+        self._theme = theme
+
+    def show_measurements(self, measurements: Iterable[Measurement]) -> None:
+        """Write them all."""
+        newest = list(measurements)[::-1]
+        self.setRowCount(len(newest))
+        for row, one in enumerate(newest):
+            self._show(row, one)
+
+    def _show(self, row: int, one: Measurement) -> None:
+        decimals = decimals_for(2 * one.u, one.value)
+        self.set_cell(row, 0, step_title(one.name))
+        self.set_cell(row, 1, format_number(one.value, decimals), right=True)
+        self.set_cell(row, 2, format_number(2 * one.u, decimals, signed=False) if one.u > 0 else "–", right=True)
+        self.set_cell(row, 3, one.unit)
+        self.set_cell(row, 4, "–" if one.limit is None else f"{one.limit:g}", right=True)
+        shape, state = STATES.get(one.verdict, ("", "text"))
+        self.set_cell(row, 5, f"{shape} {one.verdict}".strip() or "–", colour=getattr(self._theme, state))

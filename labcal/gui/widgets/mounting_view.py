@@ -1,0 +1,166 @@
+"""The mounting, drawn: the DUT as a box on the platform, which body axis is up, and which way it will turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import atan2, cos, degrees, radians, sin
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from labcal.geometry import rotate, unit
+from labcal.gui.theming.theme import Theme
+from labcal.gui.translations.translate import translated
+
+Array = NDArray[np.float64]
+TURN, TILT = radians(25), radians(24)  # of the eye, about the vertical and above the horizon
+RIGHT = np.array([cos(TURN), sin(TURN), 0.0])
+UP = np.array([-sin(TURN) * sin(TILT), cos(TURN) * sin(TILT), cos(TILT)])
+TOWARD = np.cross(RIGHT, UP)
+BOX = np.array([0.46, 0.36, 0.28])  # half sizes along body x, y, z
+FACES = [(axis, sign) for axis in range(3) for sign in (-1, 1)]
+
+
+class Mounting(QWidget):
+    """Draws `drawing` of a prompt: body_from_cage (3x3) on a platform about axis_cage, or a dial's angle_deg."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._drawing: dict[str, Any] = {}
+        self.setMinimumSize(QSize(128, 200))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Draw in the theme's colours."""
+        self._theme = theme
+        self.update()
+
+    def show_drawing(self, drawing: Any) -> None:
+        """Draw this; what has no picture hides the widget."""
+        self._drawing = dict(drawing)
+        self.setVisible("body_from_cage" in drawing or "angle_deg" in drawing)
+        up = self._up()
+        self.setAccessibleName(self.tr("Drawing: body {0} up").format(up) if up else self.tr("Drawing of a dial"))
+        self.update()
+
+    def _up(self) -> str:
+        if "body_from_cage" not in self._drawing:
+            return ""
+        along = np.asarray(self._drawing["body_from_cage"]) @ self._axis()
+        most = int(np.argmax(np.abs(along)))
+        return ("" if along[most] > 0 else "−") + "XYZ"[most]
+
+    def _axis(self) -> Array:
+        return unit(np.asarray(self._drawing.get("axis_cage", (0.0, 0.0, 1.0)), dtype=float))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw."""
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            if "body_from_cage" in self._drawing:
+                self._paint_mounting(painter)
+            elif "angle_deg" in self._drawing:
+                self._paint_dial(painter, float(self._drawing["angle_deg"]))
+
+    def _at(self, point: Array) -> QPointF:
+        scale = min(self.width() / 3.3, self.height() / 2.7)
+        return QPointF(
+            self.width() / 2 + scale * float(point @ RIGHT), self.height() * 0.64 - scale * float(point @ UP)
+        )
+
+    def _paint_mounting(self, painter: QPainter) -> None:
+        body, axis = np.asarray(self._drawing["body_from_cage"], dtype=float), self._axis()
+        self._paint_platform(painter, axis)
+        centre = axis * float(np.abs(body @ axis) @ BOX)
+        self._paint_box(painter, body, centre)
+        self._paint_axes(painter, body, centre)
+        self._paint_turn(painter, axis)
+
+    def _paint_platform(self, painter: QPainter, axis: Array) -> None:
+        side = unit(np.cross(axis, (0.3, 0.9, 0.2)))
+        rim = 1.0 * rotate(axis, np.radians(np.arange(0, 361, 6.0)), side)
+        painter.setPen(QPen(QColor(self._theme.muted), 1.2))
+        painter.setBrush(QColor(self._theme.sunken))
+        painter.drawPolygon(QPolygonF([self._at(p) for p in rim]))
+        for direction, name in zip(np.eye(3), ("cage X", "cage Y", ""), strict=True):
+            flat = direction - (direction @ axis) * axis
+            if name and np.linalg.norm(flat) > 0.3:
+                self._arrow(painter, 0.98 * unit(flat), 1.32 * unit(flat), self._theme.muted, translated(name), 1.4)
+
+    def _paint_box(self, painter: QPainter, body: Array, centre: Array) -> None:
+        seen = sorted(FACES, key=lambda face: face[1] * float(body[face[0]] @ TOWARD))[3:]
+        for axis, sign in seen:
+            painter.setPen(QPen(QColor(self._theme.text), 1.3))
+            fill = QColor(self._theme.surface)
+            painter.setBrush(
+                fill.darker(100 + 6 * axis) if self._theme.name == "light" else fill.lighter(112 + 10 * axis)
+            )
+            painter.drawPolygon(QPolygonF([self._at(centre + body.T @ corner) for corner in _corners(axis, sign)]))
+
+    def _paint_axes(self, painter: QPainter, body: Array, centre: Array) -> None:
+        order = sorted(range(3), key=lambda n: float(body[n] @ TOWARD))
+        for n in order:
+            start, end = centre + BOX[n] * body[n], centre + (BOX[n] + 0.52) * body[n]
+            self._arrow(painter, start, end, self._theme.axes[n], f"body {'XYZ'[n]}", 3.0)
+
+    def _paint_turn(self, painter: QPainter, axis: Array) -> None:
+        """An arc with a head in front of the platform: right-handed about its axis."""
+        toward = TOWARD - (TOWARD @ axis) * axis
+        if np.linalg.norm(toward) < 1e-6:
+            return
+        path = 1.14 * rotate(axis, np.radians(np.arange(-38, 39, 2.0)), unit(toward))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(QColor(self._theme.accent), 2.4))
+        painter.drawPolyline(QPolygonF([self._at(p) for p in path]))
+        self._arrow(painter, path[-3], path[-1] + 1.5 * (path[-1] - path[-2]), self._theme.accent, "", 2.4)
+
+    def _arrow(self, painter: QPainter, start: Array, end: Array, colour: str, name: str, width: float) -> None:
+        a, b = self._at(start), self._at(end)
+        painter.setPen(QPen(QColor(colour), width))
+        painter.drawLine(a, b)
+        angle = atan2(b.y() - a.y(), b.x() - a.x())
+        head = 4 + 2.5 * width
+        wings = [QPointF(b.x() - head * cos(angle + s), b.y() - head * sin(angle + s)) for s in (0.42, -0.42)]
+        painter.setBrush(QColor(colour))
+        painter.drawPolygon(QPolygonF([b, *wings]))
+        if name:
+            self._name(painter, b, angle, name)
+
+    def _name(self, painter: QPainter, tip: QPointF, angle: float, name: str) -> None:
+        font = QFont(self.font())
+        font.setBold(name.startswith("body"))
+        painter.setFont(font)
+        size = painter.fontMetrics().size(0, name)
+        x = tip.x() + 8 * cos(angle) - size.width() * (1 - cos(angle)) / 2
+        y = tip.y() + 8 * sin(angle) - size.height() * (1 - sin(angle)) / 2
+        y += 0 if font.bold() else 0.9 * size.height()  # the cage's axes are named below: a body axis may lie on them
+        x = min(max(x, 2.0), self.width() - size.width() - 2.0)
+        painter.drawText(QRectF(x, y, size.width() + 2, size.height()), Qt.AlignmentFlag.AlignCenter, name)
+
+    def _paint_dial(self, painter: QPainter, angle_deg: float) -> None:
+        radius = 0.38 * min(self.width(), self.height())
+        centre = QPointF(self.width() / 2, self.height() / 2)
+        painter.setPen(QPen(QColor(self._theme.muted), 1.5))
+        painter.setBrush(QColor(self._theme.sunken))
+        painter.drawEllipse(centre, radius, radius)
+        hand = radians(angle_deg)
+        tip = QPointF(centre.x() + radius * cos(hand), centre.y() - radius * sin(hand))
+        painter.setPen(QPen(QColor(self._theme.accent), 4))
+        painter.drawLine(centre, tip)
+        painter.drawText(QRectF(0, 0, self.width(), 24), Qt.AlignmentFlag.AlignCenter, f"{degrees(hand):.0f}°")
+
+
+def _corners(axis: int, sign: int) -> Sequence[Array]:
+    """The four corners of one face of the box, in body axes, in order round it."""
+    one, other = (axis + 1) % 3, (axis + 2) % 3
+    found = []
+    for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        corner = np.zeros(3)
+        corner[axis], corner[one], corner[other] = sign * BOX[axis], a * BOX[one], b * BOX[other]
+        found.append(corner)
+    return found

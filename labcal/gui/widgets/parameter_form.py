@@ -1,0 +1,161 @@
+"""A form made from a procedure's declared parameters: one row each, its fixed unit and range beside it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QWidget
+
+from labcal.bench.parameters import Limits, ParameterSpec
+from labcal.errors import InputError
+from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.common import named, set_state
+
+SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
+
+
+def spec_of(said: dict[str, Any]) -> ParameterSpec:
+    """The parameter that a worker told of."""
+    limits = Limits(**said["limits"]) if said["limits"] else None
+    return ParameterSpec(**{**said, "limits": limits, "choices": tuple(said["choices"])})
+
+
+def as_text(spec: ParameterSpec, value: Any) -> str:
+    """A value as a person types it, and as `--set` takes it."""
+    if value is None:
+        return ""
+    if spec.many:
+        return ", ".join(_one(v) for v in value)
+    return _one(value)
+
+
+def _one(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return f"{value:g}" if isinstance(value, float) and abs(value) < 1e6 else str(value)
+
+
+def range_of(spec: ParameterSpec) -> str:
+    """What is allowed, short: "1000 … 100000 nT"."""
+    if spec.limits is None:
+        return translated("several, with commas") if spec.many else ""
+    low, high = (np.format_float_positional(limit, trim="-") for limit in (spec.limits.lo, spec.limits.hi))
+    return f"{low} … {high} {spec.unit}".rstrip()
+
+
+def title_of(spec: ParameterSpec) -> str:
+    """Its name in words, without the unit: rate_deg_per_s is "Rate"."""
+    words = spec.name.removesuffix(SUFFIX.get(spec.unit, "")).replace("_", " ")
+    return words[:1].upper() + words[1:]
+
+
+def ticked(on: bool) -> str:
+    """A box with its tick and its word: in letters, which are as large and as dark as all others."""
+    return f"{'☑' if on else '☐'}  {translated('yes' if on else 'no')}"
+
+
+class ParameterForm(QWidget):
+    """Entries for `specs`; `given()` says only what differs from the defaults."""
+
+    changed = Signal()
+    styled_as_whole = (QLabel, QLineEdit, QComboBox, QCheckBox)  # many small parts, made anew for each procedure
+
+    def __init__(self, specs: list[ParameterSpec]) -> None:
+        super().__init__()
+        self._specs = specs
+        self._fields: dict[str, QLineEdit | QComboBox | QCheckBox] = {}
+        self._complaints: dict[str, QLabel] = {}
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(2 * GRID)
+        grid.setVerticalSpacing(GRID)
+        for row, spec in enumerate(specs):
+            self._add(grid, row, spec)
+        grid.setColumnStretch(3, 1)
+        grid.setRowStretch(len(specs), 1)
+        self._check()
+
+    def _add(self, grid: QGridLayout, row: int, spec: ParameterSpec) -> None:
+        name = QLabel(title_of(spec))
+        name.setToolTip(f"--set {spec.name}=…: {spec.expected}")
+        field = self._field(spec)
+        field.setToolTip(f"{spec.help or spec.name}: {spec.expected}")
+        field.setAccessibleName(spec.help or spec.name)
+        name.setBuddy(field)
+        complaint = named(QLabel(), "caption")
+        complaint.setWordWrap(True)
+        self._fields[spec.name], self._complaints[spec.name] = field, complaint
+        grid.addWidget(name, row, 0)
+        grid.addWidget(field, row, 1)
+        grid.addWidget(QLabel(spec.unit), row, 2)
+        grid.addWidget(complaint, row, 3)
+
+    def _field(self, spec: ParameterSpec) -> QLineEdit | QComboBox | QCheckBox:
+        if spec.kind == "switch":
+            box = QCheckBox()
+            box.setChecked(bool(spec.default))
+            box.setText(ticked(bool(spec.default)))
+            box.toggled.connect(lambda on: box.setText(ticked(on)))
+            box.toggled.connect(self._check)
+            return box
+        if spec.kind == "choice" and not spec.many:
+            chooser = QComboBox()
+            chooser.addItems(list(spec.choices))
+            chooser.setCurrentText(as_text(spec, spec.default))
+            chooser.currentTextChanged.connect(self._check)
+            return chooser
+        line = QLineEdit(as_text(spec, spec.default))
+        if spec.kind in ("number", "integer") and not spec.many:
+            line.setAlignment(Qt.AlignmentFlag.AlignRight)
+        line.textChanged.connect(self._check)
+        return line
+
+    def text(self, name: str) -> str:
+        """What stands in the field `name`, as text."""
+        field = self._fields[name]
+        if isinstance(field, QCheckBox):
+            return "yes" if field.isChecked() else "no"
+        return field.currentText() if isinstance(field, QComboBox) else field.text()
+
+    def set_text(self, name: str, text: str) -> None:
+        """Write into the field `name`."""
+        field = self._fields[name]
+        if isinstance(field, QCheckBox):
+            field.setChecked(text == "yes")
+        elif isinstance(field, QComboBox):
+            field.setCurrentText(text)
+        else:
+            field.setText(text)
+
+    def objection(self, spec: ParameterSpec) -> str:
+        """Why a field is refused; "" where it is not."""
+        try:
+            if spec.required and not self.text(spec.name).strip():
+                return self.tr("needed")
+            spec.parse(self.text(spec.name))
+        except InputError:
+            return self.tr("expected {0}").format(spec.expected)
+        return ""
+
+    def valid(self) -> bool:
+        """Whether every field is accepted."""
+        return not any(self.objection(spec) for spec in self._specs)
+
+    def given(self) -> dict[str, str]:
+        """The settings that differ from the defaults, as text."""
+        said = {spec.name: self.text(spec.name) for spec in self._specs}
+        return {s.name: said[s.name] for s in self._specs if s.required or said[s.name] != self._default(s)}
+
+    def _default(self, spec: ParameterSpec) -> str:
+        return "no" if spec.kind == "switch" and not spec.default else as_text(spec, spec.default)
+
+    def _check(self) -> None:
+        for spec in self._specs:
+            objection = self.objection(spec)
+            about = "  ·  ".join(part for part in (spec.help, range_of(spec)) if part)
+            self._complaints[spec.name].setText(f"✕ {objection}" if objection else about)
+            set_state(self._complaints[spec.name], "bad" if objection else "")
+        self.changed.emit()

@@ -1,0 +1,259 @@
+"""Plots in the theme's colours: traces of three axes against time, and loci on the sphere in three projections."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
+
+from labcal.gui.theming.theme import Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.number_format import MINUS
+
+Array = NDArray[np.float64]
+AXES = ("x", "y", "z")
+MAX_POINTS = 1500  # points of a locus
+REPAINT_DELAY_MS = 30
+JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
+VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
+WIDE_GAP = "&nbsp; &nbsp; "
+_spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
+_making: list[Iterator[None]] = [iter(())]  # the one under way
+
+
+class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
+    """Figures with the minus sign that tables have."""
+
+    def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
+        """As pyqtgraph writes them."""
+        return [text.replace("-", MINUS) for text in super().tickStrings(values, scale, spacing)]
+
+
+class DeferredRepaint(QObject):
+    """Has a plot drawn in an event of its own where its size or its theme has changed, once it has come to rest."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self._over = QTimer(self, interval=REPAINT_DELAY_MS, singleShot=True)
+        self._over.timeout.connect(self._draw)
+        widget.installEventFilter(self)
+
+    def begin(self) -> None:
+        """Draw nothing until it has come to rest."""
+        self._widget.setUpdatesEnabled(False)
+        self._over.start()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Another size: everything in it is drawn anew."""
+        if event.type() == QEvent.Type.Resize:
+            self.begin()
+        return False
+
+    def _draw(self) -> None:
+        if (holder := self._widget.parentWidget()) is not None and not holder.updatesEnabled():
+            return self.begin()  # the whole page is being styled
+        self._widget.setUpdatesEnabled(True)
+        return self._widget.repaint()
+
+
+def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
+    """An empty plot with named axes (units in the name) in the theme's colours, without pyqtgraph's own menus."""
+    while not _spare_plots:
+        preallocate_plots(1)
+    widget = _spare_plots.pop()
+    for side, text in (("bottom", bottom), ("left", left)):
+        widget.getPlotItem().getAxis(side).labelText = translated(text)
+    apply_theme(widget, theme)
+    return widget
+
+
+def _spare_plot_in_parts() -> Iterator[None]:
+    """Make one more spare plot, in three parts."""
+    axes = {side: Axis(side) for side in ("left", "bottom", "right", "top")}
+    yield
+    item = pg.PlotItem(axisItems=axes, enableMenu=False)
+    for side in ("right", "top"):  # axes that are given are shown
+        item.hideAxis(side)
+    yield
+    widget = pg.PlotWidget(plotItem=item)
+    widget.deferred_repaint = DeferredRepaint(widget)
+    item.showGrid(x=True, y=True, alpha=0.15)
+    item.hideButtons()
+    for side in ("bottom", "left"):
+        axes[side].enableAutoSIPrefix(False)
+        axes[side].setStyle(maxTickLevel=1)
+        axes[side].setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # a grid is dear to draw
+    widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    _spare_plots.append(widget)
+
+
+def preallocate_plots(format_number: int) -> bool:
+    """Make a part of a plot for the page that is built next, unless there are `number`; says whether there are.
+
+    A plot takes 20 ms to make, and a page has up to four.
+    """
+    if len(_spare_plots) >= format_number:
+        return True
+    if next(_making[0], True):
+        _making[0] = _spare_plot_in_parts()
+    return False
+
+
+def apply_theme(widget: pg.PlotWidget, theme: Theme) -> None:
+    """Put ground, axes and their names into the theme's colours."""
+    widget.deferred_repaint.begin()
+    widget.setBackground(theme.surface)
+    for side in ("bottom", "left"):
+        axis = widget.getPlotItem().getAxis(side)
+        axis.setLabel(axis.labelText, color=theme.muted)
+        axis.setPen(pg.mkPen(theme.line))
+        axis.setTextPen(pg.mkPen(theme.muted))
+
+
+class Traces(QWidget):
+    """Three curves, x y z, against time, each named at its right end."""
+
+    def __init__(self, theme: Theme, left: str) -> None:
+        super().__init__()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.plot = plot(theme, "time  s", left)
+        row.addWidget(self.plot)
+        self._curves = [self.plot.plot() for _ in AXES]
+        self._names = [pg.TextItem(name, anchor=(0, 0.5)) for name in AXES]
+        for name in self._names:
+            self.plot.addItem(name, ignoreBounds=True)
+        for curve in self._curves:
+            curve.setDownsampling(auto=True, method="peak")
+            curve.setClipToView(True)
+        self._colour(theme)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Each curve and its name in the axis' colour."""
+        apply_theme(self.plot, theme)
+        self._colour(theme)
+
+    def _colour(self, theme: Theme) -> None:
+        for curve, name, colour in zip(self._curves, self._names, theme.axes, strict=True):
+            curve.setPen(pg.mkPen(colour))
+            name.setColor(colour)
+
+    def show_rows(self, rows: Array) -> None:
+        """Draw `rows` (n, 4): time [s], x, y, z."""
+        for axis, (curve, name) in enumerate(zip(self._curves, self._names, strict=True)):
+            curve.setData(rows[:, 0], rows[:, 1 + axis], connect="finite")
+            name.setVisible(len(rows) > 0)
+            if len(rows):
+                name.setPos(float(rows[-1, 0]), float(rows[-1, 1 + axis]))
+
+
+class Loci(QWidget):
+    """Directions on the sphere, seen along z, x and y: where the field has been in the body's axes.
+
+    Lines in the front half are strong, behind it they are faint.
+    """
+
+    def __init__(self, theme: Theme, *, clouds: int = 1) -> None:
+        super().__init__()
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(0, 0, 0, 0)
+        self._theme, self._clouds = theme, clouds
+        self._plots: list[pg.PlotWidget] = []
+        self._circles: list[pg.PlotDataItem] = []
+        self._views: list[list[tuple[pg.PlotCurveItem, pg.PlotCurveItem]]] = []
+        self.build_more()
+
+    def build_more(self) -> bool:
+        """Build the next of its projections; says whether one was missing."""
+        if len(self._plots) == len(VIEWS):
+            return False
+        circle = np.linspace(0, 2 * np.pi, 181)
+        right, up = VIEWS[len(self._plots)]
+        widget = plot(self._theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
+        for side in ("bottom", "left"):  # directions need no figures and no grid
+            widget.getPlotItem().getAxis(side).setStyle(showValues=False, tickLength=0)
+        widget.showGrid(x=False, y=False)
+        widget.setAspectLocked(True)
+        widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
+        self._plots.append(widget)
+        self._circles.append(widget.plot(np.cos(circle), np.sin(circle)))
+        self._views.append([_lines(widget) for _ in range(self._clouds)])
+        self._row.addWidget(widget)
+        self._colour(self._theme)
+        return True
+
+    def showEvent(self, event: object) -> None:
+        """All of it, where it comes into sight before it was whole."""
+        self._whole()
+
+    def _whole(self) -> None:
+        while self.build_more():
+            pass
+
+    def set_theme(self, theme: Theme) -> None:
+        """Circles and lines in the theme's colours."""
+        self._theme = theme
+        for widget in self._plots:
+            apply_theme(widget, theme)
+        self._colour(theme)
+
+    def _colour(self, theme: Theme) -> None:
+        for circle, clouds in zip(self._circles, self._views, strict=True):
+            circle.setPen(pg.mkPen(theme.muted))
+            for colour, (front, behind) in zip((theme.accent, theme.axis_x), clouds, strict=False):
+                with_alpha = QColor(colour)
+                with_alpha.setAlpha(90)
+                front.setPen(pg.mkPen(colour, width=2))
+                behind.setPen(pg.mkPen(with_alpha))
+
+    def show_field(self, field_nT: Array, cloud: int = 0, most: int = MAX_POINTS) -> None:
+        """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
+        self._whole()
+        path = _broken(_directions(field_nT, most))
+        for (right, up), clouds in zip(VIEWS, self._views, strict=True):
+            front, behind = clouds[cloud]
+            x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
+            front.setData(x, np.where(toward, y, np.nan), connect="finite")
+            behind.setData(x, np.where(toward, np.nan, y), connect="finite")
+
+
+def legend_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> None:
+    """Write what is drawn above it, (name, colour) each: a word has the colour of what it names, and covers nothing."""
+    words = [f'<span style="color: {colour}; font-weight: 600">{name}</span>' for name, colour in named]
+    widget.setTitle(WIDE_GAP.join(words), size="9pt")
+
+
+def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:
+    """Draw `curves` (name, colour, (n,)) against `t_s` (n,), each named in its own colour."""
+    for _, colour, values in curves:
+        widget.plot(t_s, values, pen=pg.mkPen(colour), connect="finite")
+    legend_above(widget, [(name, colour) for name, colour, _ in curves])
+    widget.autoRange()
+
+
+def _directions(field_nT: Array, most: int) -> Array:
+    """Unit vectors along the finite rows of (n, 3), thinned."""
+    field = field_nT[np.isfinite(field_nT).all(axis=1)]
+    field = field[:: max(1, -(-len(field) // most))]
+    length = np.linalg.norm(field, axis=1, keepdims=True)
+    return np.asarray(field / np.where(length > 0, length, 1.0))
+
+
+def _broken(path: Array) -> Array:
+    """The path with a gap of NaN wherever it jumps: from one segment to the next there is no line."""
+    jumps = np.flatnonzero(np.linalg.norm(np.diff(path, axis=0), axis=1) > JUMP) + 1
+    return np.insert(path, jumps, np.nan, axis=0)
+
+
+def _lines(widget: pg.PlotWidget) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
+    """What lies in front of the sphere, and behind it."""
+    front, behind = pg.PlotCurveItem(), pg.PlotCurveItem()
+    widget.addItem(behind)
+    widget.addItem(front)
+    return front, behind

@@ -1,0 +1,171 @@
+"""The card of a question: large words, a drawing of the mounting, and buttons that no scanner and no Enter presses."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QHBoxLayout,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+)
+
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named
+from labcal.gui.widgets.hold_button import KEYS, HoldButton
+from labcal.gui.widgets.mounting_view import Mounting
+from labcal.record.stream import Prompt
+
+CALLS_EVERY_MS = 20_000  # while nobody answers
+FILE = "file"  # in a prompt's drawing: the words are the path of one
+ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
+    "body_from_cage": "Mounted",
+    "reference_m": "Placed",
+    "reference_turned": "Placed",
+    "dut_away": "Taken away",
+    "mode": "Switched",
+    "load": "Switched",
+    "motor-off": "Switched off",
+    "motor-on": "Switched on",
+    "warm": "Warmed",
+    "ready": "Hands off: begin",
+}
+WORDS = {
+    "done": "Done",
+    "yes": "Yes",
+    "no": "No",
+    "stop": "Stop the run",
+    "retry": "Try again",
+    "skip": "Skip this step",
+    "send": "Send",
+}
+
+
+def acting(prompt: Prompt, choice: str) -> bool:
+    """Whether this answer mounts, energises, moves or switches something."""
+    return choice != "no" and (prompt.acts or choice == "retry")
+
+
+def answer_label(prompt: Prompt, choice: str) -> str:
+    """What stands on the button of an answer: what it says has been done, or is to be done."""
+    redo, _, axis = choice.partition(" ")
+    if redo == "redo":
+        return translated("Redo axis {0}").format(axis.upper())
+    if choice == "done":
+        return translated(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
+    return translated(WORDS.get(choice, choice))
+
+
+class PromptCard(Card):
+    """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices."""
+
+    answered = Signal(str)
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Question to you"))
+        self._prompt: Prompt | None = None
+        self.text, self.hint, self.drawing = (
+            AutoSizeLabel(),
+            label("", "caption", wrap=True),
+            Mounting(theme),
+        )
+        words = QVBoxLayout()
+        words.setSpacing(2 * GRID)
+        words.addWidget(label(self.tr("YOUR TURN"), "caption"))
+        words.addWidget(self.text, 1)
+        self.entry = QLineEdit()
+        self.entry.setPlaceholderText(self.tr("Write it here"))
+        self.entry.returnPressed.connect(self._enter)
+        self.choose = button(self.tr("Choose a file …"), self.tr("Write the path of a file into the answer"))
+        self.choose.clicked.connect(self._choose)
+        answer = QHBoxLayout()
+        answer.addWidget(self.entry, 1)
+        answer.addWidget(self.choose)
+        words.addLayout(answer)
+        words.addWidget(self.hint)
+        self._buttons = QHBoxLayout()
+        words.addLayout(self._buttons)
+        row = QHBoxLayout()
+        row.setSpacing(2 * GRID)
+        row.addLayout(words, 1)
+        row.addWidget(self.drawing, 1)
+        self.body.addLayout(row, 1)
+        self.choices: dict[str, QPushButton] = {}
+        self.send: QPushButton | None = None  # where the answer is in words
+        self._call = QTimer(self, interval=CALLS_EVERY_MS)
+        self._call.timeout.connect(self._beep)
+
+    def show_prompt(self, prompt: Prompt | None) -> None:
+        """Ask `prompt`; the same one again changes nothing."""
+        if prompt is self._prompt:
+            return
+        self._prompt = prompt
+        if prompt is None:
+            self._call.stop()
+            return
+        self._beep()
+        self._call.start()
+        self.text.set_text(prompt.text)
+        self.drawing.show_drawing(prompt.drawing)
+        self.entry.clear()
+        self.entry.setVisible(not prompt.choices)
+        self.choose.setVisible(FILE in prompt.drawing)
+        self._make_buttons(prompt)
+
+    def _beep(self) -> None:
+        """A window that was closed over a question asks nobody."""
+        if self.window().isVisible():
+            QApplication.beep()
+
+    def _make_buttons(self, prompt: Prompt) -> None:
+        while (old := self._buttons.takeAt(0)) is not None:
+            if (widget := old.widget()) is not None:
+                widget.setParent(None)  # from now on it hears no key
+                widget.deleteLater()
+        self.choices, self.send = {}, None
+        keys = iter(KEYS)
+        for choice in prompt.choices:
+            made = self._button(answer_label(prompt, choice), next(keys, KEYS[-1]) if acting(prompt, choice) else None)
+            named(made, "primary" if choice == prompt.choices[0] else "")
+            made.clicked.connect(lambda _=False, c=choice: self.answered.emit(c))
+            self.choices[choice] = made
+            self._buttons.addWidget(made)
+        if not prompt.choices:
+            self._make_senders(prompt)
+        self._buttons.addStretch()
+        held = [b for b in (*self.choices.values(), self.send) if isinstance(b, HoldButton)]
+        self.hint.setText(self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else "")
+
+    def _make_senders(self, prompt: Prompt) -> None:
+        """What sends the words; where they say that something was moved, by click or held key alone."""
+        self.send = self._button(translated(WORDS["send"]), KEYS[0] if prompt.acts else None)
+        named(self.send, "primary").clicked.connect(self._send_text)
+        self._buttons.addWidget(self.send)
+        if FILE in prompt.drawing:
+            self.choices[""] = button(self.tr("None"), self.tr("Go on without a file; the record says so"))
+            self.choices[""].clicked.connect(lambda: self.answered.emit(""))
+            self._buttons.addWidget(self.choices[""])
+
+    def _button(self, words: str, key: Qt.Key | None) -> QPushButton:
+        if key is None:
+            return button(words, self.tr("Answer: {0}").format(words))
+        made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
+        made.setToolTip(self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_")))
+        return made
+
+    def _enter(self) -> None:
+        if self._prompt is not None and not self._prompt.acts:
+            self._send_text()
+
+    def _choose(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("A file for the record"))
+        if path:
+            self.entry.setText(path)
+
+    def _send_text(self) -> None:
+        if self._prompt is not None and not self._prompt.choices and self.entry.text().strip():
+            self.answered.emit(self.entry.text().strip())

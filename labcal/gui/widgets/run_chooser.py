@@ -1,0 +1,81 @@
+"""Which run: a list of the store's finished and imported runs, the newest first, kept up to date."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy
+
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.common import button
+
+VISIBLE_CHARS = 10  # of a run's line are seen where there is no room for all
+USABLE = ("finished", "imported", "stopped", "failed")
+BROKEN = {"stopped": "■", "failed": "✕"}  # runs that did not come to their end are said to be so, first of all
+NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the History page."
+
+
+def run_title(one: dict[str, Any]) -> str:
+    """A run in one line: when, which DUT, what, how it ended."""
+    when = one["started_utc"][:16].replace("T", " ")
+    return " · ".join((when, one["dut_serial"], one["procedure"] or "bundle", one["status"].partition(":")[0]))
+
+
+class RunChooser(QComboBox):
+    """`chosen` carries the run id that a person picked."""
+
+    chosen = Signal(str)
+    known = Signal()
+
+    def __init__(self, app_state: AppState) -> None:
+        super().__init__()
+        self._app_state = app_state
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(VISIBLE_CHARS)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setAccessibleName(self.tr("Run"))
+        self.setToolTip(self.tr("The run to look at, the newest first"))
+        self.setPlaceholderText(self.tr("Choose a run"))
+        self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
+        app_state.run.ended.connect(self.refresh)
+        app_state.store_changed.connect(self.refresh)
+        self._wanted, self.none = "", False
+
+    def showEvent(self, event: object) -> None:
+        """The list as it is now."""
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Ask for the list again."""
+        self._app_state.request("runs", self._known)
+
+    def show_run(self, run: str) -> None:
+        """Show `run` as the one that is chosen."""
+        self._wanted = run
+        self.setCurrentIndex(self.findData(run))
+
+    def _known(self, runs: list[dict[str, Any]]) -> None:
+        kept = self._wanted or self.currentData()
+        self.clear()
+        for one in runs:
+            if one["status"].startswith(USABLE):
+                self.addItem(run_label(one), one["run_id"])
+        self.none = self.count() == 0
+        self.setCurrentIndex(self.findData(kept))
+        self.known.emit()
+
+
+def run_label(one: dict[str, Any]) -> str:
+    """A run's line, begun with how it ended where it did not come to its end."""
+    status = one["status"].partition(":")[0]
+    return f"{BROKEN[status]} {translated(status)} · {run_title(one)}" if status in BROKEN else run_title(one)
+
+
+def go_to_run_button(app_state: AppState) -> QPushButton:
+    """The way out of a page that has no run yet."""
+    made = button(translated("Go to Run"), translated("Record a run, or import one on the History page"), primary=True)
+    made.clicked.connect(lambda: app_state.page_requested.emit("Run"))
+    made.hide()
+    return made

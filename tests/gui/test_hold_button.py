@@ -1,0 +1,44 @@
+"""What acts on the lab is a click or its own key held; Enter, Space and a short press are nothing."""
+
+import pytest
+from PySide6.QtCore import Qt
+
+from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.viewmodels.run import Order
+from labcal.record.stream import Prompt
+
+ACTS = Prompt(1.0, "ready", "The coils go to 50 µT. Hands off?", ("done", "redo x"), True)
+
+
+@pytest.fixture
+def asked(still):
+    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit([item_to_json(ACTS)])
+    return still.page("Run").live.prompt
+
+
+def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked):
+    button = asked.choices["done"]
+    button.setFocus()
+    for key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+        qtbot.keyClick(button, key)
+    assert not button._held.isActive()
+    qtbot.keyPress(still, button.key)
+    assert button._held.isActive()
+    qtbot.keyRelease(still, button.key)
+    assert not button._held.isActive()
+    assert (still.app_state.run.state, still.app_state.bench_worker.said) == ("asking", [])
+
+
+def test_its_own_key_held_answers_whatever_has_the_focus(qtbot, still, asked, patience):
+    assert asked.choices["done"]._held.interval() == 700
+    still.top.operator.setFocus()
+    qtbot.keyPress(still.top.operator, asked.choices["done"].key)
+    qtbot.waitUntil(lambda: still.app_state.run.state == "running", timeout=patience)
+    assert still.app_state.bench_worker.said == [("answer", {"key": "ready", "text": "done"})]
+
+
+def test_to_redo_an_axis_acts_too_and_has_a_key_of_its_own(asked):
+    redo = asked.choices["redo x"]
+    assert redo.text().startswith("Redo axis X")
+    assert redo.key != asked.choices["done"].key

@@ -1,0 +1,102 @@
+"""The window in another language: every word of it stands in the .ts file, and a translation changes what is seen."""
+
+import re
+import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
+
+import PySide6
+import pytest
+from PySide6.QtCore import QLocale, QTranslator
+from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QTableWidget, QWidget
+
+from labcal.gui.frame import TopBar
+from labcal.gui.translations import translate
+from labcal.gui.window import PAGES
+
+MARK = "§"
+LRELEASE = next(Path(PySide6.__file__).parent.glob("lrelease*"), None)
+TINY = """<?xml version="1.0" encoding="utf-8"?><!DOCTYPE TS><TS version="2.1" language="de">
+<context><name>TopBar</name><message><source>DUT</source><translation>Prüfling</translation></message></context></TS>"""
+DATA = {
+    "labcal",
+    "nT",
+    "simulated cage",
+    "EM-07",
+    "J. Doe",
+    "simulated.toml",
+    "± U",
+    "k, gain",
+}  # what no language changes
+
+
+class Marking(QTranslator):
+    """Puts a mark before every text that the .ts file has, in its context."""
+
+    def __init__(self, parent):
+        super().__init__(parent)
+        contexts = ElementTree.parse(translate.FOLDER / "labcal.ts").getroot().iter("context")
+        self.known = {(c.findtext("name"), m.findtext("source")) for c in contexts for m in c.iter("message")}
+
+    def isEmpty(self):
+        return False
+
+    def translate(self, context, text, disambiguation=None, n=-1):
+        return MARK + text if (context, text) in self.known else None
+
+
+@pytest.fixture
+def marked(qapp):
+    translator = Marking(qapp)
+    qapp.installTranslator(translator)
+    yield translator
+    qapp.removeTranslator(translator)
+
+
+def seen(page):
+    """Every text that a person may read on a page, tool tips too."""
+    for widget in page.findChildren(QWidget):
+        yield widget.toolTip()
+        if isinstance(widget, QLabel | QAbstractButton):
+            yield widget.text()
+        elif isinstance(widget, QLineEdit):
+            yield widget.placeholderText()
+        elif isinstance(widget, QTableWidget):
+            yield from (widget.horizontalHeaderItem(n).text() for n in range(widget.columnCount()))
+
+
+def unmarked(page):
+    plain = (re.sub(r"<[^>]*>|&nbsp;|.*[/\\].*[.]toml|^\w+day, .*", "", text) for text in seen(page))
+    return {text for text in plain if MARK not in text and re.search("[A-Za-z]{2}", text)} - DATA
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_every_word_of_a_page_is_in_the_ts_file(still, marked, name):
+    from labcal.gui.window import build_page
+
+    page = build_page(name, still.app_state, lambda: still.theme)
+    try:
+        assert unmarked(page) == set()
+    finally:
+        page.deleteLater()
+
+
+def test_every_word_of_a_table_is_in_the_ts_file(marked):
+    assert {text for text in translate.TEXTS if not translate.translated(text).startswith(MARK)} == set()
+
+
+@pytest.mark.skipif(LRELEASE is None, reason="this PySide6 comes without lrelease, which makes the .qm file")
+def test_a_tiny_translation_changes_one_word_of_the_window(qapp, qtbot, tmp_path):
+    (tmp_path / "labcal_de.ts").write_text(TINY, encoding="utf-8")
+    subprocess.run([LRELEASE, tmp_path / "labcal_de.ts"], check=True, capture_output=True)
+    assert not translate.install_translator(qapp, QLocale("fr"), [tmp_path])
+    before, before_that = qapp.children(), QLocale()
+    assert translate.install_translator(qapp, QLocale("de_AT"), [tmp_path])
+    (translator,) = (one for one in qapp.children() if isinstance(one, QTranslator) and one not in before)
+    try:
+        bar = TopBar()
+        qtbot.addWidget(bar)
+        assert {one.text() for one in bar.findChildren(QLabel)} >= {"Prüfling", "Operator"}
+    finally:
+        qapp.removeTranslator(translator)
+        QLocale.setDefault(before_that)
