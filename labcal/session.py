@@ -44,7 +44,7 @@ from labcal.store import (
     save_bundle,
 )
 from labcal.store import check_store as store_check
-from labcal.store.live import FILE as STORE
+from labcal.store.listing import FILE as STORE
 from labcal.toml_file import named_files
 
 if TYPE_CHECKING:

@@ -8,15 +8,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
-from rich.cells import cell_len
-from rich.console import Console
-from rich.table import Table
 
 from labcal.cli import app
 from labcal.cli.results import FORCE, JSON, write_json
 from labcal.cli.screen import console, say, say_lines
 
 if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
     from labcal.store import RunSummary
 
 HEADS = ("run", "started", "status", "DUT", "procedure", "operator")
@@ -37,10 +37,9 @@ def runs(json: str | None = JSON, force: bool = FORCE) -> None:
     """List the runs of the store, the oldest first, with how each ended."""
     from dataclasses import asdict
 
-    from labcal.store import Store  # and no more: the list is there at once
+    from labcal.store import list_runs  # and no more: the list is there at once
 
-    with Store.open() as store:
-        found = store.runs()
+    found = list_runs()
     if json is not None:
         return write_json([asdict(run) for run in found], json, "runs", force=force)
     if not found:
@@ -108,14 +107,29 @@ def _listed(run: RunSummary) -> tuple[str, ...]:
 
 def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
     """The rows as lines, each column as wide as its widest cell: ten thousand of them at once."""
-    widths = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
+    widths = [max(map(_width, column)) for column in zip(*rows, strict=True)]
     for row in rows:
-        cells = (cell + " " * (width - cell_len(cell)) for cell, width in zip(row, widths, strict=True))
+        cells = (cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True))
         yield "  ".join(cells).rstrip()
 
 
+def _width(cell: str) -> int:
+    """How many places the cell takes on a terminal."""
+    if cell.isascii() and cell.isprintable():
+        return len(cell)
+    from rich.cells import cell_len
+
+    return cell_len(cell)
+
+
+def _table(*heads: str, **options: Any) -> Table:
+    from rich.table import Table
+
+    return Table(*heads, **options)
+
+
 def _head(told: Mapping[str, Any]) -> Table:
-    table = Table(show_header=False, box=None)
+    table = _table(show_header=False, box=None)
     dut, reference = told["dut"], told["reference"]
     noise = "not stated" if dut["noise_nT"] is None else f"{dut['noise_nT']:g} nT"
     lines = {
@@ -140,7 +154,7 @@ def _head(told: Mapping[str, Any]) -> Table:
 
 
 def _segments(told: Mapping[str, Any]) -> Table:
-    table = Table("segment", "kind", "offers", "modes", "samples", "missing", "s", "Hz", "|reference| nT", "note")
+    table = _table("segment", "kind", "offers", "modes", "samples", "missing", "s", "Hz", "|reference| nT", "note")
     for one in told["segments"]:
         rate = "" if one["rate_Hz"] is None else f"{one['rate_Hz']:.3g}"
         counts = (str(one["n_samples"]), str(one["missing"] or ""), f"{one['duration_s']:.1f}", rate)
@@ -150,14 +164,14 @@ def _segments(told: Mapping[str, Any]) -> Table:
 
 
 def _channels(told: Mapping[str, Any]) -> Table:
-    table = Table("channel", "unit", "quantity", "role", "range")
+    table = _table("channel", "unit", "quantity", "role", "range")
     for one in told["channels"]:
         table.add_row(one["name"], one["unit"], one["quantity"], one["role"], _between(one["range"], ".5g"))
     return table
 
 
 def _measurements(told: Mapping[str, Any]) -> Table:
-    table = Table("measurement", "value", "U (k = 2)", "unit", "limit", "verdict")
+    table = _table("measurement", "value", "U (k = 2)", "unit", "limit", "verdict")
     for one in told.get("measurements", ()):
         numbers = ("" if x is None else f"{x:.4g}" for x in (one["value"], one["u"] and 2 * one["u"]))
         limit = "" if one["limit"] is None else f"{one['limit']:g}"

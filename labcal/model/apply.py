@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +12,8 @@ from labcal.errors import InputError
 from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped
-from labcal.model.effects.following import behind, time_constants
 from labcal.model.gaps import bridged
+from labcal.model.pieces import TEMPERATURE, Recording, Taken, Walk, remembers
 from labcal.model.readings import Applied, Readings
 from labcal.model.seen import Seen
 from labcal.model.wary import bends, outliers, saturated
@@ -22,10 +21,8 @@ from labcal.model.wary import bends, outliers, saturated
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time")
-TEMPERATURE = frozenset({"offset-temperature", "gain-temperature"})
 MATERIAL = 1.15  # held-out residuals beyond this many times the noise are more than noise
 FEW = 8  # rows of a channel: fewer do not tell what it does in a gap
-REMEMBERING = frozenset({"lag", "hysteresis"})  # and whatever has a time constant
 
 
 def needed_columns(calibration: Calibration) -> tuple[str, ...]:
@@ -41,18 +38,6 @@ def needed_columns(calibration: Calibration) -> tuple[str, ...]:
     return tuple(names)
 
 
-def remembers(effect: Fitted) -> bool:
-    """Whether a row's effect depends on the rows before it."""
-    return (behind(effect.form) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
-
-
-def forgets(effect: Fitted) -> bool:
-    """Whether nothing of an effect that remembers goes over into another segment."""
-    kept = any(shape.name == "kept" and shape.value == 1 for shape in effect.form.shape)
-    delayed = any(shape.name == "delay_s" for shape in effect.form.shape)
-    return not kept and not delayed and not any(time_constants(effect.form))
-
-
 def apply(calibration: Calibration, readings: Readings) -> Applied:
     """B = K m − k − Σ e_i of the sensor's effects, for every row (contract: calibration, `apply`).
 
@@ -66,19 +51,19 @@ def apply(calibration: Calibration, readings: Readings) -> Applied:
 def apply_in_pieces(calibration: Calibration, readings: Readings, most: int) -> Iterator[Applied]:
     """As `apply`, for `most` rows at a time, each as if all were there: what they take from the whole is found first.
 
-    Where effects remember, a stretch that they remember is one piece, however long it is.
+    All rows are one piece where an effect of another package remembers, or one remembers and time goes back.
     """
     have = {*readings.channels, *(n for n in ("t_s", "segment", "mode") if getattr(readings, n) is not None)}
     for name in needed_columns(calibration):
         if name not in have:
             raise InputError("the calibration's effects need this column; it is missing", column=name)
     readings, filled = _filled(readings)
-    pieces = _pieces(calibration, readings, most)
-    alone = _corrected(calibration, readings.rows(0, len(readings))) if len(pieces) == 1 else None  # not twice
-    whole = _survey(calibration, readings, pieces, alone)
-    for rows in pieces:
-        part = readings.rows(rows.start, rows.stop)
-        yield _applied(calibration, part, alone or _corrected(calibration, part), whole, filled, rows)
+    recording = Recording(readings)
+    pieces = _pieces(_walks(calibration, recording), len(readings), most)
+    alone = list(_corrected(calibration, recording, pieces)) if len(pieces) == 1 else None  # not twice
+    whole = _survey(calibration, readings, pieces, alone or _corrected(calibration, recording, pieces))
+    for rows, part in zip(pieces, alone or _corrected(calibration, recording, pieces), strict=True):
+        yield _applied(calibration, readings.rows(rows.start, rows.stop), part, whole, filled, rows)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,10 +71,7 @@ class _Corrected:
     """Some rows with the effects taken off, and what each effect was there."""
 
     field_nT: Array  # (n, 3)
-    values: tuple[Array, ...]  # of each effect (n, 3)
-    variances: tuple[Array, ...]  # of each effect (n, 3)
-    usable: tuple[Mask, ...]  # of each effect: rows (n,) that have what it needs
-    flags: dict[str, Mask]
+    effects: tuple[Taken, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,41 +80,43 @@ class _Whole:
 
     sizes: tuple[Array, ...]  # (3,) of each effect: its mean square, for rows that go without it
     restless: tuple[Array, ...]  # (3,) of each effect: the mean square of its change from row to row
+    spreads: tuple[Array, ...]  # (3,) of each effect: its variance over the rows that have it
     saturated: Mask  # (n,)
     outlier: Mask  # (n,)
 
 
-def _pieces(calibration: Calibration, readings: Readings, most: int) -> list[slice]:
-    """Slices of about `most` rows; where effects remember, cut where they forget alone."""
-    n, effects = len(readings), [e for e in map(load_shipped, calibration.effects) if remembers(e)]
-    cuts = np.arange(most, n, most)
-    if effects:
-        segment = readings.segment if all(map(forgets, effects)) else None
-        changed = cuts[:0] if segment is None else np.flatnonzero(segment[1:] != segment[:-1]) + 1
-        last = np.searchsorted(changed, cuts, side="right") - 1
-        cuts = np.unique(changed[last[last >= 0]])
-    return [slice(a, b) for a, b in pairwise([0, *cuts.tolist(), n])]
+def _walks(calibration: Calibration, recording: Recording) -> list[Walk]:
+    return [Walk(calibration, record, recording) for record in calibration.effects]
 
 
-def _corrected(calibration: Calibration, readings: Readings) -> _Corrected:
-    field_nT = calibration.affine.apply(readings.reading)
-    flags = {word: np.zeros(len(readings), dtype=bool) for word in FLAGS}
-    found = [_effect(calibration, record, readings, field_nT, flags) for record in calibration.effects]
-    corrected = field_nT.copy()
-    for value, _, _ in found:
-        corrected -= value
-    values, variances, usable = zip(*found, strict=True) if found else ((), (), ())
-    return _Corrected(corrected, values, variances, usable, flags)
+def _pieces(walks: list[Walk], n: int, most: int) -> list[slice]:
+    """Slices of `most` rows, or of as many as an effect reaches over; one where an effect needs all at once."""
+    most = max([most, *(walk.rows_within_reach() for walk in walks)])
+    if any(walk.at_once for walk in walks):
+        most = max(most, n)
+    return [slice(a, min(a + most, n)) for a in range(0, n, most)] or [slice(0, 0)]
 
 
-def _survey(calibration: Calibration, readings: Readings, pieces: list[slice], alone: _Corrected | None) -> _Whole:
+def _corrected(calibration: Calibration, recording: Recording, pieces: list[slice]) -> Iterator[_Corrected]:
+    """Each piece with the effects taken off, which walk along the recording."""
+    walks = _walks(calibration, recording)
+    for rows in pieces:
+        found = tuple(walk.take(rows) for walk in walks)
+        field_nT = calibration.affine.apply(recording.readings.reading[rows])
+        for one in found:
+            field_nT -= one.value
+        yield _Corrected(field_nT, found)
+
+
+def _survey(
+    calibration: Calibration, readings: Readings, pieces: list[slice], corrected: Iterable[_Corrected]
+) -> _Whole:
     """Sums over all rows in their order, so that they are the same however the rows are cut."""
     seen = [Seen() for _ in calibration.effects]
     bend, last = np.zeros(len(readings)), np.empty((0, 3))
-    for rows in pieces:
-        part = alone or _corrected(calibration, readings.rows(rows.start, rows.stop))
-        for one, value, usable in zip(seen, part.values, part.usable, strict=True):
-            one.take(value, usable)
+    for rows, part in zip(pieces, corrected, strict=True):
+        for one, effect in zip(seen, part.effects, strict=True):
+            one.take(effect.value, effect.usable)
         joined = np.concatenate([last, part.field_nT])
         start = rows.start - len(last) + 1
         if len(joined) > 2:
@@ -142,6 +126,7 @@ def _survey(calibration: Calibration, readings: Readings, pieces: list[slice], a
     return _Whole(
         tuple(_size(calibration, record, effect, one) for record, effect, one in records),
         tuple(one.restless for one in seen),
+        tuple(one.variance for one in seen),
         saturated(calibration, readings.reading),
         outliers(bend, readings.segment, reading_noise(calibration)),
     )
@@ -150,18 +135,29 @@ def _survey(calibration: Calibration, readings: Readings, pieces: list[slice], a
 def _applied(
     calibration: Calibration, readings: Readings, part: _Corrected, whole: _Whole, filled: dict[str, Mask], rows: slice
 ) -> Applied:
-    variance, flags = _base_variance(calibration, readings.reading), part.flags
-    of_effects = zip(calibration.effects, part.variances, part.usable, whole.sizes, whole.restless, strict=True)
-    for record, uncertain, usable, size, restless in of_effects:
-        uncertain[~usable] += size
+    variance, flags = _base_variance(calibration, readings.reading), _flags(part, len(readings))
+    of_effects = zip(calibration.effects, part.effects, whole.sizes, whole.restless, whole.spreads, strict=True)
+    for record, effect, size, restless, spread in of_effects:
+        variance += effect.variance
+        variance[~effect.usable] += size
         for name in record.channels:
-            uncertain[filled[name][rows]] += restless
-        variance += uncertain
+            variance[filled[name][rows]] += restless
+        if effect.late is not None:
+            variance[effect.late] += spread
     flags["saturated"] |= whole.saturated[rows]
     flags["outlier"] |= whole.outlier[rows] & ~flags["saturated"]
     _beyond_validity(calibration, readings, part.field_nT, flags)
     u = np.sqrt(variance.mean(axis=1)) * _growth(calibration, readings, part.field_nT, flags)
     return Applied(part.field_nT, u, tuple(_words(flags)))
+
+
+def _flags(part: _Corrected, n: int) -> dict[str, Mask]:
+    """What the effects flag, of each word of FLAGS (n,)."""
+    flags = {word: np.zeros(n, dtype=bool) for word in FLAGS}
+    for effect in part.effects:
+        for word, rows in effect.flags.items():
+            flags[word] |= rows
+    return flags
 
 
 def _words(flags: dict[str, Mask]) -> list[str]:
@@ -221,73 +217,6 @@ def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
     return replace(readings, channels=channels), filled
 
 
-def _effect(
-    calibration: Calibration, record: EffectRecord, readings: Readings, field_nT: Array, flags: dict[str, Mask]
-) -> tuple[Array, Array, Mask]:
-    """One effect, its variance (n, 3) each, and the rows (n,) where it is known; elsewhere both are nought."""
-    effect = load_shipped(record)
-    usable = np.isfinite(field_nT).all(axis=1) & _usable(calibration, record, effect, readings, flags)
-    value, variance = np.zeros_like(field_nT), np.zeros_like(field_nT)
-    if usable.any():
-        columns = effect.form.columns(_scene(calibration, readings, field_nT, usable))
-        value[usable] = columns @ effect.beta
-        u = {p.name: p.u for p in record.parameters}
-        variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.form.parameters])
-    if effect.family.id == "lag" and readings.t_s is not None:
-        beyond = _out_of_reach(readings, float(effect.beta[0]))
-        flags["rate"] |= beyond
-        variance[beyond] += value[beyond] ** 2
-    if effect.family.id == "offset-step" and readings.t_s is not None:
-        unsure = _beside_the_step(record, readings.t_s)
-        flags["time"] |= unsure
-        variance[unsure] += effect.beta**2 / 4
-    delay = next((s.value for s in effect.form.shape if s.name == "delay_s"), 0.0)
-    if delay and usable.any():
-        variance[_out_of_reach(readings, -delay)] += value[usable].var(axis=0)
-    return value, variance, usable
-
-
-def _usable(
-    calibration: Calibration, record: EffectRecord, effect: Fitted, readings: Readings, flags: dict[str, Mask]
-) -> Mask:
-    """Rows (n,) that have what the effect needs: its channels, the run's time, a mode it knows. Flags the others."""
-    usable: Mask = np.ones(len(readings), dtype=bool)
-    for name in record.channels:
-        missing = ~np.isfinite(readings.channels[name])
-        usable = usable & ~missing
-        if record.effect in TEMPERATURE:
-            flags["temperature"] |= missing
-    if effect.family.bound_to_run and readings.t_s is not None:
-        first, last = calibration.span_s
-        inside = (readings.t_s >= first) & (readings.t_s <= last)
-        usable = usable & inside
-        flags["time"] |= ~inside
-    if effect.family.id == "offset-mode" and readings.mode is not None:
-        unknown = ~np.isin(readings.mode, _known_modes(calibration, record))
-        usable = usable & ~unknown
-        flags["mode"] |= unknown
-    return usable
-
-
-def _scene(calibration: Calibration, readings: Readings, field_nT: Array, rows: Mask) -> Scene:
-    n = len(readings)
-    t_s = readings.t_s if readings.t_s is not None else np.zeros(n)
-    segment = np.zeros(n, dtype=np.intp)
-    if readings.segment is not None:
-        segment = np.cumsum(np.r_[False, readings.segment[1:] != readings.segment[:-1]]).astype(np.intp)
-    channels = {name: values[rows] for name, values in readings.channels.items()}
-    mode = None if readings.mode is None else readings.mode[rows]
-    axes = calibration.affine.K / calibration.dut.nominal_nT_per_unit
-    return Scene(t_s[rows], segment[rows], field_nT[rows], channels, mode, axes)
-
-
-def _known_modes(calibration: Calibration, record: EffectRecord) -> list[str]:
-    """Modes that have an offset of their own, and the one that k belongs to; that may be "", a row without a mode."""
-    own = [p.name.split(" ", 1)[1] for p in record.parameters if " " in p.name]
-    base = [mode for mode in calibration.validity.modes if mode not in own]
-    return [*own, *(base or [""])]
-
-
 def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
     """Mean square (3,) of an effect that a row goes without: over the run's span, its modes, or the rows that have it.
 
@@ -302,25 +231,6 @@ def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: 
     before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0
     lost = max(before**2 - after**2, 0.0) / (3 if calibration.frame_known else 1)
     return np.asarray(np.maximum(seen.mean_square, np.full(3, lost)))
-
-
-def _beside_the_step(record: EffectRecord, t_s: Array) -> Mask:
-    """Rows (n,) of which nobody knows on which side of the step they lie: it was between two rows of the run."""
-    step = next(p for p in record.parameters if p.name == "t_step_s")
-    return np.asarray(np.abs(t_s - step.value) < np.sqrt(3) * step.u * (1 - 1e-6))
-
-
-def _out_of_reach(readings: Readings, lag_s: float) -> Mask:
-    """Rows whose reading a lag later lies beyond their segment's ends."""
-    assert readings.t_s is not None
-    t, out = readings.t_s, np.zeros(len(readings), dtype=bool)
-    segment = readings.segment if readings.segment is not None else np.zeros(len(t), dtype=np.intp)
-    edges = [0, *(np.flatnonzero(segment[1:] != segment[:-1]) + 1).tolist(), len(t)]
-    for start, stop in pairwise(edges):
-        if start < stop:
-            later = t[start:stop] + lag_s
-            out[start:stop] = (later < t[start]) | (later > t[stop - 1])
-    return out
 
 
 def _beyond_validity(calibration: Calibration, readings: Readings, field_nT: Array, flags: dict[str, Mask]) -> None:

@@ -1,20 +1,27 @@
-"""Keeping what was measured: bundles for exchange and the live store."""
+"""Keeping what was measured: bundles for exchange and the live store.
 
-from labcal.store.bundle import (
-    Bundle,
-    bundle_files,
-    bundle_of,
-    bundle_sha256,
-    load_bundle,
-    read_bundle,
-    save_bundle,
-    write_bundle,
-)
-from labcal.store.check import Checked, check_store
-from labcal.store.live import RunSummary, Store
-from labcal.store.summary import describe
-from labcal.store.table import Table, read_table
-from labcal.store.writer import RunWriter
+Its names are loaded when they are asked for: who only lists runs does not wait for what reads bundles.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from labcal.store.bundle import (
+        Bundle,
+        bundle_files,
+        bundle_of,
+        bundle_sha256,
+        load_bundle,
+        read_bundle,
+        save_bundle,
+        write_bundle,
+    )
+    from labcal.store.check import Checked, check_store
+    from labcal.store.listing import RunSummary, list_runs
+    from labcal.store.live import Store
+    from labcal.store.summary import describe
+    from labcal.store.table import Table, read_table
+    from labcal.store.writer import RunWriter
 
 __all__ = [
     "Bundle",
@@ -28,9 +35,26 @@ __all__ = [
     "bundle_sha256",
     "check_store",
     "describe",
+    "list_runs",
     "load_bundle",
     "read_bundle",
     "read_table",
     "save_bundle",
     "write_bundle",
 ]
+_OF_OTHERS = {
+    **dict.fromkeys(("Checked", "check_store"), "check"),
+    **dict.fromkeys(("RunSummary", "list_runs"), "listing"),
+    **dict.fromkeys(("Table", "read_table"), "table"),
+    "Store": "live",
+    "describe": "summary",
+    "RunWriter": "writer",
+}
+
+
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_OF_OTHERS.get(name, 'bundle')}"), name)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from struct import unpack
 from types import TracebackType
@@ -28,33 +27,21 @@ from labcal.store.database import (
 )
 from labcal.store.items import Row, from_row, header_from_json, to_json, to_row
 from labcal.store.limits import shortened
-from labcal.store.liveness import Alive, is_alive
+from labcal.store.listing import (
+    FILE,
+    LAST_CORRECTION,
+    LAST_STATUS,
+    RunSummary,
+    corrected,
+    lock_file,
+    summaries,
+    true_status,
+)
+from labcal.store.liveness import Alive
 from labcal.store.place import require_same
-from labcal.store.schema import CORRECTED, IS_CORRECTION
+from labcal.store.schema import CORRECTED
 from labcal.store.summary import describe
 from labcal.store.writer import INSERT_ITEM, INSERT_STATUS, RunWriter, utc_now
-
-FILE = "store.sqlite"
-LAST_CORRECTION = (
-    f"(SELECT content FROM item WHERE item.run = run.number AND {IS_CORRECTION} ORDER BY item.number DESC LIMIT 1)"
-)
-HEAD = "CASE WHEN json_valid(header) THEN json_extract(header, {}) END".format(
-    ", ".join(f"'$.{key}'" for key in ("started_utc", "dut.serial", "simulated", "operator", "procedure"))
-)  # of a header, what a list shows: a bench file and more stand in it too
-LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
-
-
-@dataclass(frozen=True, slots=True)
-class RunSummary:
-    """One line about a run, for a list. `status`: running, finished, stopped, failed: …, interrupted, imported."""
-
-    run_id: str
-    started_utc: str
-    status: str
-    dut_serial: str
-    operator: str
-    procedure: str
-    simulated: bool
 
 
 class Store:
@@ -132,14 +119,13 @@ class Store:
 
     def runs(self) -> list[RunSummary]:
         """All runs, the oldest first."""
-        rows = self._all(f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION} FROM run ORDER BY number")
-        return [self._summary(*row) for row in rows]
+        return summaries(self._connection, self.path)
 
     def status(self, run_id: str) -> str:
         """How the run stands. Raises InputError where there is no such run."""
         number = self._number(run_id)
         ((status,),) = self._all(f"SELECT {LAST_STATUS} FROM run WHERE number = ?", number)
-        return self._true_status(run_id, str(status))
+        return true_status(self.path, run_id, str(status))
 
     def header(self, run_id: str) -> RunHeader:
         """The head of a recorded run. Raises InputError where there is no such run, or it was imported."""
@@ -147,7 +133,7 @@ class Store:
             raise InputError(f"run {run_id} was imported: what is known of it stands in its bundle")
         ((text, correction),) = self._all(f"SELECT header, {LAST_CORRECTION} FROM run WHERE run_id = ?", run_id)
         header = header_from_json(text)
-        serial = _corrected(correction)
+        serial = corrected(correction)
         return replace(header, dut=replace(header.dut, serial=serial)) if serial else header
 
     def correct_serial(self, run_id: str, serial: str, who: str) -> None:
@@ -236,27 +222,8 @@ class Store:
         found = self._all("SELECT run_json, samples_csv FROM bundle WHERE run = ?", self._number(run_id))
         return Bundle(found[0][0], found[0][1], Path(run_id), of_store=True) if found else None
 
-    def _summary(self, run_id: str, head: str | None, status: str, correction: str | None) -> RunSummary:
-        started_utc, serial, simulated, operator, procedure = json.loads(head) if head else [None] * 5
-        if started_utc is None or serial is None or simulated is None:
-            raise InputError(f"the store is damaged: the header of run {run_id!r}", file=self.path)
-        return RunSummary(
-            run_id=run_id,
-            started_utc=started_utc,
-            status=self._true_status(run_id, status),
-            dut_serial=_corrected(correction) or serial,
-            operator=operator or "",
-            procedure=procedure or "",
-            simulated=simulated,
-        )
-
-    def _true_status(self, run_id: str, written: str) -> str:
-        if written != "running" or is_alive(self._lock_file(run_id)):
-            return written
-        return "interrupted"
-
     def _lock_file(self, run_id: str) -> Path:
-        return self.path.with_name(f"{self.path.name}-writers") / f"{as_file_name(run_id)}.lock"
+        return lock_file(self.path, run_id)
 
     def _all(self, query: str, *values: object) -> list[tuple[Any, ...]]:
         with named_faults(self.path):
@@ -268,8 +235,3 @@ def _refuse_name(run_id: str) -> None:
         checked_run_id(run_id)
     except ValueError as error:
         raise InputError(str(error)) from None
-
-
-def _corrected(event: str | None) -> str:
-    """The serial that the JSON of a correction states; "" where there was none."""
-    return str(json.loads(event)["data"]["to"]) if event else ""

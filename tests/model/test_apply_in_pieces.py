@@ -20,6 +20,40 @@ MODES = ("offset-mode", (), {}, {"c_x quiet": 20.0, "c_y quiet": 2.0, "c_z quiet
 LAG = ("lag", (), {}, {"lag_s": 0.05, "secant_s": 0.05})
 LOOP = ("hysteresis", (), {}, {"c_x": 0.02, "c_y": 0.03, "c_z": 0.01, "r_nT": 4000.0})
 LATE = ("offset-current", ("i",), {"i": 0.2}, {"c_x": 50.0, "c_y": -3.0, "c_z": 10.0, "tau_s": 3.0})
+DELAYED = (*CURRENT[:3], {**CURRENT[3], "delay_s": 1.7})
+AHEAD = (*CURRENT[:3], {**CURRENT[3], "delay_s": -0.9})
+SEVERAL = (*CURRENT[:3], {f"c{tau}s_{a}": 20.0 + tau for tau in (0, 3, 12) for a in "xyz"})
+HEAT = ("offset-current-squared", ("i",), {"i": 0.0}, {**CURRENT[3], "tau_s": 1.0})
+CURVED = (
+    "offset-temperature",
+    ("temp",),
+    {"temp": 20.0},
+    {**CURRENT[3], "d_x": 1.0, "d_y": 0.5, "d_z": 2.0, "tau_s": 5.0},
+)
+LEADING = ("offset-temperature", ("temp",), {"temp": 20.0}, {**CURRENT[3], "tau_s": -8.0})  # windows end on rows
+SLOW_GAIN = (*WARMTH[:3], {**WARMTH[3], "tau_s": 6.0})
+FAR_LAG = ("lag", (), {}, {"lag_s": 0.35, "secant_s": 0.35})
+DAHL = ("hysteresis", (), {}, {"c_x": 20.0, "c_y": 30.0, "c_z": 10.0, "w_nT": 4000.0})
+STOPS = ("hysteresis", (), {}, {f"c{r}_{a}": 0.02 for r in (500, 4000) for a in "xyz"})
+KEPT = ("hysteresis", (), {}, {**STOPS[3], "kept": 1.0})
+ANEW = ("hysteresis", (), {}, {**STOPS[3], "kept": 0.0})
+PLAY = (
+    "hysteresis",
+    (),
+    {},
+    {
+        f"{c}_{a}": v
+        for c, v in (("c", 9.0), ("t1", 5.0), ("a2", 1e-9), ("a3", 1e-13), ("a4", 1e-18), ("a5", 1e-22))
+        for a in "xyz"
+    }
+    | {"r_nT": 1000.0, "s_nT": 20000.0},
+)
+BAR = (
+    "hysteresis",
+    (),
+    {},
+    {f"body_c{r}_{a}": 0.01 for r in (2000, 6000) for a in "xyz"} | {"lon_deg": 30.0, "lat_deg": 20.0, "kept": 1.0},
+)
 
 
 def calibration(*effects: tuple) -> Calibration:
@@ -59,8 +93,10 @@ def recording(seed: int) -> Readings:
     load[120:170] = np.nan
     temperature = 20 + 7 * np.sin(turn / 3) + rng.normal(0, 0.01, ROWS)
     modes = np.array(["nominal", "quiet", "loud", ""])[rng.integers(0, 4, ROWS)]
-    segment = np.searchsorted(np.sort(rng.integers(0, ROWS, 3)), np.arange(ROWS), side="right")
-    return Readings(reading, np.linspace(0, 40, ROWS), segment, modes, {"i": load, "temp": temperature})
+    starts = np.sort(rng.integers(0, ROWS, 3)) if seed else np.array([ROWS])  # the first is all one segment
+    segment = np.searchsorted(starts, np.arange(ROWS), side="right")
+    t_s = 0.1 * np.arange(ROWS) + 20.0 * np.minimum(segment, 2)  # two segments begin after a while, the third at once
+    return Readings(reading, t_s, segment, modes, {"i": load, "temp": temperature})
 
 
 def written(field_nT: np.ndarray, u_nT: np.ndarray) -> list[str]:
@@ -69,8 +105,16 @@ def written(field_nT: np.ndarray, u_nT: np.ndarray) -> list[str]:
 
 @pytest.mark.parametrize(
     "effects",
-    [(), (CURRENT, WARMTH), (DRIFT, MODES, CURRENT), (LAG,), (LOOP, CURRENT), (LATE, LAG)],
-    ids=["map", "channels", "time-and-mode", "lag", "loop", "late"],
+    [
+        *((), (CURRENT, WARMTH), (DRIFT, MODES, CURRENT), (LAG,), (LOOP, CURRENT), (LATE, LAG)),
+        *((DELAYED,), (AHEAD, FAR_LAG), (SEVERAL,), (HEAT, CURVED), (LEADING,), (SLOW_GAIN,)),
+        *((DAHL,), (STOPS,), (KEPT,), (ANEW,), (PLAY,), (BAR,)),
+    ],
+    ids=[
+        *("map", "channels", "time-and-mode", "lag", "loop", "late"),
+        *("delayed", "ahead", "several", "curved", "leading", "slow-gain"),
+        *("dahl", "stops", "kept", "anew", "play", "bar"),
+    ],
 )
 @settings(max_examples=12)
 @given(most=st.integers(5, ROWS + 10), seed=st.integers(0, 3))
@@ -88,11 +132,21 @@ def test_the_recordings_have_what_rows_take_from_the_whole() -> None:
     assert {"outlier", "saturated", "field", "mode"} <= found
 
 
-def test_what_does_not_remember_is_done_in_pieces_and_what_does_from_segment_to_segment() -> None:
-    readings = recording(1)
-    changes = 1 + np.flatnonzero(np.diff(readings.segment))
-    assert [len(p.u_nT) for p in apply_in_pieces(calibration(CURRENT), readings, 150)] == [150, 150, 100]
-    found = np.cumsum([len(p.u_nT) for p in apply_in_pieces(calibration(LAG), readings, 150)])
-    assert set(found[:-1]) <= set(changes)
-    assert len(found) > 1
-    assert [len(p.u_nT) for p in apply_in_pieces(calibration(LATE), readings, 150)] == [ROWS]
+@pytest.mark.parametrize(
+    "effect", [CURRENT, LAG, LATE, DELAYED, LEADING, KEPT, DAHL], ids=lambda effect: "-".join([effect[0], *effect[3]])
+)
+def test_one_long_segment_is_done_in_pieces_also_where_effects_remember(effect: tuple) -> None:
+    found = [len(p.u_nT) for p in apply_in_pieces(calibration(effect), recording(0), 150)]
+    assert found == [150, 150, 100]
+
+
+def test_pieces_are_as_long_as_an_effect_reaches() -> None:
+    far = (*CURRENT[:3], {**CURRENT[3], "delay_s": 25.0})
+    assert len(next(apply_in_pieces(calibration(far), recording(0), 10)).u_nT) == 250  # of 400 in 40 s
+
+
+def test_all_rows_are_one_piece_where_an_effect_remembers_and_time_goes_back() -> None:
+    readings = recording(0)
+    readings.t_s[200:] -= 30.0
+    assert [len(p.u_nT) for p in apply_in_pieces(calibration(LAG), readings, 150)] == [ROWS]
+    assert len(list(apply_in_pieces(calibration(CURRENT), readings, 150))) == 3

@@ -13,7 +13,7 @@ from labcal.errors import InputError
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Block, Event, Measurement
 from labcal.store import Store
-from labcal.store.live import LAST_CORRECTION
+from labcal.store.listing import LAST_CORRECTION
 from labcal.store.schema import INDEXES, IS_CORRECTION
 
 HEADER = RunHeader("r1", "2026-03-02T08:15:00Z", True, "bench", Dut("SN1"), Reference("none"), procedure="ambient")

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from labcal.model.effects.protocol import Array, Form, Kernel, Scene, Shape
-from labcal.model.effects.regressors import delayed, low_passed, middle, on_each_axis, per_axis
+from labcal.model.effects.regressors import LEAD, delayed, low_passed, middle, on_each_axis, per_axis
 from labcal.record import Run, period_s
 from labcal.record.run import Channel
 
@@ -62,14 +62,25 @@ def responding(form: Form, scene: Scene) -> Array:
     if "delay_s" in names:
         return on_each_axis(delayed(scene.t_s, scene.segment, drive, form.at("delay_s")))
     if names:
-        return on_each_axis(low_passed(scene.t_s, scene.segment, drive, form.at("tau_s")))
+        return on_each_axis(_behind(scene, drive, form.at("tau_s")))
     taus = time_constants(form)
-    return np.concatenate([on_each_axis(low_passed(scene.t_s, scene.segment, drive, tau)) for tau in taus], axis=2)
+    return np.concatenate([on_each_axis(_behind(scene, drive, tau)) for tau in taus], axis=2)
+
+
+def _behind(scene: Scene, drive: Array, tau_s: float) -> Array:
+    return low_passed(scene.t_s, scene.segment, drive, tau_s, scene.past)
 
 
 def behind(form: Form) -> bool:
     """Whether the form looks at other rows."""
     return any(s.name == "delay_s" for s in form.shape) or any(time_constants(form))
+
+
+def reach_s(form: Form) -> float:
+    """How far [s] from a row, either way, the rows lie that it looks at; what follows as a state reaches nowhere."""
+    values = {shape.name: shape.value for shape in form.shape}
+    lead_s = max(-values.get("tau_s", 0.0), 0.0)
+    return max(abs(values.get("delay_s", 0.0)), abs(values.get("secant_s", 0.0)), lead_s * LEAD)
 
 
 def time_constants(form: Form) -> list[float]:

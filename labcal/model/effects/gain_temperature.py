@@ -14,7 +14,7 @@ TAU_S = (10.0, 30.0, 100.0, 300.0)
 def kernel(form: Form, scene: Scene) -> Array:
     """E = Σ g_i s_i (T − T_ref) along sensor axis i; with nine parameters along every axis j; T behind by tau_s."""
     tau_s = form.at("tau_s") if form.shape else 0.0
-    s, warm = scene.along_axes_nT, low_passed(scene.t_s, scene.segment, form.drive(scene), tau_s)[:, None]
+    s, warm = scene.along_axes_nT, low_passed(scene.t_s, scene.segment, form.drive(scene), tau_s, scene.past)[:, None]
     if len(form.parameters) == 3:
         return np.asarray((warm * s)[:, None, :] * scene.axes)
     return np.asarray(np.einsum("ji,nk->njik", scene.axes, warm * s).reshape(len(scene), 3, 9))
@@ -40,4 +40,5 @@ FAMILY = Family(
     shapes=("tau_s",),
     experiment="warm the sensor in a large field and again in a small one",
     of_field=True,
+    in_pieces=True,
 )

@@ -14,12 +14,13 @@ field points anywhere.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from labcal.model.effects.nonlinearity import SATURATION_nT, bend
+from labcal.model.effects.past import Past
 from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
 from labcal.model.effects.recursion import affine, clipped
 from labcal.model.effects.regressors import BODY, driving, on_each_axis, per_axis, powered, stretches
@@ -36,23 +37,38 @@ TO_AND_FRO = 2.0**1.5  # standard deviations that a sine is wide
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
 
 
-def stop(drive: Array, threshold: Array | float, starts: Sequence[int] = (0,), *, at_rest: bool = True) -> Array:
+Before = tuple[Array, Array]  # drive and state (k,) each, of the row before the first
+
+
+def stop(
+    drive: Array,
+    threshold: Array | float,
+    starts: Sequence[int] = (0,),
+    *,
+    at_rest: bool = True,
+    before: Before | None = None,
+) -> Array:
     """The stop operator along rows of drive (n, k) [nT]: within ± threshold (one, or k).
 
-    It starts anew in each row of `starts`, at rest in the field there or at drive 0.
+    It starts anew in each row of `starts`, at rest in the field there or at drive 0; the first row goes on from the one
+    `before` it where it is no start.
     """
     steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
     steps[first] = 0.0 if at_rest else drive[first]
-    return clipped(steps, threshold, first)
+    if before is None:
+        return clipped(steps, threshold, first)
+    steps[0] = before[1] + (drive[0] - before[0])
+    return clipped(steps, threshold, np.r_[0, first])
 
 
-def dahl(drive: Array, width: float, starts: Sequence[int] = (0,)) -> Array:
+def dahl(drive: Array, width: float, starts: Sequence[int] = (0,), before: Before | None = None) -> Array:
     """Dahl's loop along rows of drive (n, k), within ± 1: dz = (sign(dx) − z) |dx| / width; at rest in `starts`."""
-    steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
+    at, state = (drive[0], 0.0) if before is None else before
+    steps, first = np.diff(drive, axis=0, prepend=at[None]), np.asarray(starts, dtype=np.intp)
     steps[first] = 0.0
     keep = np.exp(-np.abs(steps) / width)
     keep[first] = 0.0
-    return affine(keep, np.sign(steps) * (1 - keep), 0.0)
+    return affine(keep, np.sign(steps) * (1 - keep), state)
 
 
 def kernel(form: Form, scene: Scene) -> Array:
@@ -64,9 +80,9 @@ def kernel(form: Form, scene: Scene) -> Array:
     s = driving(form, scene if scene.rig is None else replace(scene, quiet_nT=scene.rig.prediction_nT))
     names = {shape.name for shape in form.shape}
     if "w_nT" in names:
-        loops = [dahl(s, form.at("w_nT"), _starts(scene))]
+        loops = [_along(scene, s, lambda starts, before: dahl(s, form.at("w_nT"), starts, before))]
     elif "s_nT" in names:
-        play = s - stop(s, form.at("r_nT"), _starts(scene))
+        play = s - _along(scene, s, lambda starts, before: stop(s, form.at("r_nT"), starts, before=before))
         level = form.at("s_nT")
         loops = [np.tanh(play / level) - np.tanh(s / level), bend(s / level), *(s**k for k in BENDS)]
     elif "lon_deg" in names:
@@ -87,13 +103,27 @@ def _stopped(form: Form, scene: Scene, s: Array) -> list[Array]:
     """The stop of each threshold (n, k), all in one pass."""
     kept = next((shape.value for shape in form.shape if shape.name == "kept"), None)
     thresholds, k = _thresholds(form), s.shape[1]
-    starts = [0] if kept == 1 else _starts(scene)
-    side_by_side = np.tile(s, len(thresholds)), np.repeat(thresholds, k)
-    return np.split(stop(*side_by_side, starts, at_rest=kept is None), len(thresholds), axis=1)
+    drive, limits = np.tile(s, len(thresholds)), np.repeat(thresholds, k)
+
+    def stopped(starts: Sequence[int], before: Before | None) -> Array:
+        return stop(drive, limits, starts, at_rest=kept is None, before=before)
+
+    return np.split(_along(scene, drive, stopped, once=kept == 1), len(thresholds), axis=1)
 
 
-def _starts(scene: Scene) -> list[int]:
-    return [rows.start for rows in stretches(scene.segment)]
+def _along(
+    scene: Scene, drive: Array, loop: Callable[[Sequence[int], Before | None], Array], *, once: bool = False
+) -> Array:
+    """The loop's state (n, k), begun anew in each segment, or `once`; it goes on from the scene's past."""
+    past, before = scene.past or Past(len(scene)), None
+    starts = [0] if once else [rows.start for rows in stretches(scene.segment)]
+    if "loop" in past.before:
+        segment, *left = past.before["loop"]
+        if once or segment == scene.segment[0]:
+            starts, before = starts[1:], (left[0], left[1])
+    state, last = loop(starts, before), past.own - 1
+    past.after["loop"] = scene.segment[last], drive[last].copy(), state[last].copy()
+    return state
 
 
 def _thresholds(form: Form) -> list[float]:
@@ -170,4 +200,5 @@ FAMILY = Family(
     experiment="step the field up and down through the same values, or turn backwards",
     of_field=True,
     extends=("nonlinearity",),
+    in_pieces=True,
 )

@@ -32,4 +32,5 @@ FAMILY = Family(
     shapes=("secant_s",),
     experiment="turn faster, and backwards: a lag grows with the rate and changes sign with it",
     from_vectors=True,
+    in_pieces=True,
 )

@@ -29,4 +29,5 @@ FAMILY = Family(
     shapes=("delay_s",),
     experiment="hold the attitude and step the quantity that the channel measures",
     generic=True,
+    in_pieces=True,
 )

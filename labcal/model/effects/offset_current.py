@@ -37,4 +37,5 @@ FAMILY = Family(
     shapes=("tau_s", "delay_s"),
     experiment="hold the attitude and switch the load that draws this current on and off",
     akin=("offset-current-squared",),
+    in_pieces=True,
 )

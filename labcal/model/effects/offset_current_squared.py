@@ -13,7 +13,7 @@ def kernel(form: Form, scene: Scene) -> Array:
     """E = c ((i − i_ref)² * h)(t), with i_ref = 0, h a first-order response of tau_s."""
     squared = form.drive(scene) ** 2
     tau_s = form.at("tau_s") if form.shape else 0.0
-    return on_each_axis(low_passed(scene.t_s, scene.segment, squared, tau_s))
+    return on_each_axis(low_passed(scene.t_s, scene.segment, squared, tau_s, scene.past))
 
 
 def candidates(run: Run) -> list[Form]:
@@ -34,4 +34,5 @@ FAMILY = Family(
     experiment="hold the attitude and draw three or more levels of this current",
     akin=("offset-current",),
     second_order=True,
+    in_pieces=True,
 )

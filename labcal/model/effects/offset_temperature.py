@@ -23,7 +23,8 @@ def kernel(form: Form, scene: Scene) -> Array:
     """E = c (T − T_ref) + d (T − T_ref)², T through a first-order response of time constant tau_s, or of several."""
     if not any(name.startswith("d_") for name, _ in form.parameters):
         return responding(form, scene)
-    T = low_passed(scene.t_s, scene.segment, form.drive(scene), form.at("tau_s") if form.shape else 0.0)
+    tau_s = form.at("tau_s") if form.shape else 0.0
+    T = low_passed(scene.t_s, scene.segment, form.drive(scene), tau_s, scene.past)
     return np.concatenate([on_each_axis(T), on_each_axis(T**2)], axis=2)
 
 
@@ -50,4 +51,5 @@ FAMILY = Family(
     candidates,
     shapes=("tau_s", "delay_s"),
     experiment="hold the attitude and warm the sensor, then let it cool",
+    in_pieces=True,
 )

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord, Owner
+from labcal.model.effects.past import Past
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -41,6 +42,7 @@ class Scene:
     axes: Array = field(default_factory=lambda: np.eye(3))  # (3, 3) K per nominal unit: column i moves with reading i
     rig: Rig | None = None
     quiet_nT: Array | None = None  # (n, 3) a at the estimated true reading, where a fit knows it
+    past: Past | None = None  # where the rows are a piece of a recording (`Family.in_pieces`)
 
     def __len__(self) -> int:
         return len(self.t_s)
@@ -149,6 +151,7 @@ class Family:
     second_order: bool = False  # of a higher order than a cause that may do as well: that one goes first
     extends: tuple[str, ...] = ()  # families that it is, where its own part is nought: it has to earn that part
     akin: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
+    in_pieces: bool = False  # goes on from `scene.past`, or sees as far as `reach_s` says: a recording may be cut
 
     def restore(self, record: EffectRecord) -> Form:
         """The form that a calibration file describes."""

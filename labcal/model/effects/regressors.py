@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.effects.past import Past
 from labcal.model.effects.protocol import Array, Form, Scene, Shape
 from labcal.model.effects.recursion import affine
 from labcal.record import Run
@@ -16,6 +18,7 @@ WEATHER = ("temperature", "pressure", "humidity")
 AXES = ("x", "y", "z")
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
+LEAD = 1 / 8  # of a thermometer's time constant: the window either way that its slope is taken over
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 
 
@@ -75,31 +78,37 @@ def stretches(segment: NDArray[np.intp]) -> list[slice]:
     return [slice(a, b) for a, b in zip(starts, ends, strict=True)]
 
 
-def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float) -> Array:
+def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float, past: Past | None = None) -> Array:
     """First-order response (n,) to `drive` with time constant `tau_s`, exact for a drive that is linear between rows.
 
     A negative one undoes a response: the drive was seen through a slow thermometer.
 
     What follows slowly does not start anew where a segment does: over a gap of up to CARRIED time constants the state
     is carried, the drive bridged linearly. After a longer one, and before the first row, the drive is taken to have
-    moved as it does over the next tau_s where that is a line, and to have stood where it is not.
+    moved as it does over the next tau_s where that is a line, and to have stood where it is not. With `past` the first
+    row may go on from one before.
     """
     if tau_s == 0 or len(t_s) == 0:
         return drive
     if tau_s < 0:
         return inverted(t_s, segment, drive, -tau_s)
-    steps = np.diff(t_s, prepend=t_s[0]) / tau_s
-    anew = (np.diff(segment, prepend=segment[0]) != 0) & ((steps <= 0) | (steps > CARRIED))
-    anew[0] = True
+    past, name = past or Past(len(t_s)), f"behind by {tau_s}"
+    at_s, within, driven, state = past.before.get(name, (t_s[0], segment[0], drive[0], 0.0))
+    steps = np.diff(t_s, prepend=at_s) / tau_s
+    anew = (np.diff(segment, prepend=within) != 0) & ((steps <= 0) | (steps > CARRIED))
+    anew[0] |= name not in past.before
     steps = np.maximum(steps, 0.0)
     keep = np.exp(-steps)
     ramp = np.where(steps > 0, (1 - keep) / np.where(steps > 0, steps, 1.0), 1.0)
-    add = (ramp - keep) * np.concatenate([drive[:1], drive[:-1]]) + (1 - ramp) * drive
-    starts = np.flatnonzero(anew)
-    for start, stop in zip(starts, [*starts[1:].tolist(), len(t_s)], strict=True):
+    add = (ramp - keep) * np.concatenate([[driven], drive[:-1]]) + (1 - ramp) * drive
+    for start, stop in pairwise([*np.flatnonzero(anew).tolist(), len(t_s)]):
         add[start] = drive[start] - tau_s * _slope(t_s[start:stop], drive[start:stop], tau_s)
+        if start < past.own:
+            past.until_s = max(past.until_s, t_s[start] + tau_s)
     keep[anew] = 0.0
-    return affine(keep, add, 0.0)
+    followed, last = affine(keep, add, state), past.own - 1
+    past.after[name] = t_s[last], segment[last], drive[last], followed[last]
+    return followed
 
 
 def inverted(t_s: Array, segment: NDArray[np.intp], seen: Array, tau_s: float) -> Array:
@@ -108,14 +117,15 @@ def inverted(t_s: Array, segment: NDArray[np.intp], seen: Array, tau_s: float) -
     The slope is a line's through the rows of the segment within tau_s / 8 either way: so the noise of a reading counts
     14 times over the root of their number, and what changes within the window is smoothed.
     """
-    return np.concatenate([seen[p] + tau_s * _slopes(t_s[p], seen[p], tau_s / 8) for p in stretches(segment)])
+    return np.concatenate([seen[p] + tau_s * _slopes(t_s[p], seen[p], tau_s * LEAD) for p in stretches(segment)])
 
 
 def _slopes(t: Array, x: Array, reach_s: float) -> Array:
     """The slope (n,) of a line through the rows within `reach_s` of each, its neighbours at least."""
-    t, x, rows = t - t.mean(), x - x.mean(), np.arange(len(t))
+    rows = np.arange(len(t))
     first = np.maximum(np.minimum(np.searchsorted(t, t - reach_s), rows - 1), 0)
     last = np.minimum(np.maximum(np.searchsorted(t, t + reach_s, side="right"), rows + 2), len(t))
+    t, x = t - t.mean(), x - x.mean()
     powers = np.stack([np.ones_like(t), t, x, t * x, t * t], axis=1)
     sums = np.concatenate([np.zeros((1, 5)), np.cumsum(powers, axis=0)])
     n, s_t, s_x, s_tx, s_tt = (sums[last] - sums[first]).T

@@ -1,0 +1,195 @@
+"""One effect along a recording, some rows at a time, each as if all were there.
+
+What follows as a state is carried from piece to piece; what looks at rows near by has them beside the piece's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.calibration import Calibration, EffectRecord
+from labcal.model.effects import Fitted, Scene, load_shipped
+from labcal.model.effects.following import behind, reach_s
+from labcal.model.effects.past import Past, State
+from labcal.model.readings import Readings
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+TEMPERATURE = frozenset({"offset-temperature", "gain-temperature"})
+REMEMBERING = frozenset({"lag", "hysteresis"})  # and whatever has a time constant
+BESIDE = 3  # usable rows beyond an effect's reach that a piece has on either side: a cubic's, and its slopes'
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Taken:
+    """One effect in some rows (n), which is nought where it is not known."""
+
+    value: Array  # (n, 3)
+    variance: Array  # (n, 3)
+    usable: Mask  # (n,) rows that have what it needs
+    flags: Mapping[str, Mask]  # each (n,)
+    late: Mask | None  # (n,) rows where its channel is not known so much earlier or later
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """All rows, and where their segments begin."""
+
+    readings: Readings
+
+    def __len__(self) -> int:
+        return len(self.readings)
+
+    @cached_property
+    def edges(self) -> NDArray[np.intp]:
+        """The first row of each segment, and the end."""
+        segment = self.readings.segment
+        changes = np.empty(0, dtype=np.intp) if segment is None else np.flatnonzero(segment[1:] != segment[:-1]) + 1
+        return np.concatenate([[0], changes, [len(self)]]).astype(np.intp)
+
+    @cached_property
+    def in_order(self) -> bool:
+        """Whether time grows from each row to the next."""
+        t_s = self.readings.t_s
+        return t_s is not None and bool((t_s[1:] > t_s[:-1]).all())
+
+    def segments(self, rows: slice) -> NDArray[np.intp]:
+        """Which segment each of the rows is of, counted from the recording's start."""
+        return np.searchsorted(self.edges[1:-1], np.arange(rows.start, rows.stop), side="right")
+
+    def out_of_reach(self, rows: slice, lag_s: float) -> Mask:
+        """Rows whose reading a lag later lies beyond their segment's ends."""
+        t_s, number = self.readings.t_s, self.segments(rows)
+        assert t_s is not None
+        later = t_s[rows] + lag_s
+        return np.asarray((later < t_s[self.edges[number]]) | (later > t_s[self.edges[number + 1] - 1]))
+
+
+def remembers(effect: Fitted) -> bool:
+    """Whether a row's effect depends on other rows."""
+    return (behind(effect.form) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
+
+
+class Walk:
+    """An effect of a calibration that walks along a recording once, piece after piece from the first row on."""
+
+    def __init__(self, calibration: Calibration, record: EffectRecord, recording: Recording) -> None:
+        self._calibration, self._record, self._recording = calibration, record, recording
+        self.effect = load_shipped(record)
+        self._reach_s = reach_s(self.effect.form) if remembers(self.effect) else 0.0
+        self._left: Mapping[str, State] = {}
+
+    @property
+    def at_once(self) -> bool:
+        """Whether all rows are one piece: of an effect that remembers in its own way, or where time goes back."""
+        return remembers(self.effect) and not (self.effect.family.in_pieces and self._recording.in_order)
+
+    def rows_within_reach(self) -> int:
+        """How many rows, on the mean, the effect reaches over."""
+        t_s = self._recording.readings.t_s
+        if self._reach_s == 0 or t_s is None or len(t_s) < 2 or self.at_once:
+            return 0
+        return int(len(t_s) * min(self._reach_s / (t_s[-1] - t_s[0]), 1.0))
+
+    def take(self, rows: slice) -> Taken:
+        """The effect in the rows that follow."""
+        lacking, n = self._lacking(rows), rows.stop - rows.start
+        usable, flags = ~np.logical_or.reduce(list(lacking.values())), {w: m for w, m in lacking.items() if w}
+        value, variance = np.zeros((n, 3)), np.zeros((n, 3))
+        if usable.any():
+            columns = self._columns(rows)
+            value[usable] = columns @ self.effect.beta
+            u = {p.name: p.u for p in self._record.parameters}
+            variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in self.effect.form.parameters])
+        if self.effect.family.id == "lag":
+            flags["rate"] = self._recording.out_of_reach(rows, float(self.effect.beta[0]))
+            variance[flags["rate"]] += value[flags["rate"]] ** 2
+        if self.effect.family.id == "offset-step":
+            unsure = self._beside_the_step(rows)
+            flags["time"] = flags["time"] | unsure
+            variance[unsure] += self.effect.beta**2 / 4
+        return Taken(value, variance, usable, flags, self._late(rows))
+
+    def _columns(self, rows: slice) -> Array:
+        """The effect's columns in the usable ones of the rows; what it leaves is where it goes on from."""
+        around = self._near(rows) if self._reach_s and not self.at_once else rows
+        while True:
+            usable = self._usable(around)
+            first, last = rows.start - around.start, rows.stop - around.start
+            before, own = int(usable[:first].sum()), int(usable[first:last].sum())
+            past = Past(own, self._left)
+            columns = self.effect.form.columns(self._scene(around, usable, past))
+            if not self._beyond(around.stop, past.until_s):
+                self._left = past.after
+                return columns[before : before + own]
+            around = slice(rows.start, int(np.searchsorted(self._time(slice(None)), past.until_s, side="right")))
+
+    def _beyond(self, row: int, until_s: float) -> bool:
+        """Whether there are rows from `row` on until then."""
+        return row < len(self._recording) and until_s > -np.inf and bool(self._time(slice(row, row + 1))[0] <= until_s)
+
+    def _near(self, rows: slice) -> slice:
+        """The rows and those within reach of them, and a few beyond that are usable too."""
+        t_s = self._time(slice(None))
+        start = int(np.searchsorted(t_s, t_s[rows.start] - self._reach_s))
+        stop = int(np.searchsorted(t_s, t_s[rows.stop - 1] + self._reach_s, side="right"))
+        back = ahead = BESIDE
+        while start > back and self._usable(slice(start - back, start)).sum() < BESIDE:
+            back *= 2
+        while stop + ahead < len(t_s) and self._usable(slice(stop, stop + ahead)).sum() < BESIDE:
+            ahead *= 2
+        return slice(max(start - back, 0), min(stop + ahead, len(t_s)))
+
+    def _usable(self, rows: slice) -> Mask:
+        return np.asarray(~np.logical_or.reduce(list(self._lacking(rows).values())))
+
+    def _lacking(self, rows: slice) -> dict[str, Mask]:
+        """Rows (n,) that lack what the effect needs, by the flag that they get, "" where they get none."""
+        readings, record = self._recording.readings, self._record
+        lacking: dict[str, Mask] = {"": np.asarray(~np.isfinite(self._field(rows)).all(axis=1))}
+        for name in record.channels:
+            word = "temperature" if record.effect in TEMPERATURE else ""
+            missing = ~np.isfinite(readings.channels[name][rows])
+            lacking[word] = lacking[word] | missing if word in lacking else missing
+        if self.effect.family.bound_to_run and readings.t_s is not None:
+            first, last = self._calibration.span_s
+            lacking["time"] = ~((readings.t_s[rows] >= first) & (readings.t_s[rows] <= last))
+        if self.effect.family.id == "offset-mode" and (mode := readings.rows(rows.start, rows.stop).mode) is not None:
+            lacking["mode"] = ~np.isin(mode, self._known_modes())
+        return lacking
+
+    def _scene(self, rows: slice, usable: Mask, past: Past) -> Scene:
+        part = self._recording.readings.rows(rows.start, rows.stop)
+        channels = {name: part.channels[name][usable] for name in self._record.channels}
+        mode = None if part.mode is None else part.mode[usable]
+        axes = self._calibration.affine.K / self._calibration.dut.nominal_nT_per_unit
+        segment, field_nT = self._recording.segments(rows)[usable], self._field(rows)[usable]
+        return Scene(self._time(rows)[usable], segment, field_nT, channels, mode, axes, past=past)
+
+    def _field(self, rows: slice) -> Array:
+        return self._calibration.affine.apply(self._recording.readings.reading[rows])
+
+    def _time(self, rows: slice) -> Array:
+        t_s = self._recording.readings.t_s
+        return np.zeros(len(range(*rows.indices(len(self._recording))))) if t_s is None else t_s[rows]
+
+    def _known_modes(self) -> list[str]:
+        """Modes that have an offset of their own, and the one that k belongs to: that may be "", a row without one."""
+        own = [p.name.split(" ", 1)[1] for p in self._record.parameters if " " in p.name]
+        base = [mode for mode in self._calibration.validity.modes if mode not in own]
+        return [*own, *(base or [""])]
+
+    def _beside_the_step(self, rows: slice) -> Mask:
+        """Rows (n,) of which nobody knows on which side of the step they lie: it was between two rows of the run."""
+        step = next(p for p in self._record.parameters if p.name == "t_step_s")
+        return np.asarray(np.abs(self._time(rows) - step.value) < np.sqrt(3) * step.u * (1 - 1e-6))
+
+    def _late(self, rows: slice) -> Mask | None:
+        """Rows (n,) whose channel a delay earlier lies beyond their segment's ends; None for an effect without one."""
+        delay_s = next((s.value for s in self.effect.form.shape if s.name == "delay_s"), 0.0)
+        return self._recording.out_of_reach(rows, -delay_s) if delay_s else None

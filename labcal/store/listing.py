@@ -1,0 +1,85 @@
+"""The list of a store's runs: of each its head and how it stands, without what reads rows and bundles."""
+
+from __future__ import annotations
+
+import json
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+from labcal.errors import InputError
+from labcal.home import home
+from labcal.record.run_id import as_file_name
+from labcal.store.database import Connection, connect, named_faults
+from labcal.store.liveness import is_alive
+from labcal.store.schema import IS_CORRECTION
+
+FILE = "store.sqlite"
+LAST_CORRECTION = (
+    f"(SELECT content FROM item WHERE item.run = run.number AND {IS_CORRECTION} ORDER BY item.number DESC LIMIT 1)"
+)
+HEAD = "CASE WHEN json_valid(header) THEN json_extract(header, {}) END".format(
+    ", ".join(f"'$.{key}'" for key in ("started_utc", "dut.serial", "simulated", "operator", "procedure"))
+)  # of a header, what a list shows: a bench file and more stand in it too
+LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
+
+
+@dataclass(frozen=True, slots=True)
+class RunSummary:
+    """One line about a run, for a list. `status`: running, finished, stopped, failed: …, interrupted, imported."""
+
+    run_id: str
+    started_utc: str
+    status: str
+    dut_serial: str
+    operator: str
+    procedure: str
+    simulated: bool
+
+
+def list_runs(path: Path | None = None) -> list[RunSummary]:
+    """All runs of the store at `path` (default: the user's own), the oldest first. Raises as `Store.open` does."""
+    path = home() / FILE if path is None else path
+    with closing(connect(path)) as connection:
+        return summaries(connection, path)
+
+
+def summaries(connection: Connection, path: Path) -> list[RunSummary]:
+    """All runs, the oldest first."""
+    with named_faults(path):
+        rows = connection.execute(
+            f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION} FROM run ORDER BY number"
+        ).fetchall()
+    return [_summary(path, *row) for row in rows]
+
+
+def true_status(path: Path, run_id: str, written: str) -> str:
+    """How a run stands that was left with the status `written`."""
+    if written != "running" or is_alive(lock_file(path, run_id)):
+        return written
+    return "interrupted"
+
+
+def lock_file(path: Path, run_id: str) -> Path:
+    """What the writer of a run keeps locked as long as it lives."""
+    return path.with_name(f"{path.name}-writers") / f"{as_file_name(run_id)}.lock"
+
+
+def corrected(event: str | None) -> str:
+    """The serial that the JSON of a correction states; "" where there was none."""
+    return str(json.loads(event)["data"]["to"]) if event else ""
+
+
+def _summary(path: Path, run_id: str, head: str | None, status: str, correction: str | None) -> RunSummary:
+    started_utc, serial, simulated, operator, procedure = json.loads(head) if head else [None] * 5
+    if started_utc is None or serial is None or simulated is None:
+        raise InputError(f"the store is damaged: the header of run {run_id!r}", file=path)
+    return RunSummary(
+        run_id=run_id,
+        started_utc=started_utc,
+        status=true_status(path, run_id, status),
+        dut_serial=corrected(correction) or serial,
+        operator=operator or "",
+        procedure=procedure or "",
+        simulated=simulated,
+    )
