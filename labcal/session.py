@@ -33,7 +33,7 @@ from labcal.runner.cage import approved_cage
 from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, photos, save_bundle
 
 if TYPE_CHECKING:
-    from labcal.fit.history import History
+    from labcal.fit.filters.history import History
 
 THIS_LAB = "this lab's trust list"
 
@@ -235,7 +235,7 @@ def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = Non
 
 def filter_history(run: str, method: str) -> History:
     """How the estimate of a live filter grew with the readings of `run`."""
-    from labcal.fit import history
+    from labcal.fit.filters import history
 
     return history.filter_history(load_run(run), method)
 

@@ -13,8 +13,8 @@ import numpy as np
 
 from labcal import session
 from labcal.loop.close import prepared, searched
-from labcal.loop.evidence import Evidence, from_the_base, repeated, weighed
-from labcal.loop.holdout import held_out, plan
+from labcal.loop.selection.crossval import held_out, plan
+from labcal.loop.selection.proof import Evidence, from_the_base, repeated, weighed
 
 BLOCK_S = 20.0
 

@@ -10,7 +10,7 @@ import labcal
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
-from labcal.model.wary import rails
+from labcal.model.plausibility import rails
 from labcal.record import Run
 
 TEMPERATURE = ("offset-temperature", "gain-temperature")

@@ -15,7 +15,7 @@ from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped
 from labcal.model.effects.following import behind
 from labcal.model.gaps import bridged
-from labcal.model.wary import outliers, saturated
+from labcal.model.plausibility import outliers, saturated
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

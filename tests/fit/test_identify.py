@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from labcal.fit.identify import field_covariance, identify
-from labcal.fit.ml import estimate, ml
-from labcal.fit.observations import observe
-from labcal.fit.solve import LEAST_SQUARES, form, solve
-from labcal.fit.system import Noise
+from labcal.fit.vector.identify import field_covariance, identify
+from labcal.fit.vector.ml import estimate, ml
+from labcal.fit.vector.observations import observe
+from labcal.fit.vector.solve import LEAST_SQUARES, form, solve
+from labcal.fit.vector.system import Noise
 
 ACROSS, HALF = (25e3, 0.0, 0.0), (21650.6, 0.0, 12500.0)
 TWICE = tuple(2 * v for v in HALF)

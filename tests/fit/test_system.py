@@ -7,10 +7,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from labcal.fit.declared import widen
-from labcal.fit.ml import estimate, ml
-from labcal.fit.observations import observe
-from labcal.fit.solve import LEAST_SQUARES, ROBUST, Loss, form, solve
-from labcal.fit.system import Noise, evaluate, normal
+from labcal.fit.vector.ml import estimate, ml
+from labcal.fit.vector.observations import observe
+from labcal.fit.vector.solve import LEAST_SQUARES, ROBUST, Loss, form, solve
+from labcal.fit.vector.system import Noise, evaluate, normal
 from labcal.model import AffineMap
 
 

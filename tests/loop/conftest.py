@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 
 from labcal import session
+from labcal.loop.candidates.scorer import Search
 from labcal.loop.close import prepared
-from labcal.loop.evidence import search_of
-from labcal.loop.problem import Problem
-from labcal.loop.search import Search
+from labcal.loop.data.linear_problem import Problem
+from labcal.loop.selection.proof import search_of
 
 Rows = dict[str, np.ndarray]
 Writer = Callable[..., Path]

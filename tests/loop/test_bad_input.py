@@ -12,7 +12,7 @@ import pytest
 
 from labcal import session
 from labcal.loop.close import prepared
-from labcal.loop.reference_sanity import doubt
+from labcal.loop.data.checks import doubt
 
 Closed = Callable[[Path], tuple[int, dict[str, Any], str]]
 

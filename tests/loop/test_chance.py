@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.loop.decide import forward
-from labcal.loop.search import NAMED
-from labcal.loop.surrogates import by_chance
+from labcal.loop.selection.admission import NAMED
+from labcal.loop.selection.stepwise import forward
+from labcal.loop.selection.surrogates import by_chance
 
 NOISE_nT, MEMORY_S, STEP_S = 25.0, 8.0, 0.5
 QUANTITIES = ("current", "temperature", "voltage", "power")

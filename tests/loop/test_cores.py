@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from labcal.loop import cores
+from labcal.loop import parallel as cores
 
 
 def test_what_comes_out_is_in_order_and_a_worker_does_its_own_parts_itself(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,18 +11,27 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop import close_loop, decide, evidence, rivals, working_range
-from labcal.loop.close import _as_shipped, prepared
-from labcal.loop.decide import earned, forward, refined
-from labcal.loop.evidence import decided, search_of, weighed
-from labcal.loop.floor import Floor
-from labcal.loop.holdout import HeldOut, held_out, plan
-from labcal.loop.problem import Problem
-from labcal.loop.refit import refit
-from labcal.loop.search import Candidate, Search, Weighed
-from labcal.loop.spectrum import Likelihood
-from labcal.loop.steps import steps
-from labcal.loop.surrogates import p_value
+from labcal.loop import close_loop
+from labcal.loop.assemble import _as_shipped
+from labcal.loop.candidates.available import looks
+from labcal.loop.candidates.changepoints import steps
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import Search, Weighed
+from labcal.loop.close import prepared
+from labcal.loop.data.linear_problem import Problem
+from labcal.loop.data.noise_floor import Floor
+from labcal.loop.findings import working_range
+from labcal.loop.noise.coloured import Likelihood
+from labcal.loop.selection import equivalents as rivals
+from labcal.loop.selection import heldout_rules, related, select, stepwise
+from labcal.loop.selection.admission import earned
+from labcal.loop.selection.crossval import HeldOut, held_out, plan
+from labcal.loop.selection.joint_fit import refit
+from labcal.loop.selection.proof import search_of, weighed
+from labcal.loop.selection.select import decided
+from labcal.loop.selection.stepwise import forward
+from labcal.loop.selection.surrogates import p_value
 from labcal.model.effects.hysteresis import dahl
 from labcal.model.effects.regressors import low_passed
 
@@ -75,23 +84,23 @@ def test_a_newcomer_that_does_not_stand_takes_nothing_with_it(
     search = _search(started(added))
     both = {c.cause for c in forward(search)[0]}
     assert both == {("offset-current", ("i_load",)), ("offset-temperature", ("temp",))}
-    monkeypatch.setattr(decide, "reexamined", lambda search, accepted: accepted if len(accepted) == 1 else [])
+    monkeypatch.setattr(stepwise, "reexamined", lambda search, accepted: accepted if len(accepted) == 1 else [])
     assert len(forward(search)[0]) == 1
 
 
 @pytest.mark.parametrize(("after", "earns"), [(195.0, False), (150.0, True)])
 def test_a_second_effect_brings_a_quarter_of_the_noises_square_at_least(after: float, earns: bool) -> None:
-    assert evidence._adds([_held(1000, 200), _held(200, after)], LEVEL) is earns
+    assert heldout_rules._adds([_held(1000, 200), _held(200, after)], LEVEL) is earns
 
 
 @pytest.mark.parametrize(("after", "too_much"), [(110.0, False), (180.0, False), (250.0, True)])
 def test_what_leaves_more_than_its_share_is_no_drift(after: float, too_much: bool) -> None:
-    assert evidence._remains([_held(1000, after)], LEVEL, evidence.REMAINS) is too_much
+    assert heldout_rules._remains([_held(1000, after)], LEVEL, heldout_rules.REMAINS) is too_much
 
 
 @pytest.mark.parametrize(("after", "misfit"), [(130.0, False), (180.0, True)])
 def test_a_later_cause_that_leaves_a_third_of_what_it_took_is_misfit_of_the_first(after: float, misfit: bool) -> None:
-    assert evidence._remains([_held(250, after)], LEVEL, evidence.REST) is misfit
+    assert heldout_rules._remains([_held(250, after)], LEVEL, heldout_rules.REST) is misfit
 
 
 @pytest.mark.parametrize(("left", "idle"), [((420.0, 320.0, 240.0), None), ((420.0, 380.0, 350.0), 2)])
@@ -100,9 +109,9 @@ def test_the_harmonics_of_one_wave_are_judged_by_what_they_take_together(
 ) -> None:
     """The third of a square wave's lines takes less than is left after it; all three leave less than a tenth."""
     search = _search(started())
-    line = next(c for c in decide.looks(search, []) if c.family.id == "periodic")
+    line = next(c for c in looks(search, []) if c.family.id == "periodic")
     falls = [_held(before, after) for before, after in zip((800.0, *left), left, strict=False)]
-    assert evidence._idle(search, [replace(line) for _ in falls], falls, LEVEL) == idle
+    assert heldout_rules._idle(search, [replace(line) for _ in falls], falls, LEVEL) == idle
 
 
 @pytest.mark.parametrize(("reached", "told"), [(300.0, 1), (110.0, 2)])
@@ -113,8 +122,8 @@ def test_where_the_noise_is_missed_a_name_that_most_others_could_take_is_not_tol
     accepted = [next(c for c in search.candidates if c.form.channels == ("i_load",))] * 2
     contender = rivals.Contender(_found(accepted[0], 50.0), reached)
     standing_in = [(contender,) * 2, (contender,) * 4]
-    assert evidence._told(search, _held(2000, reached), LEVEL, accepted, standing_in) == told
-    assert evidence._told(search, _held(2000, reached), LEVEL, accepted, [(contender,) * 3] * 2) == 2
+    assert heldout_rules._told(search, _held(2000, reached), LEVEL, accepted, standing_in) == told
+    assert heldout_rules._told(search, _held(2000, reached), LEVEL, accepted, [(contender,) * 3] * 2) == 2
 
 
 @pytest.mark.parametrize(("channel", "carries"), [("i_load", True), ("temp", False)])
@@ -123,8 +132,8 @@ def test_a_temperature_has_to_carry_as_much_as_a_curve_and_a_switched_load_less(
 ) -> None:
     search = _search(started())
     follows = next(c for c in search.candidates if c.form.channels == (channel,))
-    assert evidence._carries(search, _held(1000, 600), LEVEL, [follows]) is carries
-    assert evidence._carries(search, _held(1000, 400), LEVEL, [follows])
+    assert heldout_rules._carries(search, _held(1000, 600), LEVEL, [follows]) is carries
+    assert heldout_rules._carries(search, _held(1000, 400), LEVEL, [follows])
 
 
 def test_a_file_that_leaves_more_than_was_foretold_says_so() -> None:
@@ -165,8 +174,8 @@ def test_what_comes_with_the_motor_or_at_a_moment_is_the_cages_field_and_no_offs
 def test_causes_that_push_each_other_out_come_to_an_end(started: Started, monkeypatch: pytest.MonkeyPatch) -> None:
     every = _search(started())
     few = [c for c in every.candidates if c.family.id in ("cross-field", "offset-drift") and not c.form.shape[1:]]
-    monkeypatch.setattr(decide, "reexamined", lambda search, accepted: accepted[-1:])
-    monkeypatch.setattr(decide, "_best", lambda search, accepted, ranking, total: ranking[0] if ranking else None)
+    monkeypatch.setattr(stepwise, "reexamined", lambda search, accepted: accepted[-1:])
+    monkeypatch.setattr(stepwise, "_best", lambda search, accepted, ranking, total: ranking[0] if ranking else None)
     assert len(forward(every.among(few))[0]) <= 1
 
 
@@ -214,9 +223,9 @@ def test_the_choice_ends_where_white_noise_is_left_and_goes_on_where_it_is_not(
     t = searching({}, {}).problem.scene.t_s
     amps = 0.8 * (np.mod(t, 47.0) < 19.0)
     asked: list[Candidate] = []
-    beside = decide.neighbourhood
+    beside = related.neighbourhood
     monkeypatch.setattr(
-        decide, "neighbourhood", lambda search, accepted: asked.extend(accepted) or beside(search, accepted)
+        stepwise, "neighbourhood", lambda search, accepted: asked.extend(accepted) or beside(search, accepted)
     )
     walk = np.cumsum(np.random.default_rng(0).normal(0, 4.0, (len(t), 3)), axis=0)
     for added, goes_on in ((0.0, False), (walk, True)):
@@ -245,7 +254,7 @@ def test_of_a_load_with_two_levels_the_current_itself_goes_before_its_square(
     acts = amps if tau_s is None else low_passed(t, np.zeros(len(t), dtype=np.intp), amps, tau_s)
     search = searching({"i": amps}, {"i": "current"}, np.outer(acts, [80.0, -50.0, 30.0]))
     square = next(c for c in search.candidates if c.family.second_order and bool(c.form.shape) == bool(tau_s))
-    (first,) = evidence._preferred(search, plan(search.problem, 0.0), [refined(search, square, [])], ())
+    (first,) = select._preferred(search, plan(search.problem, 0.0), [refined(search, square, [])], ())
     assert first.cause == ("offset-current", ("i",))
 
 

@@ -13,8 +13,8 @@ import pytest
 from labcal import session
 from labcal.geometry import rotate, rotation_vector
 from labcal.loop.close import prepared
-from labcal.loop.decide import forward
-from labcal.loop.evidence import search_of
+from labcal.loop.selection.proof import search_of
+from labcal.loop.selection.stepwise import forward
 
 Rows = dict[str, np.ndarray]
 Segments = list[dict[str, Any]]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.gaps import untold
+from labcal.loop.data.gaps import untold
 from labcal.model.gaps import bridged
 
 T = np.arange(0.0, 600.0, 0.5)

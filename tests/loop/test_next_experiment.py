@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 from labcal import session
+from labcal.loop.candidates.library import Candidate, expand
 from labcal.loop.close import prepared
-from labcal.loop.discrimination import CLEAR, ranked
-from labcal.loop.experiments import TWINS, experiments
-from labcal.loop.problem import Problem
-from labcal.loop.search import Candidate, expand
+from labcal.loop.data.linear_problem import Problem
+from labcal.loop.design.discrimination import CLEAR, ranked
+from labcal.loop.design.experiments import experiments
+from labcal.loop.findings.confounded import TWINS
 from labcal.model.effects import families, family
 from labcal.runner import procedures
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.loop import decide, pairs
-from labcal.loop.decide import forward
+from labcal.loop.selection import pairs, stepwise
+from labcal.loop.selection.stepwise import forward
 
 Channels = dict[str, np.ndarray]
 CYCLE_S = 47.0
@@ -43,7 +43,7 @@ def test_two_loads_that_hide_each_other_are_found_together(
     accepted, _ = forward(search)
     assert {name for c in accepted for name in c.form.channels} == {"i_one", "i_other"}
     assert {c.family.id for c in accepted} <= {"offset-current", "offset-current-squared"}
-    monkeypatch.setattr(decide, "pairs", lambda *given: [])
+    monkeypatch.setattr(stepwise, "pairs", lambda *given: [])
     assert forward(search)[0] == []
 
 
@@ -83,14 +83,14 @@ def test_nothing_is_made_of_pairs_where_nothing_is_at_work(
 ) -> None:
     """Of 120 runs none gains a name; the heaviest pair stays far below what a name needs."""
     heaviest = list[float]()
-    plain = decide.pairs
+    plain = stepwise.pairs
 
     def noted(*given: Any) -> Any:
         found = plain(*given)
         heaviest.extend(pair.weight for pair in found[:1])
         return found
 
-    monkeypatch.setattr(decide, "pairs", noted)
+    monkeypatch.setattr(stepwise, "pairs", noted)
     quantities = {f"c{n}": QUANTITIES[n % 4] for n in range(8)}
     for seed in seeds:
         channels = _distracted(making.recorded()[0]["t_s"], seed)

@@ -13,21 +13,24 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from labcal import session
-from labcal.fit.ml import estimate
-from labcal.fit.observations import AXIS
+from labcal.fit.vector.ml import estimate
+from labcal.fit.vector.observations import AXIS
 from labcal.geometry import rotate, rotation_vector
-from labcal.loop import decide, evidence
-from labcal.loop.bins import binned, rows_in_a_bin
+from labcal.loop.candidates.changepoints import drops, steps
+from labcal.loop.candidates.delay_scan import delays
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import Search
 from labcal.loop.close import prepared
-from labcal.loop.correlation import correlation_s, follows_itself
-from labcal.loop.decide import forward
-from labcal.loop.delays import delays
-from labcal.loop.evidence import search_of
-from labcal.loop.holdout import always, held_out, lengths, plan
-from labcal.loop.problem import Problem, _by_geometry
-from labcal.loop.refit import refit
-from labcal.loop.search import Candidate, Search, new_to, orthonormal
-from labcal.loop.steps import drops, steps
+from labcal.loop.data.base_model import _by_geometry
+from labcal.loop.data.decimate import binned, rows_in_a_bin
+from labcal.loop.data.linear_problem import Problem
+from labcal.loop.noise.autocorrelation import correlation_time_s, serially_correlated
+from labcal.loop.noise.nuisance import new_to, orthonormal, spanning
+from labcal.loop.selection.crossval import always, held_out, lengths, plan
+from labcal.loop.selection.joint_fit import refit
+from labcal.loop.selection.proof import from_the_base, search_of, settled
+from labcal.loop.selection.related import _starts
+from labcal.loop.selection.stepwise import forward
 from labcal.model.effects import family, nonlinearity
 
 Started = Callable[..., Problem]
@@ -144,13 +147,15 @@ def _wander(size_nT: float) -> Callable[[dict[str, np.ndarray]], np.ndarray]:
 @pytest.mark.parametrize("size_nT", [0.0, 4.0])
 def test_a_residual_that_is_all_but_white_does_not_follow_itself(started: Started, size_nT: float) -> None:
     """A wander of a tenth of the noise's square is certain, and less than a verdict passes over."""
-    assert not follows_itself(_search(started(_wander(size_nT))), ())
+    problem = started(_wander(size_nT))
+    assert not serially_correlated(_search(problem).residual(()), problem.scene.segment)
 
 
 def test_a_wandering_residual_follows_itself(started: Started) -> None:
-    search = _search(started(_wander(20.0)))
-    assert follows_itself(search, ())
-    assert 2.0 < correlation_s(search, ()) < 10.0
+    problem = started(_wander(20.0))
+    left = _search(problem).residual(())
+    assert serially_correlated(left, problem.scene.segment)
+    assert 2.0 < correlation_time_s(problem.scene.t_s, left) < 10.0
 
 
 def test_map_and_a_strong_bend_are_found_together(started: Started) -> None:
@@ -172,7 +177,7 @@ def test_map_and_a_strong_bend_are_found_together(started: Started) -> None:
 
 
 def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> None:
-    nought = decide.spanning(np.zeros((5, 3, 4)))
+    nought = spanning(np.zeros((5, 3, 4)))
     assert nought.shape == (5, 3, 0)
     assert new_to(np.ones((5, 3, 1)), nought).shape == (5, 3, 0)
     some = np.random.default_rng(1).normal(size=(5, 3, 2))
@@ -188,7 +193,7 @@ def test_a_field_that_turns_the_phases_far_leaves_nothing_for_other_names(making
         del segment["body_from_cage"]
     rows["ref"] = rows["ref"] + np.array([1500.0, -1100.0, 900.0])
     bare = _search(prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0])
-    search = evidence.settled(bare)
+    search = settled(bare)
     left = []
     for here in (bare, search):
         standing = next(c for c in here.candidates if c.family.id == "cage-field" and c.size == 3)
@@ -203,7 +208,7 @@ def test_before_stands_the_bases_own_held_out_error_on_the_rows_that_were_not_se
     moved = replace(bare.problem, y=0.9 * bare.problem.y)  # as the base seems about another map
     search = _search(moved).without(np.arange(len(moved)) % 50 == 7)
     blocks = plan(search.problem, 0.0)
-    told = evidence.from_the_base(bare, search, blocks, held_out(search, blocks, always(())))
+    told = from_the_base(bare, search, blocks, held_out(search, blocks, always(())))
     seen, problem = blocks.training(bare.problem.scene.t_s, 0) & search.good, bare.problem
     x = np.linalg.lstsq(problem.T[seen].reshape(3 * seen.sum(), -1), problem.y[seen].ravel(), rcond=None)[0]
     left = lengths(problem, problem.y - problem.T @ x, np.ones(len(problem), dtype=bool))
@@ -255,7 +260,7 @@ def test_the_unknown_start_of_a_slow_response_is_no_drift(searching: Callable[..
     settling = next(c for c in search.candidates if c.family.id == "offset-drift" and len(c.form.shape) == 2)
     for tau_s, new in ((40.0, 0), (150.0, 3)):
         warm, dying = (replace(c, form=c.form.reshaped(tau_s=at)) for c, at in ((slow, 40.0), (settling, tau_s)))
-        stage = search.stage([warm], decide._starts(search, warm))
+        stage = search.stage([warm], _starts(search, warm))
         assert search.weigh(dying, stage).rank == new
 
 

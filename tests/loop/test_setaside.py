@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.setaside import at_rail
+from labcal.loop.data.outliers import at_rail
 from labcal.record import Run
 
 

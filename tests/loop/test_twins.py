@@ -12,9 +12,9 @@ import pytest
 
 from labcal import session
 from labcal.loop.close import prepared
-from labcal.loop.experiments import experiments
-from labcal.loop.problem import Problem
-from labcal.loop.twins import twins
+from labcal.loop.data.linear_problem import Problem
+from labcal.loop.design.experiments import experiments
+from labcal.loop.findings.confounded import twins
 
 
 @pytest.mark.parametrize("backwards", [False, True])

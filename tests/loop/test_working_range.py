@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from labcal import session
+from labcal.loop.candidates.library import Candidate
 from labcal.loop.close import prepared
-from labcal.loop.refit import Refit, refit
-from labcal.loop.search import Candidate
-from labcal.loop.working_range import findings, reach, unsupported
+from labcal.loop.findings.working_range import findings, reach, unsupported
+from labcal.loop.selection.joint_fit import Refit, refit
 from labcal.model.effects import family
 from labcal.record import Run
 
