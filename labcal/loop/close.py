@@ -1,4 +1,4 @@
-"""Close the loop on a run: the residual, its cause, the proof on data that nothing has seen, and the verdict."""
+"""Close the loop on a run: base model, data checks, selection of effects, cross-validation, result."""
 
 from __future__ import annotations
 
@@ -7,89 +7,91 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.loop.assemble import _result
+from labcal.loop.assemble import assemble
 from labcal.loop.candidates.library import Cause
-from labcal.loop.candidates.scorer import Search
-from labcal.loop.data.base_model import fit_base, least_squares, noise_of, usable
-from labcal.loop.data.checks import doubt
-from labcal.loop.data.gaps import untold
-from labcal.loop.data.linear_problem import Problem, linearise
-from labcal.loop.data.noise_floor import Floor, floor
-from labcal.loop.data.outliers import at_rail
-from labcal.loop.narrative import in_doubt
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.base_model import fit_base, least_squares, noise_model, select_rows
+from labcal.loop.data.checks import check_data
+from labcal.loop.data.gaps import unresolved_gaps
+from labcal.loop.data.linear_problem import LinearProblem, linearise
+from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
+from labcal.loop.data.outliers import at_saturation_limit
+from labcal.loop.narrative import of_faulty_data
 from labcal.loop.result import ClosedLoop, Finding
-from labcal.loop.selection.admission import NAMED
-from labcal.loop.selection.crossval import always, held_out, plan
-from labcal.loop.selection.joint_fit import refit
-from labcal.loop.selection.proof import Evidence, proved, search_of, settled, without_outliers
-from labcal.loop.selection.select import Choice, decided
+from labcal.loop.selection.admission import MIN_EVIDENCE
+from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
+from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
+from labcal.loop.selection.select import Selection, select
 from labcal.record import Run
 
-WHITE_AT_LEAST = 0.85  # of a declared noise; 0.5 of a measured one
-UNTOLD = 0.01  # of the rows: fewer in gaps that nothing tells make no name
+MIN_WHITE_LEVEL = 0.85  # of a declared noise; 0.5 of a measured one
+UNRESOLVED = 0.01  # of the rows: fewer in unresolved gaps decide nothing
 Progress = Callable[[str], None]
 
 
 def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     """Find the residual of `run`, trace it, and say what it is. Raises InputError where the run says too little.
 
-    Rows that nothing tells of a channel that has weight are left out, and all is decided again on the others.
+    Rows in unresolved gaps of a channel that supports a cause are left out, and all is decided again on the others.
     """
-    progress("fitting the base model")
-    problem, level, stuck = prepared(run)
-    if (finding := doubt(problem, level)) is not None:
-        return doubted(run, problem, level, stuck, finding)
-    progress("weighing every effect")
-    bare = searched(run, problem)
-    search = settled(bare)
-    choice = decided(search, level)
-    gaps = untold(run, _weighty(choice))
-    if np.mean(gaps) > UNTOLD:
-        return close_loop(run.select(~gaps), progress)
+    while True:
+        progress("fitting the base model")
+        problem, level, stuck = prepare(run)
+        if (finding := check_data(problem, level)) is not None:
+            return without_search(run, problem, level, stuck, finding)
+        progress("weighing every effect")
+        base_set = candidates_of(run, problem)
+        pool = relinearised(base_set)
+        selection = select(pool, level)
+        gaps = unresolved_gaps(run, _supporting_channels(selection))
+        if np.mean(gaps) <= UNRESOLVED:
+            break
+        run = run.select(~gaps)
     progress("holding out blocks of time")
-    found = proved(bare, search, choice, level)
-    before, after = (refit(problem, [c.form for c in chosen], found.search.good) for chosen in ((), found.accepted))
-    aside = {"outliers": int((~found.search.good).sum()), "saturation": stuck}
-    return _result(run, found, before, after, aside)
+    found = prove(base_set, pool, selection, level)
+    before, after = (joint_fit(problem, [c.term for c in chosen], found.pool.valid) for chosen in ((), found.accepted))
+    return assemble(run, found, before, after, {"outliers": int((~found.pool.valid).sum()), "saturation": stuck})
 
 
-def _weighty(found: Choice) -> set[str]:
-    """The channels of every cause that had the weight of a name at some step."""
-    heavy = [w.candidate.form for ranking in found.rankings for w in ranking if w.weight >= NAMED]
-    return {name for form in heavy for name in form.channels}
+def _supporting_channels(found: Selection) -> set[str]:
+    """The channels of every cause that had the evidence of a name at some step."""
+    scored = [s for ranking in found.rankings for s in ranking if s.evidence >= MIN_EVIDENCE]
+    return {name for s in scored for name in s.candidate.term.channels}
 
 
-def searched(run: Run, problem: Problem, only: Cause | None = None) -> Search:
-    """Every candidate, or the looks of one cause `only`, on the rows that do not lie."""
-    search = search_of(problem, _lowest(run))
+def candidates_of(run: Run, problem: LinearProblem, only: Cause | None = None) -> CandidateSet:
+    """Every candidate, or those of one cause `only`, on the rows that are no outliers."""
+    pool = CandidateSet.of(problem, _min_noise_level(run))
     if only is not None:
-        search = search.among([c for c in search.candidates if c.cause == only])
-    return without_outliers(search)
+        pool = pool.restricted_to([c for c in pool.candidates if c.cause == only])
+    return without_outliers(pool)
 
 
-def doubted(run: Run, problem: Problem, level: Floor, stuck: int, finding: Finding) -> ClosedLoop:
-    """The result where the data are wrong in themselves: no effect is searched in them."""
+def without_search(run: Run, problem: LinearProblem, level: NoiseFloor, stuck: int, finding: Finding) -> ClosedLoop:
+    """The result for faulty data: no effect is searched in them."""
     rows = np.ones(len(problem), dtype=bool)
-    search = Search(problem, [], rows, _lowest(run), rows)
-    blocks = plan(problem, 0.0)
-    honest = held_out(search, blocks, always(()))
-    found = Evidence(search, search, (), (), (), honest, (), level, blocks, np.zeros(1), {}, 0.0)
-    base = refit(problem, [])
-    return replace(_result(run, found, base, base, {"outliers": 0, "saturation": stuck}), **in_doubt(finding))
+    pool = CandidateSet(problem, [], rows, _min_noise_level(run), rows)
+    blocks = block_folds(problem, 0.0)
+    cv_error = cross_validate(pool, blocks, fixed_choice(()))
+    found = Evidence(pool, pool, (), (), (), cv_error, (), level, blocks, np.zeros(1), {}, 0.0)
+    base = joint_fit(problem, [])
+    return replace(assemble(run, found, base, base, {"outliers": 0, "saturation": stuck}), **of_faulty_data(finding))
 
 
-def prepared(run: Run) -> tuple[Problem, Floor, int]:
-    """The base fitted, readings at a rail left out and counted, the noise known."""
-    cut, _ = usable(run)
-    stuck = at_rail(cut)
-    cut, seen = usable(cut.select(~stuck))
+def prepare(run: Run) -> tuple[LinearProblem, NoiseFloor, int]:
+    """The problem about the fitted base model, the noise floor, and how many saturated rows were left out."""
+    cut, _ = select_rows(run)
+    stuck = at_saturation_limit(cut)
+    cut, seen = select_rows(cut.select(~stuck))
     base, near = fit_base(cut, seen)
     start = near.solution
-    problem = linearise(cut, seen, noise_of(cut, seen), base, near.form, start.theta, start.phase)
-    problem, level = floor(problem)
+    problem = linearise(cut, seen, noise_model(cut, seen), base, near.parameterisation, start.theta, start.phase)
+    problem, level = noise_floor(problem)
     found = least_squares(seen, problem.noise, near)
-    return linearise(cut, seen, problem.noise, base, near.form, found.theta, found.phase), level, int(stuck.sum())
+    problem = linearise(cut, seen, problem.noise, base, near.parameterisation, found.theta, found.phase)
+    return problem, level, int(stuck.sum())
 
 
-def _lowest(run: Run) -> float:
-    return WHITE_AT_LEAST if run.dut.noise_nT else 0.5
+def _min_noise_level(run: Run) -> float:
+    return MIN_WHITE_LEVEL if run.dut.noise_nT else 0.5

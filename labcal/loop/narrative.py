@@ -5,22 +5,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from labcal.loop.candidates.library import Candidate, name
-from labcal.loop.candidates.scorer import Weighed
-from labcal.loop.result import Finding, NextExperiment, ResidualTest, Shape, Verdict
-from labcal.loop.selection.admission import MATERIAL, NAMED
-from labcal.loop.selection.crossval import HeldOut
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import Scored
+from labcal.loop.result import Finding, NextExperiment, ResidualShape, ResidualTest, Verdict
+from labcal.loop.selection.admission import MATERIAL, MIN_EVIDENCE
+from labcal.loop.selection.crossval import HeldOutErrors
 
 if TYPE_CHECKING:
     from labcal.loop.selection.proof import Evidence
 
 
-def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Shape | None = None) -> str:
+def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: ResidualShape | None = None) -> str:
     """One sentence for the technician, what is left over looks like, and the rows that were set aside."""
-    names = [name(c) for c in found.accepted]
+    names = [c.label for c in found.accepted]
     named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows that lie"
     verb = "explains" if len(names) == 1 else "explain"
-    change = f"{found.honest.before:.0f} to {found.honest.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
+    change = (
+        f"{found.cv_error.before:.0f} to {found.cv_error.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
+    )
     rows = ", ".join(f"{n} row{'s' * (n != 1)} set aside as {what}" for what, n in aside.items() if n)
     sentences = {
         "clean": f"The base model reaches the noise: {change}.",
@@ -35,22 +37,22 @@ def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Sha
 
 def _others(found: Evidence) -> str:
     """Who does as well as what is accepted."""
-    names = dict.fromkeys(name(c.weighed.candidate) for rivals in found.rivals for c in rivals[1:])
+    names = dict.fromkeys(c.scored.candidate.label for rivals in found.equivalents for c in rivals[1:])
     return f"{' and '.join(names)} {'does' if len(names) == 1 else 'do'}"
 
 
-def in_doubt(finding: Finding) -> dict[str, Any]:
+def of_faulty_data(finding: Finding) -> dict[str, Any]:
     """What a result says where the data themselves are wrong."""
     return {
         "verdict": "unexplained",
         "summary": f"{finding.says} No effect was searched in such data.",
-        "next_experiment": _mending(finding),
+        "next_experiment": _remedy(finding),
         "findings": (finding,),
         "remarks": (finding.says,),
     }
 
 
-def _mending(finding: Finding) -> NextExperiment:
+def _remedy(finding: Finding) -> NextExperiment:
     if finding.kind == "excitation":
         why, do = "the run does not determine the whole map", "turn about all three body axes, in two fields at least"
         return NextExperiment(why, do, "preflight")
@@ -58,32 +60,32 @@ def _mending(finding: Finding) -> NextExperiment:
     return NextExperiment(why, "put the bundle or the wiring right, and close the loop again")
 
 
-def why(step: HeldOut, own: Weighed) -> str:
+def why_accepted(step: HeldOutErrors, own: Scored) -> str:
     """Why an effect was accepted."""
     change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
-    return f"{change}; evidence over a slow wander without a name: {_nats(own.weight)}"
+    return f"{change}; evidence over a slow wander without a name: {_nats(own.evidence)}"
 
 
-def why_not(w: Weighed, step: HeldOut | None = None) -> str:
+def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
     """Why a cause that was weighed is not named; `step` is its proof where it was taken and refused held out."""
     if step is not None:
-        return _refused(step)
-    if w.weight < 0:
-        return f"no better than chance or a slow wander: evidence {_nats(w.weight)}"
-    if w.weight < NAMED:
-        return f"too little evidence: {_nats(w.weight)}"
+        return _why_refused(step)
+    if w.evidence < 0:
+        return f"no better than chance or a slow wander: evidence {_nats(w.evidence)}"
+    if w.evidence < MIN_EVIDENCE:
+        return f"too little evidence: {_nats(w.evidence)}"
     taken = f"takes {w.drop:.2g} times the noise's square off the residual"
     if w.drop < MATERIAL:
         return f"{taken}: not worth its parameters"
     return f"{taken} in sample, but other looks of what is accepted take as much"
 
 
-def why_rival(accepted: Candidate, after_nT: float) -> str:
+def why_equivalent(accepted: Candidate, after_nT: float) -> str:
     """Why a cause that does as well is not named in the place of the accepted one."""
-    return f"does as well as {name(accepted)} in its place ({after_nT:.1f} nT held out): a rival, neither is sure"
+    return f"does as well as {accepted.label} in its place ({after_nT:.1f} nT held out): a rival, neither is sure"
 
 
-def _refused(step: HeldOut) -> str:
+def _why_refused(step: HeldOutErrors) -> str:
     low, high = step.improvement()
     change = f"taken, and given up on held-out blocks: {step.before:.1f} to {step.after:.1f} nT"
     if low <= 0:
@@ -92,14 +94,14 @@ def _refused(step: HeldOut) -> str:
 
 
 def _nats(weight: float) -> str:
-    return f"{_signed(weight)} nats, {NAMED:.0f} needed"
+    return f"{_signed(weight)} nats, {MIN_EVIDENCE:.0f} needed"
 
 
 def _signed(value: float) -> str:
     return f"{value:.1f}".replace("-", "−")
 
 
-def tested(tests: Sequence[ResidualTest]) -> str:
+def tests_text(tests: Sequence[ResidualTest]) -> str:
     """One sentence on the tests of a residual."""
     failed = [test.says for test in tests if not test.passes]
     if not failed:

@@ -1,4 +1,4 @@
-"""Parts of the work that do not depend on each other, on two cores: what comes out is the same on one."""
+"""Independent parts of the work on two cores: the result is the same on one."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
-Part = TypeVar("Part")
-Done = TypeVar("Done")
+Item = TypeVar("Item")
+Outcome = TypeVar("Outcome")
 CORES = min(os.cpu_count() or 1, 2)
-_here = threading.local()
+_thread = threading.local()
 
 
-def each(work: Callable[[Part], Done], parts: Iterable[Part]) -> list[Done]:
-    """`work` done on each part, in their order; one after the other where one of two workers asks for it."""
-    parts = list(parts)
-    if min(CORES, len(parts)) < 2 or getattr(_here, "is_worker", False):
-        return list(map(work, parts))
-    with ThreadPoolExecutor(CORES, "loop", initializer=_begin) as workers:
-        return list(workers.map(work, parts))
+def parallel_map(work: Callable[[Item], Outcome], items: Iterable[Item]) -> list[Outcome]:
+    """`work` done on each item, in their order; serially where a worker of this very function asks for it."""
+    items = list(items)
+    if min(CORES, len(items)) < 2 or getattr(_thread, "is_worker", False):
+        return list(map(work, items))
+    with ThreadPoolExecutor(CORES, "loop", initializer=_mark_as_worker) as workers:
+        return list(workers.map(work, items))
 
 
-def _begin() -> None:
-    _here.is_worker = True
+def _mark_as_worker() -> None:
+    _thread.is_worker = True

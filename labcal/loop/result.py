@@ -59,7 +59,7 @@ class ResidualTest:
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class ResidualShape:
     """What structure looks like that nothing carries."""
 
     kind: str  # line | step | telegraph | random-walk | wander | noise
@@ -72,7 +72,7 @@ class Shape:
 
 
 @dataclass(frozen=True, slots=True)
-class Twins:
+class Confounded:
     """Two explanations of one run that no quality of fit tells apart, and what does."""
 
     one: str
@@ -133,10 +133,10 @@ class ClosedLoop:
     pictures: Pictures
     findings: tuple[Finding, ...] = ()
     tests: Mapping[str, tuple[ResidualTest, ...]] = field(default_factory=dict)  # before, after
-    shape: Shape | None = None  # of what is left, where structure is left
+    shape: ResidualShape | None = None  # of what is left, where structure is left
     unsupported: frozenset[int] = frozenset()  # places among `accepted` of the sensor's effects that are not shipped
     shipped: Errors | None = None  # of the map and effects that are shipped, where they are fewer
-    twins: tuple[Twins, ...] = ()  # of the accepted effects
+    twins: tuple[Confounded, ...] = ()  # of the accepted effects
     rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
 

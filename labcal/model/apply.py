@@ -13,9 +13,9 @@ from labcal.errors import InputError
 from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped
-from labcal.model.effects.following import behind
+from labcal.model.effects.following import has_memory
 from labcal.model.gaps import bridged
-from labcal.model.plausibility import outliers, saturated
+from labcal.model.plausibility import saturated, second_difference_outliers
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -64,7 +64,7 @@ def needed_columns(calibration: Calibration) -> tuple[str, ...]:
 
 def remembers(effect: Fitted) -> bool:
     """Whether a row's effect depends on the rows before it."""
-    return (behind(effect.form) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
+    return (has_memory(effect.term) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
 
 
 def apply(calibration: Calibration, readings: Readings) -> Applied:
@@ -157,10 +157,10 @@ def _effect(
     usable = np.isfinite(field_nT).all(axis=1) & _usable(calibration, record, effect, readings, flags)
     value, variance = np.zeros_like(field_nT), np.zeros_like(field_nT)
     if usable.any():
-        columns = effect.form.columns(_scene(calibration, readings, field_nT, usable))
+        columns = effect.term.columns(_scene(calibration, readings, field_nT, usable))
         value[usable] = columns @ effect.beta
         u = {p.name: p.u for p in record.parameters}
-        variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.form.parameters])
+        variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.term.parameters])
     variance[~usable] = _size(calibration, record, effect, value[usable])
     if effect.family.id == "lag" and readings.t_s is not None:
         beyond = _out_of_reach(readings, float(effect.beta[0]))
@@ -170,7 +170,7 @@ def _effect(
         unsure = _beside_the_step(record, readings.t_s)
         flags["time"] |= unsure
         variance[unsure] += effect.beta**2 / 4
-    delay = next((s.value for s in effect.form.shape if s.name == "delay_s"), 0.0)
+    delay = next((s.value for s in effect.term.shape if s.name == "delay_s"), 0.0)
     if delay and usable.any():
         variance[_out_of_reach(readings, -delay)] += value[usable].var(axis=0)
     return value, variance
@@ -265,7 +265,7 @@ def _beyond_validity(calibration: Calibration, readings: Readings, field_nT: Arr
     if readings.mode is not None and validity.modes:
         flags["mode"] |= (readings.mode != "") & ~np.isin(readings.mode, validity.modes)
     flags["saturated"] |= saturated(calibration, readings.reading)
-    flags["outlier"] |= outliers(field_nT, readings.segment, noise) & ~flags["saturated"]
+    flags["outlier"] |= second_difference_outliers(field_nT, readings.segment, noise) & ~flags["saturated"]
 
 
 def _growth(calibration: Calibration, readings: Readings, field_nT: Array, flags: dict[str, Mask]) -> Array:

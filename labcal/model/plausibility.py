@@ -14,7 +14,7 @@ MOVES = 1e-3  # of the largest reading: what counts as moving
 OUT_OF_LINE = 10.0  # standard deviations from the line through the neighbours
 
 
-def rails(reading: Array, unit: str) -> EffectRecord | None:
+def saturation_limits(reading: Array, unit: str) -> EffectRecord | None:
     """The finding `saturation` of a run's readings (n, 3): the values that an axis stops at; None where it never does.
 
     Its parameters are `upper_x`, `lower_x` …, in the DUT's unit.
@@ -63,7 +63,7 @@ def _plateau(reading: Array, axis: int) -> Mask:
     return out
 
 
-def outliers(field_nT: Array, segment: NDArray[np.str_] | None, noise_nT: float) -> Mask:
+def second_difference_outliers(field_nT: Array, segment: NDArray[np.str_] | None, noise_nT: float) -> Mask:
     """Rows (n,) far from the line through their two neighbours, and further than those from theirs.
 
     The spread is the recording's own (median), never below the noise. A step of the field makes two rows alike and

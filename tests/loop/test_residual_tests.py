@@ -11,23 +11,23 @@ import pytest
 
 from labcal import session
 from labcal.loop import narrative
-from labcal.loop.close import prepared
-from labcal.loop.data.linear_problem import Problem
+from labcal.loop.close import prepare
+from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.findings.residual_shape import describe
-from labcal.loop.findings.residual_tests import tests as residual_tests
+from labcal.loop.findings.residual_tests import residual_tests as residual_tests
 from labcal.loop.noise.autocorrelation import LAGS, ljung_box
 
-Prepared = Callable[..., Problem]
+Prepared = Callable[..., LinearProblem]
 
 
 @pytest.fixture
 def with_offset(making: ModuleType, tmp_path: Path) -> Prepared:
     """The base fitted to a plain run with an offset (n, 3) [nT] in its readings."""
 
-    def make(offset: np.ndarray, seconds: float = 45.0) -> Problem:
+    def make(offset: np.ndarray, seconds: float = 45.0) -> LinearProblem:
         rows, segments = making.recorded(seconds=seconds)
         rows["dut"] = rows["dut"] + offset
-        return prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
+        return prepare(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
 
     return make
 
@@ -37,7 +37,7 @@ def t(making: ModuleType) -> np.ndarray:
     return making.recorded()[0]["t_s"]
 
 
-def _all(problem: Problem) -> np.ndarray:
+def _all(problem: LinearProblem) -> np.ndarray:
     return np.ones(len(problem), dtype=bool)
 
 
@@ -53,7 +53,7 @@ def test_white_noise_passes_every_test(with_offset: Prepared, t: np.ndarray) -> 
     found = residual_tests(with_offset(np.zeros((len(t), 3))), np.ones(len(t), dtype=bool))
     assert {test.test for test in found} == {"whiteness", "independence"}
     assert all(test.passes for test in found), [test.says for test in found if not test.passes]
-    assert "no material structure" in narrative.tested(found)
+    assert "no material structure" in narrative.tests_text(found)
 
 
 def test_a_residual_that_follows_a_channel_is_not_independent_of_it(

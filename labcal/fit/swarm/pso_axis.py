@@ -66,14 +66,14 @@ def polished_fit(method: str, run: Run, loci: Loci, theta: Array, basis: Array |
     if why_not := _vague(found, loci):
         return refused(method, why_not)
     unit = np.concatenate([np.full(9, run.dut.nominal_nT_per_unit), np.ones(3)])
-    honest = noise_bias_in_sigma(loci, found) < LARGEST_BIAS
+    unbiased = noise_bias_in_sigma(loci, found) < LARGEST_BIAS
     affine, frame_known = map_of(run, found.theta), basis is None
     return Fit(
         method,
         ok=True,
         affine=affine,
         covariance=widen(run, affine, found.covariance * np.outer(unit, unit), frame_known=frame_known)
-        if honest
+        if unbiased
         else None,
         frame_known=frame_known,
         noise_nT=found.noise_nT,

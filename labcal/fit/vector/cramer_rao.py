@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import Observations, observe
-from labcal.fit.vector.solve import Form, form
+from labcal.fit.vector.solve import Parameterisation, parameterise
 from labcal.fit.vector.system import Noise, evaluate, normal
 from labcal.model import AffineMap
 from labcal.record import Run
@@ -30,10 +30,10 @@ def cramer_rao(run: Run, truth: AffineMap, field_nT: Array, noise: Noise, phase_
     determine the map.
     """
     seen = observe(_without_noise(run, truth, field_nT))
-    allowed = form("symmetric" if (seen.kind == 1).all() else "affine", 1.0)
+    parameterisation = parameterise("symmetric" if (seen.kind == 1).all() else "affine", 1.0)
     theta = np.r_[truth.K.ravel() * seen.scale, truth.k_nT]
     phase = np.zeros(len(seen.phase_names)) if phase_rad is None else phase_rad
-    covariance = _inverse(_information(seen, noise, theta, phase), allowed)
+    covariance = _inverse(_information(seen, noise, theta, phase), parameterisation)
     unit = np.r_[np.full(9, 1 / seen.scale), np.ones(3)]
     return np.asarray(covariance * np.outer(unit, unit))
 
@@ -49,14 +49,14 @@ def _information(seen: Observations, noise: Noise, theta: Array, phase: Array) -
     return normal(seen, true_reading, np.ones(len(seen)))[0]
 
 
-def _inverse(N: Array, allowed: Form) -> Array:
-    q = allowed.basis.shape[1]
+def _inverse(N: Array, parameterisation: Parameterisation) -> Array:
+    q = parameterisation.basis.shape[1]
     B = np.zeros((len(N), q + len(N) - 12))
-    B[:12, :q], B[12:, q:] = allowed.basis, np.eye(len(N) - 12)
+    B[:12, :q], B[12:, q:] = parameterisation.basis, np.eye(len(N) - 12)
     bound = B.T @ N @ B
     scale = np.sqrt(np.diag(bound))
     values, vectors = np.linalg.eigh(bound / np.outer(scale, scale))
     if values[0] < 1e-11 * values[-1]:
         raise ValueError("the run does not determine the map: there is no bound")
     inverse = vectors @ np.diag(1 / values) @ vectors.T / np.outer(scale, scale)
-    return np.asarray(allowed.basis @ inverse[:q, :q] @ allowed.basis.T)
+    return np.asarray(parameterisation.basis @ inverse[:q, :q] @ parameterisation.basis.T)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import Observations
-from labcal.fit.vector.solve import ROBUST, Form, Loss, Solution, solve
+from labcal.fit.vector.solve import ROBUST, Loss, Parameterisation, Solution, solve
 from labcal.fit.vector.system import CONTRACT_ORDER, Noise, blocks, evaluate
 from labcal.geometry import unit
 
@@ -33,7 +33,12 @@ class Identified:
 
 
 def identify(
-    seen: Observations, noise: Noise, allowed: Form, found: Solution, loss: Loss = ROBUST, scale: float = 1.0
+    seen: Observations,
+    noise: Noise,
+    parameterisation: Parameterisation,
+    found: Solution,
+    loss: Loss = ROBUST,
+    scale: float = 1.0,
 ) -> Identified:
     """Decide by rank and by the uncertainty propagated over the working range whether the map is determined.
 
@@ -41,34 +46,37 @@ def identify(
     compare. Noise in the readings adds to Σ xᵀGx what it would without any motion; that part is taken off, and the
     covariance is S⁻¹ N S⁻¹ with S the rest (Fuller, Measurement Error Models, 1987, section 2.2), times `scale`².
     """
-    q, largest = allowed.basis.shape[1], float(seen.magnitude.max())
-    N, feigned = _without_phases(found.normal, q), allowed.basis.T @ _feigned(seen, noise, found) @ allowed.basis
-    S = N - feigned
+    q, largest = parameterisation.basis.shape[1], float(seen.magnitude.max())
+    N, noise_induced = (
+        _without_phases(found.normal, q),
+        parameterisation.basis.T @ _noise_induced_information(seen, noise, found) @ parameterisation.basis,
+    )
+    S = N - noise_induced
     values, vectors = np.linalg.eigh(S)
-    ratio = values / np.maximum(np.einsum("aj,ab,bj->j", vectors, feigned, vectors), 1e-300)
+    ratio = values / np.maximum(np.einsum("aj,ab,bj->j", vectors, noise_induced, vectors), 1e-300)
     known = (ratio > SIGNAL_OVER_NOISE) & (values > 1e-10 * values[-1])
     rank = int(known.sum())
     if rank < q:
-        why = _reason(seen, allowed, vectors[:, ~known], rank)
+        why = _reason(seen, parameterisation, vectors[:, ~known], rank)
         return Identified(rank, q, np.full((12, 12), np.nan), np.inf, why)
     inverse = vectors @ np.diag(1 / values) @ vectors.T
     own = scale**2 * (inverse @ N @ inverse)
-    covariance = allowed.basis @ own @ allowed.basis.T
+    covariance = parameterisation.basis @ own @ parameterisation.basis.T
     worst = worst_uncertainty(found.theta, covariance, largest)
     weakest = vectors[:, np.argmin(ratio)]
     if worst > LARGEST_U * largest:
         more = f"; the field would be uncertain by {worst:.0f} nT"
-    elif ratio.min() < CLEAR and _valley(seen, noise, allowed, found, loss, scale, weakest, own):
+    elif ratio.min() < CLEAR and _valley(seen, noise, parameterisation, found, loss, scale, weakest, own):
         more, rank = "; quite another map fits as well", rank - 1
     else:
         return Identified(rank, q, covariance, worst, None)
-    return Identified(rank, q, covariance, worst, _reason(seen, allowed, weakest[:, None], rank, more))
+    return Identified(rank, q, covariance, worst, _reason(seen, parameterisation, weakest[:, None], rank, more))
 
 
 def _valley(
     seen: Observations,
     noise: Noise,
-    allowed: Form,
+    parameterisation: Parameterisation,
     found: Solution,
     loss: Loss,
     scale: float,
@@ -82,10 +90,10 @@ def _valley(
     """
     step = FAR * float(np.sqrt(weakest @ own @ weakest)) * weakest
     across = np.linalg.svd(weakest[:, None])[0][:, 1:]
-    q = allowed.nearest(found.theta)
+    q = parameterisation.nearest(found.theta)
     for sign in (-1.0, 1.0):
-        shifted = allowed.fixed + allowed.basis @ (q + sign * step)
-        held = Form(allowed.name, shifted, allowed.basis @ across)
+        shifted = parameterisation.fixed + parameterisation.basis @ (q + sign * step)
+        held = Parameterisation(parameterisation.name, shifted, parameterisation.basis @ across)
         there = solve(seen, noise, held, shifted, found.phase, loss, iterations=30)
         if there.loss - found.loss < FAR**2 / 4 * scale**2:
             return True
@@ -119,7 +127,7 @@ def _without_phases(N: Array, q: int) -> Array:
     return np.asarray(N[:q, :q] - N[:q, q:] @ np.linalg.pinv(N[q:, q:], rcond=1e-13, hermitian=True) @ N[q:, :q])
 
 
-def _feigned(seen: Observations, noise: Noise, found: Solution) -> Array:
+def _noise_induced_information(seen: Observations, noise: Noise, found: Solution) -> Array:
     """Σ w G ⊗ cov(m̂) (12, 12): the information that the noise left in the estimated readings would seem to give.
 
     cov(m̂) = Σ − Σ Kᵀ G K Σ is linear in G, so the sums of G and of its products serve all rows.
@@ -137,11 +145,13 @@ def _feigned(seen: Observations, noise: Noise, found: Solution) -> Array:
     return np.asarray(out.transpose(0, 2, 1, 3).reshape(12, 12)[np.ix_(CONTRACT_ORDER, CONTRACT_ORDER)])
 
 
-def _reason(seen: Observations, allowed: Form, directions: Array, rank: int, more: str = "") -> str:
+def _reason(
+    seen: Observations, parameterisation: Parameterisation, directions: Array, rank: int, more: str = ""
+) -> str:
     """One sentence: which parameters are open, and which excitation is missing."""
-    reach = np.linalg.norm(allowed.basis @ directions, axis=1)
+    reach = np.linalg.norm(parameterisation.basis @ directions, axis=1)
     open_ones = [NAMES[i] for i in np.argsort(-reach, kind="stable") if reach[i] > 0.3 * reach.max()]
-    size, others = allowed.basis.shape[1], len(open_ones) - MOST_NAMED
+    size, others = parameterisation.basis.shape[1], len(open_ones) - MOST_NAMED
     listed = ", ".join(open_ones[:MOST_NAMED]) + (f" and {others} more" if others > 0 else "")
     return f"the run determines {rank} of {size} parameters, not {listed}{more}: {_missing(seen)}"
 

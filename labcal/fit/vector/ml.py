@@ -12,7 +12,17 @@ from labcal.fit.declared import widen
 from labcal.fit.result import Fit
 from labcal.fit.vector.identify import Identified, identify
 from labcal.fit.vector.observations import SCALAR, Observations, observe
-from labcal.fit.vector.solve import KNEE, LEAST_SQUARES, ROBUST, Form, FormName, Loss, Solution, form, solve
+from labcal.fit.vector.solve import (
+    HUBER_THRESHOLD,
+    LEAST_SQUARES,
+    ROBUST,
+    Loss,
+    Parameterisation,
+    ParameterisationName,
+    Solution,
+    parameterise,
+    solve,
+)
 from labcal.fit.vector.start import starts
 from labcal.fit.vector.system import Noise, WhiteIn, blocks, evaluate, map_of
 from labcal.model import AffineMap
@@ -29,9 +39,9 @@ POLISHED = 2  # starts that are followed to their minimum
 class Estimate:
     """All that a maximum-likelihood fit knows: what the loop builds on, where `Fit` is for people and files."""
 
-    seen: Observations
+    observations: Observations
     noise: Noise  # as used in the weights
-    form: Form
+    parameterisation: Parameterisation
     solution: Solution
     identified: Identified
     scale: float  # observed over expected standard deviation of the normalised residuals
@@ -39,12 +49,12 @@ class Estimate:
     @property
     def affine(self) -> AffineMap:
         """The map in the DUT's unit."""
-        return AffineMap(*map_of(self.solution.theta, self.seen.scale))
+        return AffineMap(*map_of(self.solution.theta, self.observations.scale))
 
     @property
     def covariance(self) -> Array:
         """Covariance (12, 12) of K row by row, then k, in the DUT's unit."""
-        unit = np.r_[np.full(9, 1 / self.seen.scale), np.ones(3)]
+        unit = np.r_[np.full(9, 1 / self.observations.scale), np.ones(3)]
         return np.asarray(self.identified.covariance * np.outer(unit, unit))
 
 
@@ -60,7 +70,7 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
         return _refused("there is no reference, so the scale is open: a field of known magnitude is needed")
     try:
         found = estimate(run, robust=robust, white_in=white_in)
-        if found.identified.why_not and (found.seen.kind != SCALAR).any():
+        if found.identified.why_not and (found.observations.kind != SCALAR).any():
             scalar = estimate(run, as_scalar=True, robust=robust, white_in=white_in)
             found = scalar if scalar.identified.why_not is None else found
     except (np.linalg.LinAlgError, ArithmeticError):
@@ -69,7 +79,7 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
         return _refused(str(error))
     if found.identified.why_not:
         return _refused(found.identified.why_not)
-    frame_known = found.form.name != "symmetric"
+    frame_known = found.parameterisation.name != "symmetric"
     return Fit(
         method="ml",
         ok=True,
@@ -84,7 +94,7 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
 def estimate(
     run: Run,
     *,
-    allowed: FormName | None = None,
+    parameterisation: ParameterisationName | None = None,
     as_scalar: bool = False,
     robust: bool = True,
     white_in: WhiteIn = "reading",
@@ -96,12 +106,12 @@ def estimate(
     """
     seen = observe(run, as_scalar=as_scalar)
     nominal = seen.scale * run.dut.nominal_nT_per_unit
-    name = allowed or ("symmetric" if (seen.kind == SCALAR).all() else "affine")
-    shape = form(name, nominal)
-    _require_life(seen, shape)
-    noise = _declared(run, seen)
+    name = parameterisation or ("symmetric" if (seen.kind == SCALAR).all() else "affine")
+    shape = parameterise(name, nominal)
+    _require_excitation(seen, shape)
+    noise = _declared_noise(run, seen)
     start = _best_start(seen, noise, shape, nominal)
-    found, noise, loss, scale = _settle(run, seen, noise, shape, start, robust=robust, white_in=white_in)
+    found, noise, loss, scale = _iterate(run, seen, noise, shape, start, robust=robust, white_in=white_in)
     identified = identify(seen, noise, shape, found, loss, scale)
     return Estimate(seen, noise, shape, found, identified, scale)
 
@@ -109,12 +119,12 @@ def estimate(
 def _inflation(found: Estimate) -> float:
     """How much correlated residuals widen the covariance; 1 where they are independent."""
     theta, phase = found.solution.theta, found.solution.phase
-    parts = [evaluate(part, noise, theta, phase).residual for _, part, noise in blocks(found.seen, found.noise)]
+    parts = [evaluate(part, noise, theta, phase).residual for _, part, noise in blocks(found.observations, found.noise)]
     residual = np.sqrt(found.solution.weight)[:, None] * np.concatenate(parts)
-    return variance_inflation(residual, found.seen.segment)
+    return variance_inflation(residual, found.observations.segment)
 
 
-def _require_life(seen: Observations, shape: Form) -> None:
+def _require_excitation(seen: Observations, shape: Parameterisation) -> None:
     free, given = shape.basis.shape[1] + len(seen.phase_names), int(seen.kind.sum())
     if given <= free:
         raise ValueError(f"{len(seen)} usable rows give {given} numbers; the map needs more than {free}")
@@ -129,7 +139,7 @@ def _refused(why: str) -> Fit:
     return Fit(method="ml", ok=False, why_not=why)
 
 
-def _declared(run: Run, seen: Observations) -> Noise:
+def _declared_noise(run: Run, seen: Observations) -> Noise:
     """The declared noise; a DUT whose noise is not declared starts at 1 nT and is estimated."""
     angle = np.radians([s.angle_noise_deg or 0.0 for s in run.segments])[seen.segment]
     shared = run.reference.u_time_s or 0.0
@@ -138,7 +148,7 @@ def _declared(run: Run, seen: Observations) -> Noise:
     return Noise(reading, run.reference.noise_nT or 0.0, angle, time)
 
 
-def _best_start(seen: Observations, noise: Noise, shape: Form, nominal: float) -> Solution:
+def _best_start(seen: Observations, noise: Noise, shape: Parameterisation, nominal: float) -> Solution:
     """Of the closed-form starts, polished on a subsample with Huber's loss, the one with the smallest residuals."""
     rows = np.unique(np.linspace(0, len(seen) - 1, SUBSAMPLE).astype(np.intp))
     few, few_noise = seen.select(rows), noise.select(rows)
@@ -153,8 +163,15 @@ def _best_start(seen: Observations, noise: Noise, shape: Form, nominal: float) -
     return min((polish(r, Loss(typical(few, r), np.inf), 6) for r in rough), key=lambda end: typical(few, end))
 
 
-def _settle(
-    run: Run, seen: Observations, noise: Noise, shape: Form, start: Solution, *, robust: bool, white_in: WhiteIn
+def _iterate(
+    run: Run,
+    seen: Observations,
+    noise: Noise,
+    shape: Parameterisation,
+    start: Solution,
+    *,
+    robust: bool,
+    white_in: WhiteIn,
 ) -> tuple[Solution, Noise, Loss, float]:
     """Alternate the fit with the scale of its residuals until both stand: solution, noise, loss, scale left over.
 
@@ -166,7 +183,7 @@ def _settle(
         if white_in == "field":
             noise = replace(noise, shape=_through(found.theta, seen.scale * run.dut.nominal_nT_per_unit))
         at_start = solve(seen, noise, shape, found.theta, found.phase, LEAST_SQUARES, iterations=0)
-        loss = replace(ROBUST, knee=_knee(seen, at_start)) if robust else LEAST_SQUARES
+        loss = replace(ROBUST, threshold=_huber_threshold(seen, at_start)) if robust else LEAST_SQUARES
         found = solve(seen, noise, shape, found.theta, found.phase, loss)
         before, scale = scale, _scale(seen, found, shape)
         if run.dut.noise_nT is None:
@@ -183,12 +200,12 @@ def _through(theta: Array, nominal: float) -> Array:
     return np.asarray(inverse @ inverse.T)
 
 
-def _knee(seen: Observations, found: Solution) -> float:
+def _huber_threshold(seen: Observations, found: Solution) -> float:
     """Where weights begin to fall: by the residuals' median, but so that at most a tenth of the rows lose any.
 
     More rows than that are no outliers: the model lacks something, and to leave them out would hide it.
     """
-    return max(typical(seen, found), float(np.quantile(np.sqrt(found.cost) / KNEE[seen.kind], 0.9)), 1.0)
+    return max(typical(seen, found), float(np.quantile(np.sqrt(found.cost) / HUBER_THRESHOLD[seen.kind], 0.9)), 1.0)
 
 
 def typical(seen: Observations, found: Solution) -> float:
@@ -196,7 +213,7 @@ def typical(seen: Observations, found: Solution) -> float:
     return float(np.sqrt(np.median(found.cost / MEDIAN_CHI2[seen.kind])))
 
 
-def _scale(seen: Observations, found: Solution, shape: Form) -> float:
+def _scale(seen: Observations, found: Solution, shape: Parameterisation) -> float:
     """Observed over expected standard deviation of the normalised residuals, degrees of freedom taken off."""
     free = float(np.sum(found.weight * seen.kind)) - shape.basis.shape[1] - len(found.phase)
     return float(np.sqrt(np.sum(found.weight * found.cost) / max(free, 1.0)))

@@ -12,16 +12,16 @@ from labcal.fit.vector.observations import Observations
 from labcal.fit.vector.system import Noise, blocks, evaluate, normal
 
 Array = NDArray[np.float64]
-FormName = Literal["affine", "symmetric", "gain-offset", "offset"]
+ParameterisationName = Literal["affine", "symmetric", "gain-offset", "offset"]
 # Square root of the 99.9 % point of chi-squared with 1, 2 and 3 degrees of freedom: where the weight begins to fall.
-KNEE = np.array([np.nan, 3.2905, 3.7169, 4.0331])
+HUBER_THRESHOLD = np.array([np.nan, 3.2905, 3.7169, 4.0331])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Form:
+class Parameterisation:
     """Which maps are allowed: the twelve scaled parameters are `fixed + basis @ q`."""
 
-    name: FormName
+    name: ParameterisationName
     fixed: Array  # (12,)
     basis: Array  # (12, q)
 
@@ -30,21 +30,21 @@ class Form:
         return np.asarray(np.linalg.lstsq(self.basis, theta - self.fixed, rcond=None)[0])
 
 
-def form(name: FormName, nominal: float) -> Form:
+def parameterise(name: ParameterisationName, nominal: float) -> Parameterisation:
     """Affine (12 parameters), symmetric K (9), one gain and k (4), or k alone (3).
 
     `nominal` is the scaled gain of a perfect sensor [nT per scale unit].
     """
     fixed, eye = np.zeros(12), np.eye(12)
     if name == "affine":
-        return Form(name, fixed, eye)
+        return Parameterisation(name, fixed, eye)
     if name == "symmetric":
         pairs = [eye[:, 3 * a + b] + (eye[:, 3 * b + a] if a != b else 0.0) for a in range(3) for b in range(a, 3)]
-        return Form(name, fixed, np.column_stack([*pairs, eye[:, 9:]]))
+        return Parameterisation(name, fixed, np.column_stack([*pairs, eye[:, 9:]]))
     gain = eye[:, [0, 4, 8]].sum(axis=1)
     if name == "gain-offset":
-        return Form(name, fixed, np.column_stack([gain, eye[:, 9:]]))
-    return Form(name, gain * nominal, eye[:, 9:])
+        return Parameterisation(name, fixed, np.column_stack([gain, eye[:, 9:]]))
+    return Parameterisation(name, gain * nominal, eye[:, 9:])
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,14 +55,14 @@ class Loss:
     knee at 99.9 % and a reach of 4 the efficiency at the normal distribution is 0.997 (one number a row).
     """
 
-    knee: float = 1.0  # in units of KNEE
+    threshold: float = 1.0  # in units of KNEE
     reach: float = 4.0
 
-    def weigh(self, cost: Array, kind: NDArray[np.int8]) -> tuple[Array, Array]:
+    def weights_and_losses(self, cost: Array, kind: NDArray[np.int8]) -> tuple[Array, Array]:
         """Weight and loss of each row (n,) for `cost` = d² and its kind."""
-        if np.isinf(self.knee):
+        if np.isinf(self.threshold):
             return np.ones(len(cost)), cost / 2
-        a = self.knee * KNEE[kind]
+        a = self.threshold * HUBER_THRESHOLD[kind]
         d = np.sqrt(cost)
         if np.isinf(self.reach):
             return np.minimum(1.0, a / np.maximum(d, 1e-300)), np.where(d <= a, cost / 2, a * d - a**2 / 2)
@@ -75,7 +75,7 @@ class Loss:
 
 TOLERANCE = 1e-8  # of a step's squared length in standard uncertainties
 SLACK = 0.1  # rise of the loss at which the equations still decide: unbiased, they are not quite its gradient
-LEAST_SQUARES = Loss(knee=np.inf, reach=np.inf)
+LEAST_SQUARES = Loss(threshold=np.inf, reach=np.inf)
 ROBUST = Loss()
 
 
@@ -95,7 +95,7 @@ class Solution:
 def solve(
     seen: Observations,
     noise: Noise,
-    allowed: Form,
+    parameterisation: Parameterisation,
     theta: Array,
     phase: Array,
     loss: Loss = ROBUST,
@@ -105,14 +105,17 @@ def solve(
 ) -> Solution:
     """Minimise the loss from a start; `correction` (n, 3) nT is subtracted from K m − k (effects)."""
     phases = len(phase)
-    B = np.zeros((12 + phases, allowed.basis.shape[1] + phases))
-    B[:12, : allowed.basis.shape[1]], B[12:, allowed.basis.shape[1] :] = allowed.basis, np.eye(phases)
-    y = np.concatenate([allowed.nearest(theta), phase])
-    here = _assemble(seen, noise, allowed, y, B, loss, correction)
+    B = np.zeros((12 + phases, parameterisation.basis.shape[1] + phases))
+    B[:12, : parameterisation.basis.shape[1]], B[12:, parameterisation.basis.shape[1] :] = (
+        parameterisation.basis,
+        np.eye(phases),
+    )
+    y = np.concatenate([parameterisation.nearest(theta), phase])
+    here = _assemble(seen, noise, parameterisation, y, B, loss, correction)
     damping, converged = 1e-8, False
     for _ in range(iterations):
         step = _step(here.normal, here.gradient, damping)
-        there = _assemble(seen, noise, allowed, y + step, B, loss, correction)
+        there = _assemble(seen, noise, parameterisation, y + step, B, loss, correction)
         expected = float(step @ here.normal @ step)
         unit = max(1.0, here.loss / len(seen))
         if there.loss <= here.loss + max(expected, SLACK * unit):
@@ -124,7 +127,7 @@ def solve(
             damping = max(damping, 1e-6) * 10
             if damping > 1e8:
                 break
-    theta, phase = _split(allowed, y)
+    theta, phase = _split(parameterisation, y)
     return Solution(theta, phase, here.normal, here.loss, converged, here.cost, here.weight)
 
 
@@ -138,15 +141,21 @@ class _Assembled:
 
 
 def _assemble(
-    seen: Observations, noise: Noise, allowed: Form, y: Array, B: Array, loss: Loss, correction: Array | float
+    seen: Observations,
+    noise: Noise,
+    parameterisation: Parameterisation,
+    y: Array,
+    B: Array,
+    loss: Loss,
+    correction: Array | float,
 ) -> _Assembled:
-    theta, phase = _split(allowed, y)
+    theta, phase = _split(parameterisation, y)
     N, g, total = np.zeros((len(B), len(B))), np.zeros(len(B)), 0.0
     cost, weight = np.empty(len(seen)), np.empty(len(seen))
     for rows, part, part_noise in blocks(seen, noise):
         offset = correction[rows] if isinstance(correction, np.ndarray) else correction
         at = evaluate(part, part_noise, theta, phase, offset)
-        weight[rows], losses = loss.weigh(at.cost, part.kind)
+        weight[rows], losses = loss.weights_and_losses(at.cost, part.kind)
         cost[rows] = at.cost
         total += float(losses.sum())
         dN, dg = normal(part, at, weight[rows])
@@ -154,9 +163,9 @@ def _assemble(
     return _Assembled(B.T @ N @ B, B.T @ g, total, cost, weight)
 
 
-def _split(allowed: Form, y: Array) -> tuple[Array, Array]:
-    q = allowed.basis.shape[1]
-    return allowed.fixed + allowed.basis @ y[:q], y[q:]
+def _split(parameterisation: Parameterisation, y: Array) -> tuple[Array, Array]:
+    q = parameterisation.basis.shape[1]
+    return parameterisation.fixed + parameterisation.basis @ y[:q], y[q:]
 
 
 def _step(N: Array, g: Array, damping: float) -> Array:

@@ -1,8 +1,8 @@
-"""How late a channel may be: every delay is looked at, by plain least squares in one sweep.
+"""Delays of a channel: every delay is tried, by least squares in one sweep.
 
-A switched load that is wrong in time by a tenth of its period is hardly better than any slow response, so that a coarse
+A switched load whose time is wrong by a tenth of its period explains hardly more than any slow response, so a coarse
 grid of delays would miss it. The columns of an offset that follows a channel q are q times those of a constant offset:
-their Gram matrices with everything else are sums over rows, and the drops at all delays are one product of matrices.
+their Gram matrices with everything else are sums over rows, and the drops at all delays are one matrix product.
 """
 
 from __future__ import annotations
@@ -14,67 +14,61 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate
-from labcal.loop.candidates.scorer import Search
-from labcal.loop.data.linear_problem import Problem
-from labcal.loop.noise.nuisance import SEEN
-from labcal.model.effects import Family, Form, families
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.noise.nuisance import explained_by_each, gram_pinv
+from labcal.model.effects import families
 from labcal.model.effects.regressors import delayed
 
 Array = NDArray[np.float64]
 
 
-def delays(search: Search, accepted: Sequence[Candidate]) -> list[Candidate]:
+def delay_scan(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Candidate]:
     """Each effect that a delay could shift, at the delay that takes most off the residual that the accepted leave."""
-    causes = {c.cause for c in search.candidates}
-    able = search.once("late", (), lambda: _late(search.problem), everywhere=True)
-    late = [(family, form) for family, form in able if (family.id, form.channels) in causes]
-    found = list[Candidate]()
-    if not late:
-        return found
-    sums = _Sums.of(search, accepted)
-    for family, form in late:
-        grid = next(s.grid for s in form.shape if s.name == "delay_s")
-        drives = search.once("drives", (form,), partial(_drives, search.problem, form, grid), everywhere=True)
-        best = int(np.argmax(sums.drops(drives[:, search.rows])))
-        found.append(Candidate(family, form.reshaped(delay_s=grid[best]), len(grid)))
+    causes = {c.cause for c in pool.candidates}
+    able = pool.store.memo.get("delayable", (), lambda: _delayable(pool.problem))
+    able = [c for c in able if c.cause in causes]
+    if not able:
+        return []
+    explained = _explained(pool, accepted)
+    found = []
+    for candidate in able:
+        grid = _delays(candidate)
+        drives = pool.store.memo.get("delayed", (candidate,), partial(_delayed_drives, pool.problem, candidate))
+        best = int(np.argmax(explained(drives[:, pool.rows])))
+        found.append(Candidate(candidate.family, candidate.term.with_values(delay_s=grid[best]), len(grid)))
     return found
 
 
-def _late(problem: Problem) -> list[tuple[Family, Form]]:
-    """Every form that has a delay."""
+def _delayable(problem: LinearProblem) -> list[Candidate]:
+    """Every term that has a delay."""
     able = [family for family in families() if "delay_s" in family.shapes]
-    forms = [(family, form) for family in able for form in family.candidates(problem.run)]
-    return [(family, form) for family, form in forms if any(s.name == "delay_s" for s in form.shape)]
+    candidates = [Candidate(family, term) for family in able for term in family.candidates(problem.run)]
+    return [c for c in candidates if any(s.name == "delay_s" for s in c.term.shape)]
 
 
-def _drives(problem: Problem, form: Form, grid: Sequence[float]) -> Array:
+def _delays(candidate: Candidate) -> Sequence[float]:
+    return next(s.grid for s in candidate.term.shape if s.name == "delay_s")
+
+
+def _delayed_drives(problem: LinearProblem, candidate: Candidate) -> Array:
     """The channel (delays, n) after each delay."""
     scene = problem.scene
-    drive = form.drive(scene)
-    return np.stack([delayed(scene.t_s, scene.segment, drive, by) for by in grid])
+    drive = candidate.term.drive(scene)
+    return np.stack([delayed(scene.t_s, scene.segment, drive, by) for by in _delays(candidate)])
 
 
-class _Sums:
-    """What every row adds to the Gram matrices of a constant offset along each axis."""
+def _explained(pool: CandidateSet, accepted: Sequence[Candidate]) -> partial[Array]:
+    """A function of drives (k, n): what each takes off the sum of squares (k,), beside base and accepted effects."""
+    rows, E = pool.rows, pool.problem.whiten[pool.rows]  # E: the columns of a constant offset along each axis
+    A = np.concatenate([pool.problem.T, *(pool.columns(c) for c in accepted)], axis=2)[rows]
+    left = pool.residual(accepted)[rows][:, :, None]
+    per_row = [np.einsum("nqa,nqp->nap", E, part) for part in (E, A, left)]
+    return partial(_explained_by_drives, per_row, gram_pinv(A.reshape(-1, A.shape[2])))
 
-    def __init__(self, own: Array, cross: Array, pull: Array, inverse: Array) -> None:
-        self.own, self.cross, self.pull, self.inverse = own, cross, pull, inverse
 
-    @classmethod
-    def of(cls, search: Search, accepted: Sequence[Candidate]) -> _Sums:
-        """Beside the base and the accepted effects."""
-        rows, E = search.rows, search.problem.whiten[search.rows]
-        A = np.concatenate([search.problem.T, *(search.columns(c) for c in accepted)], axis=2)[rows]
-        flat = A.reshape(-1, A.shape[2])
-        left = search.residual(accepted)[rows][:, :, None]
-        own, cross, pull = (np.einsum("nqa,nqp->nap", E, part) for part in (E, A, left))
-        return cls(own, cross, pull, np.linalg.pinv(flat.T @ flat, hermitian=True))
-
-    def drops(self, drives: Array) -> Array:
-        """What each drive (k, n) takes off the sum of squares (k,)."""
-        own, cross, pull = (np.tensordot(w, part, axes=1) for w, part in (
-            (drives**2, self.own), (drives, self.cross), (drives, self.pull)))  # fmt: skip
-        values, vectors = np.linalg.eigh(own - cross @ self.inverse @ np.swapaxes(cross, 1, 2))
-        usable = values > SEEN * np.trace(own, axis1=1, axis2=2)[:, None]
-        along = np.einsum("kab,ka->kb", vectors, pull[:, :, 0])
-        return np.asarray(np.sum(np.where(usable, along**2 / np.where(usable, values, 1.0), 0.0), axis=1))
+def _explained_by_drives(per_row: Sequence[Array], inverse: Array, drives: Array) -> Array:
+    gram, cross, xty = (
+        np.tensordot(weight, part, axes=1) for weight, part in zip((drives**2, drives, drives), per_row, strict=True)
+    )
+    return explained_by_each(gram, cross, xty[:, :, 0], inverse)

@@ -1,71 +1,81 @@
-"""Candidates: every form of every installed effect family, at every point of its grid of nonlinear parameters."""
+"""The library of candidates: every term of every installed effect family, at every point of its grid."""
 
 from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
 
-from labcal.loop.data.linear_problem import Problem
-from labcal.model.effects import Family, Form, families
+import numpy as np
+from numpy.typing import NDArray
 
-Cause = tuple[str, tuple[str, ...]]
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.model.effects import Family, Term, families
+
+Array = NDArray[np.float64]
+Cause = tuple[str, tuple[str, ...]]  # an effect's id and its channels: what a result names
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Candidate:
-    """A form of a family at fixed shape, and how many looks the family took to find it."""
+    """A term of a family at fixed nonlinear parameters; compared by identity."""
 
     family: Family
-    form: Form
-    looks: int = 1
+    term: Term
+    trials: int = 1  # points that were tried to find it: its multiplicity
 
     @property
-    def cause(self) -> tuple[str, tuple[str, ...]]:
-        """What is named: the effect's id and its channels."""
-        return self.family.id, self.form.channels
+    def cause(self) -> Cause:
+        """What would be named."""
+        return self.family.id, self.term.channels
 
     @property
     def size(self) -> int:
-        """Parameters that were fitted: the linear ones, and the shapes that were searched."""
-        return len(self.form.parameters) + sum(1 for s in self.form.shape if s.grid)
+        """Parameters that were fitted: the linear ones, and the nonlinear ones that were searched."""
+        return len(self.term.parameters) + sum(1 for s in self.term.shape if s.grid)
+
+    @property
+    def label(self) -> str:
+        """The effect and its channels, for people."""
+        return self.family.id + (f" ({', '.join(self.term.channels)})" if self.term.channels else "")
 
 
-def expand(problem: Problem) -> list[Candidate]:
-    """Every form of every family at every point of its grid; those that need no residual to look at."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Span:
+    """Transformed columns (n, q, few) that stand for some candidates; compared by identity."""
+
+    columns: Array
+
+
+def expand_library(problem: LinearProblem) -> list[Candidate]:
+    """Every term of every observable family at every grid point; without those that a residual has to suggest."""
     found = []
     for family in families():
-        if family.sought == "grid" and at_home(problem, family):
-            at_once = [form for form in family.candidates(problem.run) if not _of_a_residual(form)]
-            for points in map(_points, at_once):
+        if family.search_strategy == "grid" and is_observable(problem, family):
+            terms = [term for term in family.candidates(problem.run) if not _needs_residual(term)]
+            for points in map(_grid_points, terms):
                 found += [Candidate(family, point, len(points)) for point in points]
     return found
 
 
-def _of_a_residual(form: Form) -> bool:
+def _needs_residual(term: Term) -> bool:
     """Whether its delay or moment is read off a residual."""
-    return any(shape.name in ("delay_s", "t_step_s") for shape in form.shape)
+    return any(shape.name in ("delay_s", "t_step_s") for shape in term.shape)
 
 
-def at_home(problem: Problem, family: Family) -> bool:
+def is_observable(problem: LinearProblem, family: Family) -> bool:
     """Whether this problem can show the family at all.
 
-    Effects of the rig need to know where the cage is. So does a lag: shifting noisy readings averages them, which
-    lowers a magnitude's residual with no lag at work. Effects of the field need a base that knows the gains.
+    Effects of the rig need the reference in the cage's frame. So does a lag: shifting noisy readings averages them,
+    which lowers a magnitude's residual without any lag. Effects of the field need a base that knows the gains.
     """
     if family.of_field and problem.base != "affine":
         return False
     return not (family.belongs_to == "rig" or family.from_vectors) or problem.scene.rig is not None
 
 
-def _points(form: Form) -> list[Form]:
-    searched = [s for s in form.shape if s.grid]
+def _grid_points(term: Term) -> list[Term]:
+    searched = [s for s in term.shape if s.grid]
     return [
-        form.reshaped(**dict(zip([s.name for s in searched], values, strict=True)))
+        term.with_values(**dict(zip([s.name for s in searched], values, strict=True)))
         for values in itertools.product(*(s.grid for s in searched))
     ]
-
-
-def name(candidate: Candidate) -> str:
-    """What is named: the effect and its channels."""
-    channels = ", ".join(candidate.form.channels)
-    return candidate.family.id + (f" ({channels})" if channels else "")

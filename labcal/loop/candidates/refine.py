@@ -1,4 +1,4 @@
-"""Nonlinear parameters of a candidate at their best, by variable projection from its grid point."""
+"""Nonlinear parameters of a candidate at their best, by variable projection near the grid point that was found."""
 
 from __future__ import annotations
 
@@ -9,84 +9,85 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate
-from labcal.loop.candidates.scorer import Search
-from labcal.loop.noise.bands import transformed
-from labcal.loop.noise.whitening import Whitened
-from labcal.model.effects import Form
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.whitening import WhitenedNull
 
 Array = NDArray[np.float64]
-SECANT = "secant_s"  # the shape of a lag
-SECANTS = 6  # rounds of a lag's own
-ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several shapes are searched in turn, and in the end
+SECANT = "secant_s"  # the nonlinear parameter of a lag
+SECANT_ROUNDS = 6
+ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several parameters are searched in turn, and in the end
 
 
-def _names(form: Form) -> set[str]:
-    return {shape.name for shape in form.shape}
+def refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    """The candidate at its best nonlinear parameters beside the accepted ones, by line searches in turn."""
+    return pool.cached("refined", (candidate, *accepted), lambda: _refined(pool, candidate, accepted))
 
 
-def refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    """The candidate at its best shape near the grid point that was found, by golden section in each shape in turn."""
-    about = [c.form for c in (candidate, *accepted)]
-    return search.once("refined", about, lambda: _refined(search, candidate, accepted))
+def has_own_secant(candidate: Candidate) -> bool:
+    """Whether its columns are a secant over the very lag that is fitted."""
+    return any(shape.name == SECANT for shape in candidate.term.shape)
 
 
-def _refined(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    if SECANT in _names(candidate.form):
-        return _on_secant(search, candidate, accepted)
-    searched = [shape.name for shape in candidate.form.shape if shape.grid]
+def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    if has_own_secant(candidate):
+        return _on_own_secant(pool, candidate, accepted)
+    searched = [shape.name for shape in candidate.term.shape if shape.grid]
     for name in searched if len(searched) > 1 else ():
-        candidate = _along(search, candidate, name, _under_its_noise(search, candidate, accepted), ROUGHLY)
+        candidate = _line_search(pool, candidate, name, _fixed_noise_gain(pool, candidate, accepted), ROUGHLY)
+    null_model = pool.null_model(accepted)
     for name in searched:
-        candidate = _along(search, candidate, name, lambda X: search.stage(accepted).beside(X)[0].log, EXACTLY)
+        candidate = _line_search(pool, candidate, name, lambda X: null_model.with_columns(X)[0].log, EXACTLY)
     return candidate
 
 
-def _under_its_noise(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Callable[[Array], float]:
+def _fixed_noise_gain(
+    pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]
+) -> Callable[[Array], float]:
     """What transformed columns gain under the noise that goes with the candidate: cheaper than under every one."""
-    stage = search.stage(accepted)
-    tried = stage.beside(search.moved(candidate))[0].tried
-    return search.once(("whitened", tried), (stage,), lambda: Whitened.of(stage, tried)).gain
+    null_model = pool.null_model(accepted)
+    spectrum = null_model.with_columns(pool.transformed_columns(candidate))[0].spectrum
+    return pool.cached(("whitened", spectrum), (null_model,), lambda: WhitenedNull.of(null_model, spectrum)).gain
 
 
-def _on_secant(search: Search, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
-    """A lag's columns are a secant: taken over the lag that they give, until it settles."""
-    for _ in range(SECANTS):
-        lag = float(search.solved([*accepted, candidate])[-1])
-        settled = abs(lag - candidate.form.at(SECANT)) < 1e-3 * abs(lag) + 1e-6
-        if settled or abs(lag) < 1e-6:
+def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    """A lag's columns are a secant: taken over the lag that they give, until it no longer changes."""
+    for _ in range(SECANT_ROUNDS):
+        lag = float(pool.coefficients([*accepted, candidate])[-1])
+        converged = abs(lag - candidate.term.at(SECANT)) < 1e-3 * abs(lag) + 1e-6
+        if converged or abs(lag) < 1e-6:
             break
-        candidate = replace(candidate, form=candidate.form.reshaped(**{SECANT: lag}))
+        candidate = replace(candidate, term=candidate.term.with_values(**{SECANT: lag}))
     return candidate
 
 
-def _along(
-    search: Search, candidate: Candidate, name: str, worth: Callable[[Array], float], within: float
+def _line_search(
+    pool: CandidateSet, candidate: Candidate, name: str, gain: Callable[[Array], float], within: float
 ) -> Candidate:
     from scipy.optimize import minimize_scalar
 
-    low, high = _bracket(search, candidate, name)
-    start = candidate.form.at(name)
+    low, high = _bracket(pool, candidate, name)
 
-    def badness(value: float) -> float:
-        columns = search.problem.columns(candidate.form.reshaped(**{name: value}))[search.moving]
-        return -worth(transformed(columns))
+    def cost(value: float) -> float:
+        columns = pool.problem.columns(candidate.term.with_values(**{name: value}))[pool.transformed_rows]
+        return -gain(cosine_transform(columns))
 
     found = minimize_scalar(
-        badness, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": within * (high - low)}
+        cost, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": within * (high - low)}
     )
-    if found.fun < badness(start):
-        return Candidate(candidate.family, candidate.form.reshaped(**{name: float(found.x)}), candidate.looks)
+    if found.fun < cost(candidate.term.at(name)):
+        return replace(candidate, term=candidate.term.with_values(**{name: float(found.x)}))
     return candidate
 
 
-def _bracket(search: Search, candidate: Candidate, name: str) -> tuple[float, float]:
+def _bracket(pool: CandidateSet, candidate: Candidate, name: str) -> tuple[float, float]:
     """Between the neighbours on the grid; for a frequency half the resolution, for a delay a step of it either way.
 
-    A loop or a bend narrower than any on the grid is not looked for: it would be driven by ripple and noise.
+    A loop or a curve narrower than any on the grid is not searched: it would be driven by ripple and noise.
     """
-    shape = next(s for s in candidate.form.shape if s.name == name)
+    shape = next(s for s in candidate.term.shape if s.name == name)
     if name == "f_Hz":
-        width = 0.6 / float(np.ptp(search.problem.scene.t_s))
+        width = 0.6 / float(np.ptp(pool.problem.scene.t_s))
         return shape.value - width, shape.value + width
     if name == "delay_s":
         width = min(abs(g) for g in shape.grid)

@@ -1,4 +1,4 @@
-"""Periods that the residual shows as lines: an effect that comes again is tried at the highest."""
+"""Spectral lines of the residual: a periodic effect is tried at the highest peaks."""
 
 from __future__ import annotations
 
@@ -8,46 +8,46 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate
-from labcal.loop.data.linear_problem import Problem
-from labcal.loop.noise.periodogram import periodogram, usual
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.model.effects import families
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 PEAKS = 3  # frequencies that a periodic effect is tried at
 CYCLES = 3.0  # a period must fit this often into the run, and into a median segment where it keeps step with them:
-IN_STEP = 0.7  # of one, the resultant of its phases at their starts: what a turn forth and back repeats, fits twice
+PHASE_LOCKED = 0.7  # resultant length of its phases at their starts: a turn there and back repeats at twice the rate
 
 
-def periodic(problem: Problem, residual: Array) -> list[Candidate]:
+def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
     """What shows as a line, at the highest peaks against their neighbourhood, for a residual (n, q).
 
     What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
     the turning of the field.
     """
-    forms = [(f, form) for f in families() if f.sought == "lines" for form in f.candidates(problem.run)]
-    if not forms:
+    terms = [(f, term) for f in families() if f.search_strategy == "lines" for term in f.candidates(problem.run)]
+    if not terms:
         return []
     offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
     frequency, power = periodogram(problem.scene.t_s, offsets)
-    contrast = np.where(_own(problem, frequency), power / usual(power), 0.0)
+    contrast = np.where(_admissible(problem, frequency), power / running_median(power), 0.0)
     found: list[Candidate] = []
     for _ in range(PEAKS):
         peak = int(np.argmax(contrast))
         if contrast[peak] <= 0:
             break
-        for family, form in forms:
-            at = replace(form.shape[0], value=float(frequency[peak]), grid=(0.0,))
-            found.append(Candidate(family, replace(form, shape=(at,)), len(frequency)))
+        for family, term in terms:
+            at = replace(term.shape[0], value=float(frequency[peak]), grid=(0.0,))
+            found.append(Candidate(family, replace(term, shape=(at,)), len(frequency)))
         contrast[max(peak - 8, 0) : peak + 9] = 0.0
     return found
 
 
-def _own(problem: Problem, frequency: Array) -> NDArray[np.bool_]:
+def _admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:
     """Which frequencies [Hz] up from nought are neither a drift's, nor a motion's that comes again in each segment."""
     times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
     few = frequency < CYCLES / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
-    in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > IN_STEP
+    in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > PHASE_LOCKED
     own = (frequency > CYCLES / max(times[-1][-1] - times[0][0], 1e-9)) & (frequency < 0.98 * frequency[-1])
     own[few] &= ~in_step
     return np.asarray(own)

@@ -11,17 +11,17 @@ from labcal.errors import InputError
 from labcal.fit.vector.identify import Identified, identify
 from labcal.fit.vector.ml import Estimate, estimate
 from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
-from labcal.fit.vector.solve import LEAST_SQUARES, FormName, Solution, solve
+from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solution, solve
 from labcal.fit.vector.system import Noise, evaluate
 from labcal.loop.data.linear_problem import Base
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-LOOSE = 0.02  # a base whose field is uncertain by more than this part of the largest is not determined
-ROWS = 30  # fewer usable rows than this say nothing
+MAX_FIELD_UNCERTAINTY = 0.02  # a base whose field is uncertain by more than this part of the largest is not determined
+MIN_ROWS = 30  # fewer usable rows than this say nothing
 
 
-def usable(run: Run) -> tuple[Run, Observations]:
+def select_rows(run: Run) -> tuple[Run, Observations]:
     """The rows that the loop works on: vectors where most rows offer them, else what lies along an axis, or magnitudes.
 
     Raises InputError where there are too few.
@@ -46,8 +46,8 @@ def usable(run: Run) -> tuple[Run, Observations]:
     else:
         cut = run.select(seen.rows)
         seen = observe(cut)
-    if len(seen) < ROWS:
-        raise InputError(f"run {run.run_id} has {len(seen)} rows with a reading and a reference; {ROWS} are needed")
+    if len(seen) < MIN_ROWS:
+        raise InputError(f"run {run.run_id} has {len(seen)} rows with a reading and a reference; {MIN_ROWS} are needed")
     return cut, seen
 
 
@@ -77,7 +77,7 @@ def declared_noise(run: Run) -> float:
     return 1e-3 * float(np.sqrt(np.mean(run.reading**2)))
 
 
-def noise_of(run: Run, seen: Observations) -> Noise:
+def noise_model(run: Run, seen: Observations) -> Noise:
     """The declared noise of reading, reference, angle and time."""
     angle = np.array([np.radians(s.angle_noise_deg or 0.0) for s in run.segments])[run.segment_index]
     time = np.array([s.u_time_s or 0.0 for s in run.segments])[run.segment_index]
@@ -87,37 +87,43 @@ def noise_of(run: Run, seen: Observations) -> Noise:
 def fit_base(run: Run, seen: Observations) -> tuple[Base, Estimate]:
     """The largest base that the run determines, fitted robustly. Raises InputError where not even an offset is."""
     scalar = bool((seen.kind == SCALAR).all())
-    full: FormName = "symmetric" if scalar else "affine"
-    names: tuple[tuple[Base, FormName], ...] = (("affine", full), ("gain-offset", "gain-offset"), ("offset", "offset"))
+    full: ParameterisationName = "symmetric" if scalar else "affine"
+    names: tuple[tuple[Base, ParameterisationName], ...] = (
+        ("affine", full),
+        ("gain-offset", "gain-offset"),
+        ("offset", "offset"),
+    )
     why = ""
     for base, name in names:
         with np.errstate(all="ignore"):
             try:
-                found = estimate(run, allowed=name, as_scalar=scalar)
+                found = estimate(run, parameterisation=name, as_scalar=scalar)
             except (ValueError, np.linalg.LinAlgError) as error:
                 why = str(error)
                 continue
-        if _known(found, base) or (scalar and _known(replace(found, identified=_by_geometry(found)), base)):
+        if _is_determined(found, base) or (
+            scalar and _is_determined(replace(found, identified=determined_by_geometry(found)), base)
+        ):
             return base, found
         why = found.identified.why_not or why
     raise InputError(f"run {run.run_id} does not even determine an offset: {why}")
 
 
-def _known(found: Estimate, base: Base) -> bool:
-    loose = found.identified.worst_u_nT >= LOOSE * float(found.seen.magnitude.max())
+def _is_determined(found: Estimate, base: Base) -> bool:
+    loose = found.identified.worst_u_nT >= MAX_FIELD_UNCERTAINTY * float(found.observations.magnitude.max())
     return found.identified.why_not is None and (base == "offset" or not loose)
 
 
-def _by_geometry(found: Estimate) -> Identified:
+def determined_by_geometry(found: Estimate) -> Identified:
     """What these readings would determine if the fitted map were true: a strong effect is no lack of excitation."""
     start = found.solution
-    field = evaluate(found.seen, found.noise, start.theta, start.phase).field
-    seen = replace(found.seen, magnitude=np.linalg.norm(field, axis=1))
-    exact = solve(seen, found.noise, found.form, start.theta, start.phase, LEAST_SQUARES)
-    return identify(seen, found.noise, found.form, exact, LEAST_SQUARES)
+    field = evaluate(found.observations, found.noise, start.theta, start.phase).field
+    seen = replace(found.observations, magnitude=np.linalg.norm(field, axis=1))
+    exact = solve(seen, found.noise, found.parameterisation, start.theta, start.phase, LEAST_SQUARES)
+    return identify(seen, found.noise, found.parameterisation, exact, LEAST_SQUARES)
 
 
 def least_squares(seen: Observations, noise: Noise, near: Estimate) -> Solution:
     """The base fit without robust weights, once the rows that lie are set aside."""
     start = near.solution
-    return solve(seen, noise, near.form, start.theta, start.phase, LEAST_SQUARES, iterations=30)
+    return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=30)

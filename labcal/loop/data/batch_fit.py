@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.vector.ml import estimate
 from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
-from labcal.fit.vector.solve import FormName
+from labcal.fit.vector.solve import ParameterisationName
 from labcal.fit.vector.system import evaluate
 from labcal.geometry import cross, rotate
 from labcal.record import Run
@@ -22,7 +22,7 @@ SLACK = 1.1  # times what a magnitude leaves: so much its polynomial may leave a
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Tries:
+class BatchFit:
     """Runs with the same segments, and what the base model leaves of each [rms, nT]; infinite where none can be fitted.
 
     Vectors are fitted by a whole affine map, all runs at once. Other rows are fitted by the form `allowed`, one run
@@ -30,42 +30,42 @@ class Tries:
     """
 
     runs: Sequence[Run]
-    allowed: FormName
+    parameterisation: ParameterisationName
     as_scalar: bool
-    lowest: Array  # (tries,) nT
+    lower_bound: Array  # (tries,) nT
     found: dict[int, tuple[float, Array]]
 
     @classmethod
-    def of(cls, runs: Sequence[Run], allowed: FormName, *, as_scalar: bool) -> Tries:
+    def of(cls, runs: Sequence[Run], parameterisation: ParameterisationName, *, as_scalar: bool) -> BatchFit:
         """All that linear algebra says."""
         part = np.repeat(np.arange(len(runs)), [len(run) for run in runs])
         try:
-            seen = observe(_joined(runs), as_scalar=as_scalar)
+            seen = observe(_stacked(runs), as_scalar=as_scalar)
         except ValueError:
-            return cls(runs, allowed, as_scalar, np.full(len(runs), np.inf), {})
+            return cls(runs, parameterisation, as_scalar, np.full(len(runs), np.inf), {})
         rows = _Rows.of(seen, part[seen.rows], len(runs))
         if not bool((seen.kind == VECTOR).all()):
-            return cls(runs, allowed, as_scalar, _at_least(rows), {})
-        left, K = _of_vectors(rows)
-        return cls(runs, allowed, as_scalar, left, dict(enumerate(zip(left.tolist(), K, strict=True))))
+            return cls(runs, parameterisation, as_scalar, _lower_bounds(rows), {})
+        left, K = _fit_vectors(rows)
+        return cls(runs, parameterisation, as_scalar, left, dict(enumerate(zip(left.tolist(), K, strict=True))))
 
     def fitted(self, i: int, worth: float = np.inf) -> tuple[float, Array]:
         """What is left of a run, and its K (3, 3); infinite where more than is `worth` a fit must be left."""
-        if self.lowest[i] > SLACK * worth or np.isinf(self.lowest[i]):
+        if self.lower_bound[i] > SLACK * worth or np.isinf(self.lower_bound[i]):
             return np.inf, np.eye(3)
         if i not in self.found:
-            self.found[i] = _of_others(self.runs[i], self.allowed, self.as_scalar)
+            self.found[i] = _fit_one(self.runs[i], self.parameterisation, self.as_scalar)
         return self.found[i]
 
     def least(self) -> float:
         """The least that is left of any."""
         least = np.inf
-        for i in np.argsort(self.lowest).tolist():
+        for i in np.argsort(self.lower_bound).tolist():
             least = min(least, self.fitted(i, least)[0])
         return least
 
 
-def _joined(tries: Sequence[Run]) -> Run:
+def _stacked(tries: Sequence[Run]) -> Run:
     """The rows of all tries, one after the other."""
     names = ("t_s", "segment_index", "reading", "reference_vector", "reference_magnitude", "angle_deg")
     there = [name for name in names if getattr(tries[0], name) is not None]
@@ -111,23 +111,23 @@ class _Rows:
         return rotate(self.axis, -np.einsum("cng,cg->cn", self.turning, phase), self.target)
 
 
-def _of_vectors(rows: _Rows) -> tuple[Array, Array]:
+def _fit_vectors(rows: _Rows) -> tuple[Array, Array]:
     """Least squares of K m − k = p, unweighted.
 
     A starting phase turns p = v∥ + c v⊥ − s a × v with c = cos φ, s = sin φ: linear in c and s, which come first
     without c² + s² = 1 and then by turns with K and k.
     """
-    phase, inverse = _free_phases(rows), _inverse(rows.X)
+    phase, inverse = _linear_phases(rows), _gram_inverse(rows.X)
     for _ in range(ALTERNATIONS if phase.shape[1] else 1):
         p = rows.turned(phase)
         theta = inverse @ (np.swapaxes(rows.X, 1, 2) @ p)
         field = rows.X @ theta
-        phase = phase + _turns(rows, field, p)
+        phase = phase + _phase_steps(rows, field, p)
     square = np.sum((field - p) ** 2, axis=(1, 2))
     return rows.rms(square), np.swapaxes(theta[:, :3], 1, 2)
 
 
-def _inverse(A: Array) -> Array:
+def _gram_inverse(A: Array) -> Array:
     """(AᵀA)⁻¹ of A (c, m, k), columns taken at unit length; directions that A does not have are nought."""
     scale = np.linalg.norm(A, axis=1)
     scale = np.where(scale > 0, scale, 1.0)
@@ -135,7 +135,7 @@ def _inverse(A: Array) -> Array:
     return np.asarray(np.linalg.pinv(np.swapaxes(A, 1, 2) @ A / both, rcond=1e-10, hermitian=True) / both)
 
 
-def _free_phases(rows: _Rows) -> Array:
+def _linear_phases(rows: _Rows) -> Array:
     """Phases (c, phases) [rad] from the equations in K, k, c and s."""
     tries, n, phases = rows.turning.shape
     if not phases:
@@ -147,11 +147,11 @@ def _free_phases(rows: _Rows) -> Array:
     A = np.concatenate([of_map, of_phase.reshape(tries, 3 * n, 2 * phases)], axis=2)
     turned = rows.turning.sum(axis=2, keepdims=True) > 0
     fixed = np.where(turned, along, rows.target).reshape(tries, 3 * n, 1)
-    found = (_inverse(A) @ (np.swapaxes(A, 1, 2) @ fixed))[:, 12:, 0].reshape(tries, phases, 2)
+    found = (_gram_inverse(A) @ (np.swapaxes(A, 1, 2) @ fixed))[:, 12:, 0].reshape(tries, phases, 2)
     return np.asarray(np.arctan2(found[:, :, 1], found[:, :, 0]))
 
 
-def _turns(rows: _Rows, field: Array, p: Array) -> Array:
+def _phase_steps(rows: _Rows, field: Array, p: Array) -> Array:
     """How much farther each phase has to turn for its p to lie on the field (c, phases) [rad]."""
     across = p - np.sum(p * rows.axis, axis=2, keepdims=True) * rows.axis
     cosine, sine = np.sum(field * across, axis=2), -np.sum(field * cross(rows.axis, p), axis=2)
@@ -159,7 +159,7 @@ def _turns(rows: _Rows, field: Array, p: Array) -> Array:
     return np.asarray(np.arctan2(sums[0], sums[1]))
 
 
-def _at_least(rows: _Rows) -> Array:
+def _lower_bounds(rows: _Rows) -> Array:
     """What any map leaves of axes and magnitudes (c,) [rms, nT], or a little less: two problems that are linear.
 
     axis · (K m − k) = along has no more than K and k; |K m − k|² = F² is a polynomial of the second degree in m, whose
@@ -170,23 +170,23 @@ def _at_least(rows: _Rows) -> Array:
     products = np.stack([m[:, :, a] * m[:, :, b] for a in range(3) for b in range(a, 3)], axis=2)
     known = (rows.magnitude > 0)[:, :, None]
     bent = np.where(known, np.concatenate([products, rows.X], axis=2) / (2 * F), 0.0)
-    return rows.rms(np.maximum(_left_by(on_axis, rows.along), _left_by(bent, rows.magnitude / 2)))
+    return rows.rms(np.maximum(_residual_squares(on_axis, rows.along), _residual_squares(bent, rows.magnitude / 2)))
 
 
-def _left_by(A: Array, y: Array) -> Array:
+def _residual_squares(A: Array, y: Array) -> Array:
     """The sum of squares (c,) that the columns of A (c, n, k) leave of y (c, n)."""
     Q, _ = np.linalg.qr(A)
     left = y[:, :, None] - Q @ (np.swapaxes(Q, 1, 2) @ y[:, :, None])
     return np.asarray(np.sum(left**2, axis=(1, 2)))
 
 
-def _of_others(run: Run, allowed: FormName, as_scalar: bool) -> tuple[float, Array]:
+def _fit_one(run: Run, parameterisation: ParameterisationName, as_scalar: bool) -> tuple[float, Array]:
     try:
-        found = estimate(run, allowed=allowed, as_scalar=as_scalar, robust=False)
+        found = estimate(run, parameterisation=parameterisation, as_scalar=as_scalar, robust=False)
     except (ValueError, np.linalg.LinAlgError):
         return np.inf, np.eye(3)
-    at = evaluate(found.seen, found.noise, found.solution.theta, found.solution.phase)
-    if bool((found.seen.kind == SCALAR).all()):
+    at = evaluate(found.observations, found.noise, found.solution.theta, found.solution.phase)
+    if bool((found.observations.kind == SCALAR).all()):
         left = np.sum(at.residual * at.field, axis=1) / np.maximum(np.linalg.norm(at.field, axis=1), 1e-9)
     else:
         left = np.linalg.norm(at.residual, axis=1)

@@ -11,20 +11,20 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.data.linear_problem import Bins, Problem
-from labcal.loop.noise.periodogram import periodogram, usual
+from labcal.loop.data.linear_problem import Bins, LinearProblem
+from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
-KEPT = 6000  # about so many bins
-TURN = 0.35  # rad that the field may turn within a bin
-LINE = 15.0  # times its neighbourhood: a line in the spectrum that chance does not give,
-SHOWN = 0.02  # of the noise's square: a smaller one, as a switched load has many, would not be named
+TARGET_ROWS = 6000  # about so many bins
+MAX_TURN_RAD = 0.35  # rad that the field may turn within a bin
+LINE_CONTRAST = 15.0  # times its neighbourhood: a line in the spectrum that chance does not give,
+MIN_LINE_SHARE = 0.02  # of the noise's square: a smaller one, as a switched load has many, would not be named
 
 
-def binned(problem: Problem) -> Problem:
+def decimate(problem: LinearProblem) -> LinearProblem:
     """The problem with about `KEPT` rows; itself where it has hardly more, or where what is fast would be lost."""
-    m = rows_in_a_bin(problem)
+    m = rows_per_bin(problem)
     if m == 1:
         return problem
     bins = _bins(problem, m)
@@ -34,23 +34,23 @@ def binned(problem: Problem) -> Problem:
     return replace(problem, scene=scene, y=y, T=T, whiten=whiten, bins=bins, whole=problem)
 
 
-def rows_in_a_bin(problem: Problem) -> int:
+def rows_per_bin(problem: LinearProblem) -> int:
     """How many rows go together: few enough for the field's turning, and for any line in the residual's spectrum."""
     field = problem.scene.field_nT / np.linalg.norm(problem.scene.field_nT, axis=1)[:, None]
     turn = np.linalg.norm(np.diff(field, axis=0), axis=1)
     turn = turn[np.diff(problem.scene.segment) == 0]
     fastest = float(np.percentile(turn, 90)) if len(turn) else 0.0
-    m = min(round(len(problem) / KEPT), int(TURN / max(fastest, 1e-9)))
+    m = min(round(len(problem) / TARGET_ROWS), int(MAX_TURN_RAD / max(fastest, 1e-9)))
     if m < 2:
         return 1
     frequency, power = periodogram(problem.scene.t_s, problem.y)
     share = 2 * power / (len(problem) * problem.y.size)
-    lines = frequency[(power > LINE * usual(power)) & (share > SHOWN)]
+    lines = frequency[(power > LINE_CONTRAST * running_median(power)) & (share > MIN_LINE_SHARE)]
     fast = lines[lines > 0.5 * frequency[-1] / m]
     return 1 if len(fast) else m
 
 
-def _bins(problem: Problem, m: int) -> Bins:
+def _bins(problem: LinearProblem, m: int) -> Bins:
     start = np.concatenate([np.arange(part.start, part.stop, m) for part in stretches(problem.scene.segment)])
     count = np.diff(np.append(start, len(problem)))
     return Bins(start, count)

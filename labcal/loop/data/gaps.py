@@ -13,7 +13,7 @@ from labcal.record import Run
 Mask = NDArray[np.bool_]
 
 
-def untold(run: Run, channels: Collection[str]) -> Mask:
+def unresolved_gaps(run: Run, channels: Collection[str]) -> Mask:
     """Rows (n,) in gaps of these channels that nothing can tell."""
     sure = np.ones(len(run), dtype=bool)
     for channel in run.channels:

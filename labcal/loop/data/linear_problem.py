@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import AXIS, VECTOR, Observations
-from labcal.fit.vector.solve import Form as MapForm
+from labcal.fit.vector.solve import Parameterisation
 from labcal.fit.vector.system import Noise, evaluate, map_of
 from labcal.geometry import rotation, shortest_rotation
 from labcal.model import AffineMap
-from labcal.model.effects import Form, Scene
+from labcal.model.effects import Scene, Term
 from labcal.model.effects.protocol import Rig
 from labcal.model.gaps import bridged
 from labcal.record import Run
@@ -49,14 +49,14 @@ class Bins:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Problem:
+class LinearProblem:
     """A run's residual about one set of parameters, ready for linear algebra."""
 
     run: Run  # the usable rows only
-    seen: Observations
+    observations: Observations
     noise: Noise
     base: Base
-    allowed: MapForm
+    parameterisation: Parameterisation
     theta: Array  # (12,) scaled map
     phase: Array  # (groups,) rad
     scene: Scene
@@ -64,9 +64,9 @@ class Problem:
     residual_nT: Array  # (n, 3) r, effects subtracted
     y: Array  # (n, q)
     T: Array  # (n, q, t) of the base's coordinates, then of the phases
-    turning: NDArray[np.intp]  # phase groups that have rows, in the order of T's last columns
+    phase_groups: NDArray[np.intp]  # phase groups that have rows, in the order of T's last columns
     bins: Bins | None = None  # where the rows of scene, whiten, y and T are bins of
-    whole: Problem | None = None  # this one's rows
+    whole: LinearProblem | None = None  # this one's rows
 
     def __len__(self) -> int:
         return len(self.y)
@@ -74,15 +74,15 @@ class Problem:
     @property
     def kind(self) -> Literal["vector", "scalar"]:
         """`vector` where every row used offers a vector."""
-        return "vector" if bool((self.seen.kind == VECTOR).all()) else "scalar"
+        return "vector" if bool((self.observations.kind == VECTOR).all()) else "scalar"
 
     @property
     def affine(self) -> AffineMap:
         """The map in nT per DUT unit."""
-        K, k = map_of(self.theta, self.seen.scale)
+        K, k = map_of(self.theta, self.observations.scale)
         return AffineMap(K, k)
 
-    def columns(self, candidate: Form) -> Array:
+    def columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p)."""
         if self.bins is not None and self.whole is not None:
             if not self.whole.whiten.strides[0]:  # one W for all rows: it can wait
@@ -103,19 +103,19 @@ def linearise(
     seen: Observations,
     noise: Noise,
     base: Base,
-    allowed: MapForm,
+    parameterisation: Parameterisation,
     theta: Array,
     phase: Array,
     effects_nT: Array | float = 0.0,
     slope: Array | None = None,
-) -> Problem:
+) -> LinearProblem:
     """The problem about `theta`, `phase` and the effects' sum e (n, 3), with `slope` ∂e/∂a (n, 3, 3) where e bends.
 
     Curves of the field act on a at the estimated true readings, where the map's columns stand too.
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
-    T = _tangent(whiten if slope is None else whiten - whiten @ slope, at.columns, allowed)
+    T = _tangent(whiten if slope is None else whiten - whiten @ slope, at.columns, parameterisation)
     groups = np.flatnonzero([bool((seen.group == g).any()) for g in range(len(phase))])
     if len(groups):
         turn = np.einsum("nqj,nj->nq", whiten, at.tangent)[:, :, None]
@@ -123,15 +123,17 @@ def linearise(
     y = np.einsum("nqj,nj->nq", whiten, at.residual)
     gains, zero = theta[:9].reshape(3, 3), theta[9:]
     quiet = at.columns[:, :3] @ gains.T + at.columns[:, 3:] * zero
-    scene = replace(scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction), quiet_nT=quiet)
-    return Problem(run, seen, noise, base, allowed, theta, phase, scene, whiten, at.residual, y, T, groups)
+    scene = replace(scene_of(run, seen, theta, phase, at.field + effects_nT, at.prediction), denoised_field_nT=quiet)
+    return LinearProblem(
+        run, seen, noise, base, parameterisation, theta, phase, scene, whiten, at.residual, y, T, groups
+    )
 
 
-def _tangent(whiten: Array, columns: Array, allowed: MapForm) -> Array:
+def _tangent(whiten: Array, columns: Array, parameterisation: Parameterisation) -> Array:
     """The whitened residual's derivatives (n, q, coordinates) by the map: K row by row goes with `columns`, then k."""
     of_gains = whiten[:, :, :, None] * columns[:, None, None, :3]
     whole = np.concatenate([of_gains.reshape(*whiten.shape[:2], 9), whiten * columns[:, None, 3:]], axis=2)
-    return whole if allowed.name == "affine" else whole @ allowed.basis
+    return whole if parameterisation.name == "affine" else whole @ parameterisation.basis
 
 
 def _whitener(seen: Observations, information: Array, field: Array) -> Array:

@@ -9,20 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.system import Noise
-from labcal.loop.data.linear_problem import Problem, linearise
+from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 Source = Literal["declared", "static", "differences"]
-SEVERAL = 3.0  # steps of the encoder between two rows
-WHOLE = 0.1  # of a step, that a change may be off a multiple of it
+MIN_STEPS_PER_ROW = 3.0  # steps of the encoder between two rows
+STEP_TOLERANCE = 0.1  # of a step, that a change may be off a multiple of it
 STILL = 0.002  # of the field: a static stretch moves no more than this
 ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
 
 @dataclass(frozen=True, slots=True)
-class Floor:
+class NoiseFloor:
     """The noise floor [nT], its source, and the ratio of measured to declared noise where both are known."""
 
     nT: float
@@ -30,26 +30,26 @@ class Floor:
     measured_over_declared: float | None
 
 
-def floor(problem: Problem) -> tuple[Problem, Floor]:
+def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
     """The problem whitened by the noise as it is, and its floor: declared, else static stretches, else differences."""
-    level, source = _static(problem), "static"
+    level, source = _static_noise(problem), "static"
     if level is None:
         level, source = _differences(problem.y, problem.scene.segment), "differences"
     if problem.run.dut.noise_nT:
         ratio = level if source == "static" else None
-        return problem, Floor(_expected(problem), "declared", ratio)
-    noise = rescaled(problem.noise, max(level, 1e-6))
+        return problem, NoiseFloor(_expected_rms(problem), "declared", ratio)
+    noise = scaled(problem.noise, max(level, 1e-6))
     p = problem
-    problem = linearise(p.run, p.seen, noise, p.base, p.allowed, p.theta, p.phase)
-    return problem, Floor(_expected(problem), "static" if source == "static" else "differences", None)
+    problem = linearise(p.run, p.observations, noise, p.base, p.parameterisation, p.theta, p.phase)
+    return problem, NoiseFloor(_expected_rms(problem), "static" if source == "static" else "differences", None)
 
 
-def rescaled(noise: Noise, factor: float) -> Noise:
+def scaled(noise: Noise, factor: float) -> Noise:
     """All of the noise times a factor."""
     return replace(noise, reading=noise.reading * factor)
 
 
-def _expected(problem: Problem) -> float:
+def _expected_rms(problem: LinearProblem) -> float:
     """Contract: sqrt(tr C + quantisation), its projection for magnitudes, times sqrt(1 + p / n)."""
     W = problem.whiten
     if problem.kind == "vector":
@@ -59,7 +59,7 @@ def _expected(problem: Problem) -> float:
     return float(np.sqrt(variance * (1 + problem.T.shape[2] / problem.y.size)))
 
 
-def _angle_step(problem: Problem) -> float:
+def _angle_step(problem: LinearProblem) -> float:
     """Variance [nT²] of the field across the axis from the angle's rounding.
 
     Rounding lets the motion between rows change by whole steps within a segment; the smallest such change is the step
@@ -72,9 +72,9 @@ def _angle_step(problem: Problem) -> float:
     segment, turned = problem.scene.segment[turning], np.unwrap(angle[turning], period=360.0)
     changes = np.abs(np.round(np.diff(turned, 2)[segment[2:] == segment[:-2]], 6))
     step = float(changes[changes > 0].min(initial=np.inf))
-    if not np.isfinite(step) or step * SEVERAL > np.median(np.abs(np.diff(turned))):
+    if not np.isfinite(step) or step * MIN_STEPS_PER_ROW > np.median(np.abs(np.diff(turned))):
         return 0.0
-    if np.median(np.abs(changes / step - np.round(changes / step))) > WHOLE:
+    if np.median(np.abs(changes / step - np.round(changes / step))) > STEP_TOLERANCE:
         return 0.0
     across = np.cross(np.nan_to_num(rig.axis_body), rig.prediction_nT)
     return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / 12)
@@ -87,7 +87,7 @@ def _differences(y: Array, segment: NDArray[np.intp]) -> float:
     return float(1.4826 * np.median(np.abs(second)) / np.sqrt(6)) if len(second) else 1.0
 
 
-def _static(problem: Problem) -> float | None:
+def _static_noise(problem: LinearProblem) -> float | None:
     """Spread of the residual in segments whose field stands still; None without any.
 
     Counted about what follows a channel or the power mode there: a load that is switched at rest is no noise.
@@ -96,7 +96,7 @@ def _static(problem: Problem) -> float | None:
     for part in stretches(problem.scene.segment):
         field = problem.scene.field_nT[part]
         still = float(field.std(axis=0).max()) < STILL * float(np.linalg.norm(field.mean(axis=0)))
-        known = _known(problem.scene, part)
+        known = _regressors_at_rest(problem.scene, part)
         if still and len(field) > ROWS_EACH * known.shape[1]:
             y = problem.y[part]
             found, _, rank, _ = np.linalg.lstsq(known, y, rcond=1e-9)
@@ -105,7 +105,7 @@ def _static(problem: Problem) -> float | None:
     return float(np.sqrt(square / free)) if free else None
 
 
-def _known(scene: Scene, part: slice) -> Array:
+def _regressors_at_rest(scene: Scene, part: slice) -> Array:
     """What the residual may follow in a stretch (n, columns): a constant, the channels and modes that change there."""
     told = [values[part] for values in scene.channels.values()]
     if scene.mode is not None:

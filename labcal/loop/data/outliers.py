@@ -10,28 +10,31 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-SURE, LIKELY = 1e-6, 0.05  # of the rows at an extreme by chance: a rail of the device, and at another axis or end
-NEXT = 10  # readings next to an extreme
-FAR = 6.0  # robust standard deviations from the neighbours
+SATURATION_SIGNIFICANCE, OTHER_LIMIT_SIGNIFICANCE = (
+    1e-6,
+    0.05,
+)  # of the rows at an extreme by chance: a rail of the device, and at another axis or end
+NEIGHBOUR_READINGS = 10  # readings next to an extreme
+OUTLIER_SIGMAS = 6.0  # robust standard deviations from the neighbours
 WINDOW = 4  # neighbours on either side
-LONGEST = 2  # rows in a row: more is structure, not an outlier
+LONGEST_OUTLIER = 2  # rows in a row: more is structure, not an outlier
 
 
-def outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
+def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
     """Rows (n,) whose whitened residual (n, q) jumps out of its neighbourhood and back.
 
     Where the accepted `effects` (n, q) themselves jump, as a switched current does, a row between the levels is none.
     """
     away, around = _neighbourhood(residual, segment)
     spread = 1.4826 * np.median(np.abs(away), axis=0)
-    limit = FAR * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
+    limit = OUTLIER_SIGMAS * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
     if effects is not None:
-        limit = limit + _jumps(effects)
+        limit = limit + _local_span(effects)
     far = (np.abs(away) > limit).any(axis=1)
-    return np.asarray(far & ~_long(np.asarray(far)))
+    return np.asarray(far & ~_in_long_runs(np.asarray(far)))
 
 
-def farness(residual: Array, good: Mask) -> float:
+def outlier_distance(residual: Array, good: Mask) -> float:
     """The median size of the rows set aside, over the rms of the others; 0 where none is."""
     if good.all():
         return 0.0
@@ -39,7 +42,7 @@ def farness(residual: Array, good: Mask) -> float:
     return float(np.median(sizes[~good]) / np.sqrt(np.mean(residual[good] ** 2)))
 
 
-def _jumps(effects: Array) -> Array:
+def _local_span(effects: Array) -> Array:
     """The span of the effects over each row and its two neighbours (n, q)."""
     padded = np.pad(effects, ((1, 1), (0, 0)), mode="edge")
     near = np.stack([padded[:-2], padded[1:-1], padded[2:]])
@@ -60,34 +63,34 @@ def _neighbourhood(residual: Array, segment: NDArray[np.intp]) -> tuple[Array, A
     return away, around
 
 
-def _long(mask: Mask) -> Mask:
+def _in_long_runs(mask: Mask) -> Mask:
     """Members of stretches longer than LONGEST rows."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
     out = np.zeros_like(mask)
     for start, stop in zip(edges[::2], edges[1::2], strict=True):
-        out[start:stop] = stop - start > LONGEST
+        out[start:stop] = stop - start > LONGEST_OUTLIER
     return out
 
 
-def at_rail(run: Run) -> Mask:
+def at_saturation_limit(run: Run) -> Mask:
     """Rows (n,) with an axis at a reading that the axis often stops at and never passes.
 
     Where chance piles up no extreme of the run as high, the others of the same device may be low.
     """
     ends = [(values, extreme) for values in run.reading.T for extreme in (np.nanmax(values), np.nanmin(values))]
-    found = [(values == extreme, _by_chance(values, float(extreme))) for values, extreme in ends]
-    if min(chance for _, chance in found) > SURE:
+    found = [(values == extreme, _chance_of_pile_up(values, float(extreme))) for values, extreme in ends]
+    if min(chance for _, chance in found) > SATURATION_SIGNIFICANCE:
         return np.zeros(len(run), dtype=bool)
-    return np.asarray(np.any([stuck for stuck, chance in found if chance < LIKELY], axis=0))
+    return np.asarray(np.any([stuck for stuck, chance in found if chance < OTHER_LIMIT_SIGNIFICANCE], axis=0))
 
 
-def _by_chance(values: Array, extreme: float) -> float:
+def _chance_of_pile_up(values: Array, extreme: float) -> float:
     """How often as many rows or more would lie at the extreme if it were as frequented as the readings next to it."""
     from scipy.special import pdtrc
 
     distinct = np.unique(np.abs(values[np.isfinite(values)] - extreme))
-    if len(distinct) < 2 * NEXT:
+    if len(distinct) < 2 * NEIGHBOUR_READINGS:
         return 1.0
     stuck = int((values == extreme).sum())
-    near = int((np.abs(values - extreme) <= distinct[NEXT]).sum()) - stuck
-    return float(pdtrc(stuck - 1, (near + 1) / NEXT))
+    near = int((np.abs(values - extreme) <= distinct[NEIGHBOUR_READINGS]).sum()) - stuck
+    return float(pdtrc(stuck - 1, (near + 1) / NEIGHBOUR_READINGS))

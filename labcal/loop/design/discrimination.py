@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from labcal.fit.vector.observations import SCALAR, observe
 from labcal.fit.vector.system import map_of
 from labcal.loop.candidates.library import Candidate
-from labcal.loop.data.base_model import noise_of
-from labcal.loop.data.linear_problem import Problem, linearise
+from labcal.loop.data.base_model import noise_model
+from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.design.experiments import Experiment, experiments, thinned
 from labcal.record import Run
 
@@ -34,12 +34,12 @@ class Separation:
     sigma: float
 
 
-def ranked(problem: Problem, chosen: Candidate, rival: Candidate, size: Array) -> list[Separation]:
+def rank_experiments(problem: LinearProblem, chosen: Candidate, rival: Candidate, size: Array) -> list[Separation]:
     """Every experiment that this lab can do, the one that separates most first.
 
     `size` (p,) are the fitted parameters of `chosen`.
     """
-    old, found = _again(problem, thinned(problem.run)), list[Separation]()
+    old, found = _linearised(problem, thinned(problem.run)), list[Separation]()
     if old is None:
         return found
     asked = {chosen.family.id, rival.family.id}
@@ -47,7 +47,7 @@ def ranked(problem: Problem, chosen: Candidate, rival: Candidate, size: Array) -
         if experiment.concerns and not experiment.concerns & asked:
             continue
         made = experiment.design(problem.run)
-        new = None if made is None else _again(problem, _foretold(problem, made))
+        new = None if made is None else _linearised(problem, _predicted_readings(problem, made))
         if new is not None:
             sigma = separation((old, new), chosen, rival, size, dict(experiment.alters))
             found.append(Separation(experiment, sigma))
@@ -55,7 +55,7 @@ def ranked(problem: Problem, chosen: Candidate, rival: Candidate, size: Array) -
 
 
 def separation(
-    parts: Sequence[Problem], chosen: Candidate, rival: Candidate, size: Array, alters: dict[str, float]
+    parts: Sequence[LinearProblem], chosen: Candidate, rival: Candidate, size: Array, alters: dict[str, float]
 ) -> float:
     """The distance over old and new rows together; the old ones count as the rivals left them, which is nothing."""
     foretold, mimic = [], []
@@ -76,29 +76,29 @@ def separation(
     return float(np.linalg.norm(left_over) * np.sqrt(max(NEW_ROWS / rows, 1.0)))
 
 
-def _shared(part: Problem) -> int:
-    return int(part.allowed.basis.shape[1])
+def _shared(part: LinearProblem) -> int:
+    return int(part.parameterisation.basis.shape[1])
 
 
-def _columns(part: Problem, candidate: Candidate, alters: dict[str, float]) -> Array:
-    return part.columns(candidate.form) * alters.get(candidate.family.id, 1.0)
+def _columns(part: LinearProblem, candidate: Candidate, alters: dict[str, float]) -> Array:
+    return part.columns(candidate.term) * alters.get(candidate.family.id, 1.0)
 
 
-def _foretold(problem: Problem, made: Run) -> Run:
+def _predicted_readings(problem: LinearProblem, made: Run) -> Run:
     """The run with the readings that the fitted map foretells where its reference is a vector."""
     if made.reference_vector is None:
         return made
     seen = observe(made)
-    K, k = map_of(problem.theta, problem.seen.scale)
+    K, k = map_of(problem.theta, problem.observations.scale)
     reading = made.reading.copy()
     vectors = seen.rows[seen.kind == 3]
     reading[vectors] = np.linalg.solve(K, (seen.target[seen.kind == 3] + k).T).T
     return replace(made, reading=reading)
 
 
-def _again(problem: Problem, made: Run) -> Problem | None:
+def _linearised(problem: LinearProblem, made: Run) -> LinearProblem | None:
     """The linear problem of a made-up run about the fitted map; None where it offers nothing of the old one's kind."""
-    scalar = bool((problem.seen.kind == SCALAR).all())
+    scalar = bool((problem.observations.kind == SCALAR).all())
     try:
         seen = observe(made, as_scalar=scalar)
     except ValueError:
@@ -107,7 +107,9 @@ def _again(problem: Problem, made: Run) -> Problem | None:
         return None
     cut = made.select(seen.rows)
     seen = observe(cut, as_scalar=scalar)
-    seen = replace(seen, reading=seen.reading * (seen.scale / problem.seen.scale), scale=problem.seen.scale)
-    noise = replace(noise_of(cut, seen), reading=problem.noise.reading, shape=problem.noise.shape)
+    seen = replace(
+        seen, reading=seen.reading * (seen.scale / problem.observations.scale), scale=problem.observations.scale
+    )
+    noise = replace(noise_model(cut, seen), reading=problem.noise.reading, shape=problem.noise.shape)
     phase = np.zeros(len(seen.phase_names))
-    return linearise(cut, seen, noise, problem.base, problem.allowed, problem.theta, phase)
+    return linearise(cut, seen, noise, problem.base, problem.parameterisation, problem.theta, phase)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from labcal.loop.candidates.library import Candidate, name
-from labcal.loop.design.discrimination import CLEAR, Separation, ranked
-from labcal.loop.result import NextExperiment, Ranked, Shape, Verdict
-from labcal.loop.selection.joint_fit import Refit
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.design.discrimination import CLEAR, Separation, rank_experiments
+from labcal.loop.result import NextExperiment, Ranked, ResidualShape, Verdict
+from labcal.loop.selection.joint_fit import JointFit
 
 if TYPE_CHECKING:
     from labcal.loop.selection.proof import Evidence
 
-MENTIONED = 4  # experiments that the result ranks
+LISTED = 4  # experiments that the result ranks
 BY_SHAPE = {  # do, procedure
     "line": ("record at rest with the coils off, then switch what runs at that period off one by one", "ambient"),
     "step": ("repeat the run unchanged and note what is switched: a step that does not come back was an event",
@@ -28,10 +28,12 @@ BY_ANGLE = ("turn once forwards and once backwards: what stays at its angles bel
 BY_FIELD = ("step the field up and down along each axis: what grows with the field shows its shape", "linearity")
 
 
-def next_experiment(found: Evidence, verdict: Verdict, after: Refit, shape: Shape | None) -> NextExperiment | None:
+def next_experiment(
+    found: Evidence, verdict: Verdict, after: JointFit, shape: ResidualShape | None
+) -> NextExperiment | None:
     """The proposal; None where nothing is open."""
     if verdict == "ambiguous":
-        return _between(found, after)
+        return _between_equivalents(found, after)
     if shape is None:
         return None
     do, procedure = BY_SHAPE[shape.kind]
@@ -42,14 +44,14 @@ def next_experiment(found: Evidence, verdict: Verdict, after: Refit, shape: Shap
     return NextExperiment(f"structure remains that no known effect carries: {shape.says.rstrip('.')}", do, procedure)
 
 
-def _between(found: Evidence, after: Refit) -> NextExperiment:
+def _between_equivalents(found: Evidence, after: JointFit) -> NextExperiment:
     """Of all rivals, the pair that is hardest to tell apart decides; each experiment by what it does for that pair."""
-    place, contenders = next((i, r) for i, r in enumerate(found.rivals) if len(r) > 1)
-    chosen = Candidate(found.accepted[place].family, after.forms[place])
-    rivals = [contender.weighed.candidate for contender in contenders[1:]]
-    tables = [ranked(after.problem, chosen, rival, after.beta[place]) for rival in rivals]
-    order = _by_least(tables)
-    names = " and ".join(name(c) for c in (chosen, *rivals))
+    place, equivalents = next((i, r) for i, r in enumerate(found.equivalents) if len(r) > 1)
+    chosen = Candidate(found.accepted[place].family, after.terms[place])
+    rivals = [equivalent.scored.candidate for equivalent in equivalents[1:]]
+    tables = [rank_experiments(after.problem, chosen, rival, after.beta[place]) for rival in rivals]
+    order = _worst_case(tables)
+    names = " and ".join(c.label for c in (chosen, *rivals))
     equal = f"{names} do as well as each other on this run"
     if not order or order[0].sigma < CLEAR:
         why = (
@@ -58,12 +60,12 @@ def _between(found: Evidence, after: Refit) -> NextExperiment:
         return NextExperiment(why, chosen.family.experiment or "repeat with another reference", None)
     best = order[0]
     why = f"{equal}; the experiment would bring them {best.sigma:.0f} standard deviations apart, as the fit foretells"
-    clear = [s for s in order[:MENTIONED] if s.sigma >= CLEAR]
+    clear = [s for s in order[:LISTED] if s.sigma >= CLEAR]
     listed = tuple(Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1)) for s in clear)
     return NextExperiment(why, best.experiment.do, best.experiment.procedure, listed)
 
 
-def _by_least(tables: list[list[Separation]]) -> list[Separation]:
+def _worst_case(tables: list[list[Separation]]) -> list[Separation]:
     """Each experiment with its smallest separation from any rival, the largest first; at a tie what is automatic."""
     least = {
         s.experiment.do: min((t for table in tables for t in table if t.experiment.do == s.experiment.do),

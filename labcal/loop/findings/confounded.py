@@ -7,13 +7,13 @@ from collections.abc import Collection, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.data.linear_problem import Problem
-from labcal.loop.findings.residual_tests import true_field
-from labcal.loop.result import Twins
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.findings.residual_tests import reference_field
+from labcal.loop.result import Confounded
 from labcal.model.gaps import bridged
 
-TWINS: tuple[tuple[frozenset[str], Twins], ...] = tuple(
-    (frozenset(effects), Twins(one, other, separated_by))
+CONFOUNDED: tuple[tuple[frozenset[str], Confounded], ...] = tuple(
+    (frozenset(effects), Confounded(one, other, separated_by))
     for effects, one, other, separated_by in (
         (("cage-field",), "a constant field of the cage", "a zero error of the reference",
          "turn the reference by 180°"),
@@ -32,31 +32,33 @@ TWINS: tuple[tuple[frozenset[str], Twins], ...] = tuple(
     )
 )  # fmt: skip
 Array = NDArray[np.float64]
-LOCKED = 0.98  # of a current's variance that the field in the body foretells: it follows the attitude
+LOCKED_SHARE = 0.98  # of a current's variance that the field in the body foretells: it follows the attitude
 ONE_RATE = 0.1  # of the median rate: farther from it the platform turns at several
 
 
-def twins(problem: Problem, named: Collection[str]) -> tuple[Twins, ...]:
+def confounded(problem: LinearProblem, named: Collection[str]) -> tuple[Confounded, ...]:
     """Of the effects that are `named`, accepted or as rivals, and of the run as it was recorded."""
-    return (*(pair for effects, pair in TWINS if effects & set(named)), *_of_the_run(problem))
+    return (*(pair for effects, pair in CONFOUNDED if effects & set(named)), *_by_the_run(problem))
 
 
-def _of_the_run(problem: Problem) -> Iterator[Twins]:
+def _by_the_run(problem: LinearProblem) -> Iterator[Confounded]:
     run, rig = problem.run, problem.scene.rig
-    for name in _locked(problem):
-        yield Twins(f"what {name} does, which follows the attitude", "soft iron", "switch the load at one attitude")
+    for name in _attitude_locked(problem):
+        yield Confounded(
+            f"what {name} does, which follows the attitude", "soft iron", "switch the load at one attitude"
+        )
     if rig is not None and np.isfinite(rig.angle_rad).any():
-        yield Twins("magnetism of what turns with the device", "the device's offset",
+        yield Confounded("magnetism of what turns with the device", "the device's offset",
                     "remount the device turned on its fixture")  # fmt: skip
-        if len(problem.seen.phase_names) and _one_rate(rig.angle_rad, problem.scene.t_s, problem.scene.segment):
-            yield Twins("a lag at a constant rate", "the mounting's phase", "turn at another rate, and backwards")
+        if len(problem.observations.phase_names) and _one_rate(rig.angle_rad, problem.scene.t_s, problem.scene.segment):
+            yield Confounded("a lag at a constant rate", "the mounting's phase", "turn at another rate, and backwards")
     if run.reference.u_scale_ppm is None:
-        yield Twins("the reference's scale", "the device's gain", "compare the reference with another one")
+        yield Confounded("the reference's scale", "the device's gain", "compare the reference with another one")
 
 
-def _locked(problem: Problem) -> Iterator[str]:
+def _attitude_locked(problem: LinearProblem) -> Iterator[str]:
     """The device's currents that the field in the body foretells."""
-    b = true_field(problem)
+    b = reference_field(problem)
     A = np.column_stack([np.ones(len(b)), b / max(float(np.abs(b).max()), 1e-9)])
     for channel in problem.run.channels:
         known = np.isfinite(channel.values)
@@ -65,7 +67,7 @@ def _locked(problem: Problem) -> Iterator[str]:
         values = bridged(problem.run.t_s, channel.values)[0]
         spread = float(np.var(values))
         left = values - A @ np.linalg.lstsq(A, values, rcond=None)[0]
-        if spread > 0 and float(np.var(left)) < (1 - LOCKED) * spread:
+        if spread > 0 and float(np.var(left)) < (1 - LOCKED_SHARE) * spread:
             yield channel.name
 
 

@@ -14,28 +14,28 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import chdtrc, fdtrc, ndtr
 
-from labcal.loop.data.linear_problem import Problem
+from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.autocorrelation import LAGS, MATERIAL, SIGNIFICANCE, ljung_box, predictable_share
-from labcal.loop.noise.cross_correlation import LATE, _crossed, _Series
+from labcal.loop.noise.cross_correlation import MAX_LAG, Series, cross_correlation
 from labcal.loop.result import ResidualTest
 from labcal.model.effects.regressors import stretches
 from labcal.model.gaps import bridged
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-FEW = 3 * LAGS  # rows of a segment that say something about its correlation
+MIN_ROWS = 3 * LAGS  # rows of a segment that say something about its correlation
 CELLS = 24  # directions that count as one condition each,
 SIZES = 1.3  # with the magnitudes within this factor
-REPEATS = 2  # visits of a condition before it is a repeat
+MIN_VISITS = 2  # visits of a condition before it is a repeat
 
 
-def tests(problem: Problem, good: Mask) -> tuple[ResidualTest, ...]:
+def residual_tests(problem: LinearProblem, good: Mask) -> tuple[ResidualTest, ...]:
     """The tests of a whitened residual over the rows that are `good`."""
     y = np.where(good[:, None], problem.y, 0.0)
-    return (white(problem, y), *independent(problem, y), *replicates(problem, good))
+    return (whiteness_test(problem, y), *independence_tests(problem, y), *lack_of_fit_test(problem, good))
 
 
-def every(problem: Problem) -> int:
+def rows_per_sample(problem: LinearProblem) -> int:
     """Rows for each independent sample: where the reference is slower than the device, several rows share one."""
     ref = problem.run.reference_vector
     if ref is None or not problem.noise.reference_nT:
@@ -43,49 +43,49 @@ def every(problem: Problem) -> int:
     bends = np.abs(np.diff(ref, 2, axis=0)).max(axis=1)
     moving = float(np.max(bends)) if len(bends) else 0.0
     kinks = int((bends > 1e-6 * max(moving, 1e-9)).sum())
-    return max(1, round(len(ref) / max(kinks, 1))) if moving > 0 and kinks >= FEW else 1
+    return max(1, round(len(ref) / max(kinks, 1))) if moving > 0 and kinks >= MIN_ROWS else 1
 
 
-def white(problem: Problem, y: Array) -> ResidualTest:
+def whiteness_test(problem: LinearProblem, y: Array) -> ResidualTest:
     """Ljung and Box in each segment, the worst of them, at every independent sample."""
-    step, worst, looks = every(problem), (1.0, 0.0, "", 0.0), 0
+    step, worst, trials = rows_per_sample(problem), (1.0, 0.0, "", 0.0), 0
     for rows in stretches(problem.scene.segment):
         part = y[rows][::step]
-        if len(part) < FEW:
+        if len(part) < MIN_ROWS:
             continue
-        looks += 1
+        trials += 1
         q = ljung_box(part)
         p = float(chdtrc(LAGS * part.shape[1], q))
         name = problem.run.segments[int(problem.scene.segment[rows][0])].id
         worst = min(worst, (p, q, name, predictable_share(part)))
-    p, q, name = min(1.0, looks * worst[0]), worst[1], worst[2]
+    p, q, name = min(1.0, trials * worst[0]), worst[1], worst[2]
     share = worst[3]
     passes = p >= SIGNIFICANCE or share < MATERIAL
     says = "white from row to row" if passes else f"follows itself from row to row, most in segment {name}"
     return ResidualTest("whiteness", name, q, p, share, passes, says)
 
 
-def independent(problem: Problem, y: Array) -> Iterator[ResidualTest]:
+def independence_tests(problem: LinearProblem, y: Array) -> Iterator[ResidualTest]:
     """One test for each drive: its largest cross-correlation with a component of y at any lag."""
-    own = [_Series.of(part) for part in y.T]
-    for name, drive in drives(problem).items():
-        other = _Series.of(drive)
-        z, r = max(_crossed(part, other) for part in own)
-        looks = y.shape[1] * (2 * LATE + 1)
-        p = min(1.0, looks * 2 * float(ndtr(-z)))
+    own = [Series.of(part) for part in y.T]
+    for name, drive in covariates(problem).items():
+        other = Series.of(drive)
+        z, r = max(cross_correlation(part, other) for part in own)
+        trials = y.shape[1] * (2 * MAX_LAG + 1)
+        p = min(1.0, trials * 2 * float(ndtr(-z)))
         share = r**2
         passes = p >= SIGNIFICANCE or share < MATERIAL
         says = f"independent of {name}" if passes else f"goes with {name} (correlation {r:+.2f})"
         yield ResidualTest("independence", name, r, p, share, passes, says)
 
 
-def drives(problem: Problem) -> Mapping[str, Array]:
+def covariates(problem: LinearProblem) -> Mapping[str, Array]:
     """What a residual may go with, by name: (n,) each, over the problem's rows."""
     scene = problem.scene
     found = {"time": scene.t_s - scene.t_s.mean()}
-    for axis, values in zip("xyz", true_field(problem).T, strict=True):
+    for axis, values in zip("xyz", reference_field(problem).T, strict=True):
         found[f"the field along {axis}"] = values
-    found["the field's magnitude"] = problem.seen.magnitude
+    found["the field's magnitude"] = problem.observations.magnitude
     if scene.rig is not None and np.isfinite(scene.rig.angle_rad).any():
         angle = np.nan_to_num(scene.rig.angle_rad)
         found |= {"the angle's sine": np.sin(angle), "the angle's cosine": np.cos(angle)}
@@ -95,16 +95,16 @@ def drives(problem: Problem) -> Mapping[str, Array]:
     return {name: values for name, values in found.items() if float(np.std(values)) > 0}
 
 
-def true_field(problem: Problem) -> Array:
+def reference_field(problem: LinearProblem) -> Array:
     """The field (n, 3) [nT, B] by the reference where it is a vector: the reading's holds the residual's own noise."""
     rig = problem.scene.rig
     return problem.scene.field_nT if rig is None else rig.prediction_nT
 
 
-def replicates(problem: Problem, good: Mask) -> Iterator[ResidualTest]:
+def lack_of_fit_test(problem: LinearProblem, good: Mask) -> Iterator[ResidualTest]:
     """Lack of fit: the means of conditions that were visited repeatedly, against the spread between visits."""
     visits = _visits(problem, good)
-    repeated = [np.array(v) for v in visits.values() if len(v) > REPEATS]
+    repeated = [np.array(v) for v in visits.values() if len(v) > MIN_VISITS]
     if len(repeated) < 3:
         return
     within = sum(float(np.sum((v - v.mean(axis=0)) ** 2)) for v in repeated)
@@ -131,14 +131,14 @@ class _Cell:
     size: int
 
 
-def _visits(problem: Problem, good: Mask) -> dict[_Cell, list[Array]]:
+def _visits(problem: LinearProblem, good: Mask) -> dict[_Cell, list[Array]]:
     """Means of y over each stay in a cell of directions and magnitudes, times the root of its rows."""
-    b = true_field(problem)
+    b = reference_field(problem)
     i = np.arange(CELLS) + 0.5
     z, turn = 1 - 2 * i / CELLS, np.pi * (1 + np.sqrt(5)) * i
     centres = np.column_stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
     direction = np.argmax(b @ centres.T, axis=1)
-    magnitude = np.round(np.log(np.maximum(problem.seen.magnitude, 1.0)) / np.log(SIZES)).astype(np.intp)
+    magnitude = np.round(np.log(np.maximum(problem.observations.magnitude, 1.0)) / np.log(SIZES)).astype(np.intp)
     key = (direction * (magnitude.max() + 1) + magnitude) * (problem.scene.segment.max() + 1) + problem.scene.segment
     found: dict[_Cell, list[Array]] = {}
     for rows in stretches(key):

@@ -8,25 +8,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.data.checks import turned_axes
-from labcal.loop.data.linear_problem import Problem
-from labcal.loop.data.noise_floor import Floor
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.result import Finding
 from labcal.record import Run
 from labcal.record.run import Channel
 
 Array = NDArray[np.float64]
 ONE_SIGNAL = 0.99999  # correlation from which two channels are one signal
-DISAGREE = 1.3  # contract: declared and measured floors that differ by more are a finding
-LEAST_SHARE = 0.5  # of the rows that both channels have to be known in
+MAX_NOISE_RATIO = 1.3  # contract: declared and measured floors that differ by more are a finding
+MIN_COMMON_ROWS = 0.5  # of the rows that both channels have to be known in
 
 
-def findings(run: Run, problem: Problem, level: Floor) -> tuple[Finding, ...]:
+def findings(run: Run, problem: LinearProblem, level: NoiseFloor) -> tuple[Finding, ...]:
     """All of them for one run."""
-    found = [turned_axes(problem), disagreement(problem, level)]
-    return (*(f for f in found if f is not None), *silent(run), *same_signals(run))
+    found = [turned_axes(problem), noise_disagreement(problem, level)]
+    return (*(f for f in found if f is not None), *silent_channels(run), *same_signals(run))
 
 
-def silent(run: Run) -> list[Finding]:
+def silent_channels(run: Run) -> list[Finding]:
     """Channels that cannot show a cause: without a value, or with one value alone."""
     values = {c.name: c.values[np.isfinite(c.values)] for c in run.channels if c.role == "dut"}
     empty = [name for name, known in values.items() if not len(known)]
@@ -57,18 +57,18 @@ def _known(channel: Channel) -> Array:
 
 def _one_signal(a: Channel, b: Channel) -> bool:
     both = np.isfinite(a.values) & np.isfinite(b.values)
-    if both.sum() < LEAST_SHARE * len(both) or np.ptp(a.values[both]) == 0 or np.ptp(b.values[both]) == 0:
+    if both.sum() < MIN_COMMON_ROWS * len(both) or np.ptp(a.values[both]) == 0 or np.ptp(b.values[both]) == 0:
         return False
     return bool(abs(np.corrcoef(a.values[both], b.values[both])[0, 1]) > ONE_SIGNAL)
 
 
-def disagreement(problem: Problem, level: Floor) -> Finding | None:
+def noise_disagreement(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
     """The declared noise where it is not the one measured at rest, or else from row to row."""
     if level.source != "declared":
         return None
     still = level.measured_over_declared
     ratio = still or row_to_row(problem.y, problem.scene.segment)
-    if 1 / DISAGREE <= ratio <= DISAGREE:
+    if 1 / MAX_NOISE_RATIO <= ratio <= MAX_NOISE_RATIO:
         return None
     where = "at rest" if still else "from row to row"
     doubt = f"the floor of {level.nT:.0f} nT that results are compared with may be wrong"

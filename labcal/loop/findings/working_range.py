@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.result import Finding
-from labcal.loop.selection.joint_fit import Refit
-from labcal.model.effects import Form, Scene
+from labcal.loop.selection.joint_fit import JointFit
+from labcal.model.effects import Scene, Term
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -25,7 +25,7 @@ DIRECTIONS = np.vstack([np.eye(3), -np.eye(3), np.array(list(itertools.product((
 
 
 @dataclass(frozen=True, slots=True)
-class Reach:
+class RangeUncertainty:
     """An effect over the working range [nT]: its rms, its uncertainty's, and the worst corner in words."""
 
     rms_nT: float
@@ -39,13 +39,13 @@ class Reach:
         return self.u_rms_nT < self.rms_nT
 
 
-def reach(run: Run, after: Refit, place: int) -> Reach | None:
+def range_uncertainty(run: Run, after: JointFit, place: int) -> RangeUncertainty | None:
     """Of the effect number `place`; None where it rests on no channel, or is bound to motion."""
-    form = after.forms[place]
-    if not form.channels:
+    term = after.terms[place]
+    if not term.channels:
         return None
-    scene, names = _corners(run, after, form)
-    J = form.columns(scene)[1::2]  # the second row of each corner, settled
+    scene, names = _corners(run, after, term)
+    J = term.columns(scene)[1::2]  # the second row of each corner, settled
     start = after.problem.T.shape[2] + sum(len(b) for b in after.beta[:place])
     block = slice(start, start + len(after.beta[place]))
     C = after.covariance[block, block]
@@ -53,20 +53,20 @@ def reach(run: Run, after: Refit, place: int) -> Reach | None:
     variance = np.einsum("nip,pq,niq->n", J, C, J)
     worst = int(np.argmax(variance))
     size, u = (float(np.sqrt(np.mean(v))) for v in (np.sum(e**2, axis=1), np.maximum(variance, 0.0)))
-    return Reach(size, u, float(np.sqrt(max(variance[worst], 0.0))), names[worst])
+    return RangeUncertainty(size, u, float(np.sqrt(max(variance[worst], 0.0))), names[worst])
 
 
-def _corners(run: Run, after: Refit, form: Form) -> tuple[Scene, list[str]]:
+def _corners(run: Run, after: JointFit, term: Term) -> tuple[Scene, list[str]]:
     """Every end of every channel of the form with fields of the largest magnitude all around, two rows a corner."""
-    ends = [_ends(run, name) for name in form.channels]
+    ends = [_ends(run, name) for name in term.channels]
     largest = float(np.nanmax(run.magnitude_nT))
     corners = list(itertools.product(itertools.product(*ends), DIRECTIONS))
     n = 2 * len(corners)
     t = np.tile([0.0, SETTLED_S], len(corners)) + np.repeat(np.arange(len(corners)), 2) * 3 * SETTLED_S
     field = np.repeat([direction * largest for _, direction in corners], 2, axis=0)
-    channels = {c: np.repeat([values[i] for values, _ in corners], 2) for i, c in enumerate(form.channels)}
+    channels = {c: np.repeat([values[i] for values, _ in corners], 2) for i, c in enumerate(term.channels)}
     scene = Scene(t, np.repeat(np.arange(n // 2), 2), field, channels, None, after.problem.scene.axes)
-    return scene, [_said(form, values, direction, largest) for values, direction in corners]
+    return scene, [_describe_corner(term, values, direction, largest) for values, direction in corners]
 
 
 def _ends(run: Run, name: str) -> tuple[float, float]:
@@ -74,22 +74,22 @@ def _ends(run: Run, name: str) -> tuple[float, float]:
     return float(np.nanmin(values)), float(np.nanmax(values))
 
 
-def _said(form: Form, values: Sequence[float], direction: Array, largest: float) -> str:
-    at = ", ".join(f"{name} = {value:.3g}" for name, value in zip(form.channels, values, strict=True))
+def _describe_corner(term: Term, values: Sequence[float], direction: Array, largest: float) -> str:
+    at = ", ".join(f"{name} = {value:.3g}" for name, value in zip(term.channels, values, strict=True))
     place = int(np.argmax(np.abs(direction)))
     along = f"along {'xyz'[place]}" if np.abs(direction).max() > 0.9 else "across the axes"
     return f"{at} in {largest / 1000:.0f} µT {along}"
 
 
-def findings(run: Run, accepted: Sequence[Candidate], after: Refit) -> list[Finding]:
+def findings(run: Run, accepted: Sequence[Candidate], after: JointFit) -> list[Finding]:
     """What is less certain in the working range than it is large, and parameters that the run does not pin down."""
     found = []
     for place, (chosen, parameters) in enumerate(zip(accepted, after.parameters(), strict=True)):
-        of = reach(run, after, place) if chosen.family.belongs_to == "sensor" else None
+        of = range_uncertainty(run, after, place) if chosen.family.belongs_to == "sensor" else None
         if of is not None and of.u_worst_nT > after.problem.length_nT(after.problem.residual_nT).max():
             text = f"The correction {chosen.family.id} is uncertain by {of.u_worst_nT:.0f} nT at {of.worst}"
             shipped = "" if of.supported else " It is not written into the calibration."
-            said = f"{text}: the run did not go there. {_missing(chosen)}{shipped}"
+            said = f"{text}: the run did not go there. {_missing_excitation(chosen)}{shipped}"
             found.append(Finding("working-range", "sensor", said))
         loose = [p.name for p in parameters if p.u > 0 and abs(p.value) < 2 * p.u]
         if loose:
@@ -101,15 +101,17 @@ def findings(run: Run, accepted: Sequence[Candidate], after: Refit) -> list[Find
     return found
 
 
-def unsupported(run: Run, accepted: Sequence[Candidate], after: Refit) -> frozenset[int]:
+def unsupported(run: Run, accepted: Sequence[Candidate], after: JointFit) -> frozenset[int]:
     """Numbers of the sensor's effects whose correction is smaller than its uncertainty over the working range."""
-    reaches = [reach(run, after, i) if c.family.belongs_to == "sensor" else None for i, c in enumerate(accepted)]
+    reaches = [
+        range_uncertainty(run, after, i) if c.family.belongs_to == "sensor" else None for i, c in enumerate(accepted)
+    ]
     return frozenset(i for i, r in enumerate(reaches) if r is not None and not r.supported)
 
 
-def _missing(chosen: Candidate) -> str:
+def _missing_excitation(chosen: Candidate) -> str:
     """Which excitation is missing."""
-    channels = " and ".join(chosen.form.channels)
+    channels = " and ".join(chosen.term.channels)
     if chosen.family.of_field:
         return f"Missing: large fields along every axis at both ends of {channels}."
     return f"Missing: both ends of {channels} for long enough."

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 BANDS_PER_OCTAVE = 2.0
-CORNERS = (0.0, 1e-3, 1e-1)
-RATIOS = np.logspace(-6, 1.5, 11).tolist()
-AS_WHITE = 0.1  # sum of squared logarithms up to which a spectrum is not tried: no data could tell it from white noise
+CORNERS = (0.0, 1e-3, 1e-1)  # c: 0 is a random walk
+RATIOS = np.logspace(-6, 1.5, 11).tolist()  # r
+INDISTINGUISHABLE = 0.1  # sum of squared logarithms: a spectrum nearer to white noise than this is not tried
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,20 +40,20 @@ def bands_of(n: int) -> Bands:
     eigen = 2 - 2 * np.cos(np.pi * np.maximum(k, 0.5) / n)
     corner, ratio = np.array([(0.0, 0.0), *itertools.product(CORNERS, RATIOS)]).T
     logs = np.log1p(ratio[:, None] / (eigen + corner[:, None]))
-    apart = np.sum(logs**2, axis=1) > AS_WHITE
+    apart = np.sum(logs**2, axis=1) > INDISTINGUISHABLE
     apart[0] = True
     means = np.add.reduceat(logs[apart], edges[:-1], axis=1) / np.diff(edges)
     return Bands(edges, np.exp(means), corner[apart], ratio[apart])
 
 
-def transformed(columns: Array) -> Array:
+def cosine_transform(columns: Array) -> Array:
     """The cosine transform along the rows (n, ...), orthonormal."""
     from scipy.fft import dct
 
     return np.asarray(dct(columns, axis=0, norm="ortho"))
 
 
-def fast(n: int, primes: int = 2 * 3 * 5) -> int:
+def fast_length(n: int, primes: int = 2 * 3 * 5) -> int:
     """The largest length up to n that is fast to transform: one with a large prime factor takes five times as long.
 
     It has no other prime factors than those of `primes`.

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-LATE = 20  # rows either way that a cross-correlation is looked at
+MAX_LAG = 20  # rows either way over which a cross-correlation is taken
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Series:
+class Series:
     """A series less its mean, as its cross-correlations need it."""
 
     n: int
@@ -21,7 +21,8 @@ class _Series:
     size: float  # root of its sum of squares
 
     @classmethod
-    def of(cls, x: Array) -> _Series:
+    def of(cls, x: Array) -> Series:
+        """Of the values x (n,)."""
         n, padded = len(x), _padded(len(x))
         fourier = np.fft.rfft(x - x.mean(), padded)
         rho = np.fft.irfft(np.abs(fourier) ** 2, padded)[:n]
@@ -35,8 +36,8 @@ def _padded(n: int) -> int:
     return int(next_fast_len(2 * n, real=True))
 
 
-def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
-    """The largest cross-correlation over LATE lags: in standard deviations of chance, and its value.
+def cross_correlation(y: Series, x: Series) -> tuple[float, float]:
+    """The largest cross-correlation over MAX_LAG rows either way: in standard deviations of chance, and its value.
 
     Chance has the variance Σ ρ_y ρ_x / n (Bartlett 1946), sums tapered at a tenth of the record.
     """
@@ -45,6 +46,6 @@ def _crossed(y: _Series, x: _Series) -> tuple[float, float]:
     both = y.rho[:cut] * x.rho[:cut] * taper
     variance = max(1 + 2 * float(np.sum(both[1:])), 1.0) / y.n
     cross = np.fft.irfft(y.fourier * np.conj(x.fourier), _padded(y.n)) / max(y.size * x.size, 1e-300)
-    near = np.concatenate([cross[: LATE + 1], cross[-LATE:]])
+    near = np.concatenate([cross[: MAX_LAG + 1], cross[-MAX_LAG:]])
     place = int(np.argmax(np.abs(near)))
     return float(abs(near[place]) / np.sqrt(variance)), float(near[place])

@@ -28,7 +28,7 @@ def periodogram(t_s: Array, residual: Array) -> tuple[Array, Array]:
     return np.asarray(frequency[inside]), np.asarray(power[inside])
 
 
-def usual(power: Array, width: int = 201) -> Array:
+def running_median(power: Array, width: int = 201) -> Array:
     """The running median of a spectrum (k,)."""
     blocks = max(len(power) // width, 1)
     centres = (np.arange(blocks) + 0.5) * len(power) / blocks

@@ -9,20 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate
-from labcal.loop.candidates.scorer import Search
-from labcal.loop.data.linear_problem import Problem
-from labcal.loop.parallel import each
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.parallel import parallel_map
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 FOLDS = 5
-NOWHERE = -1
+NEVER = -1
 BLOCKS = 40  # about so many blocks in a run
 DRAWS = 500
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Plan:
+class BlockFolds:
     """Which block and which fold each row belongs to, and how far training keeps away."""
 
     block: NDArray[np.intp]  # (n,)
@@ -38,12 +38,14 @@ class Plan:
         after = np.abs(times[np.minimum(place, len(times) - 1)] - t_s)
         return np.asarray(~held & (np.minimum(before, after) > self.guard_s))
 
-    def among(self, rows: NDArray[np.bool_]) -> Plan:
+    def restricted_to(self, rows: NDArray[np.bool_]) -> BlockFolds:
         """The same blocks where no other rows than these are ever held out."""
-        return Plan(self.block, np.where(rows, self.fold, NOWHERE), self.guard_s)
+        return BlockFolds(self.block, np.where(rows, self.fold, NEVER), self.guard_s)
 
 
-def plan(problem: Problem, correlation_s: float, block_s: float | None = None, seed: int = 0) -> Plan:
+def block_folds(
+    problem: LinearProblem, correlation_s: float, block_s: float | None = None, seed: int = 0
+) -> BlockFolds:
     """Blocks of `block_s` (a fortieth of the recorded time, not less than five correlation times) in random folds.
 
     A segment is at least two blocks; the guard is at most a third of the shortest, so that training keeps its rows.
@@ -64,11 +66,11 @@ def plan(problem: Problem, correlation_s: float, block_s: float | None = None, s
         while len(fold_of) < count:
             fold_of += draw.permutation(FOLDS).tolist()
     folds = np.array(fold_of)[:count][block]
-    return Plan(block, folds, min(correlation_s, shortest / 3))
+    return BlockFolds(block, folds, min(correlation_s, shortest / 3))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class HeldOut:
+class HeldOutErrors:
     """Held-out residual lengths of each row [nT], with the base alone and with the effects."""
 
     block: NDArray[np.intp]
@@ -103,54 +105,57 @@ def rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def held_out(
-    search: Search, plan: Plan, choose: Callable[[Search], Sequence[Candidate]], before: Sequence[Candidate] = ()
-) -> HeldOut:
+def cross_validate(
+    pool: CandidateSet,
+    blocks: BlockFolds,
+    choose: Callable[[CandidateSet], Sequence[Candidate]],
+    before: Sequence[Candidate] = (),
+) -> HeldOutErrors:
     """Residuals of every row by fits that did not see its block; `choose` picks the effects on the training rows.
 
     Left out are the rows between the last training row before a step and the first one after it: a fit that did not see
     them cannot know on which side of the step they lie.
     """
-    problem, whole = search.problem, search.whole
-    block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (plan.block, plan.fold))
+    problem, whole = pool.problem, pool.whole
+    block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (blocks.block, blocks.fold))
     out, known = np.full((2, len(whole)), np.nan), list[tuple[Candidate, Array]]()
-    numbers = np.unique(plan.fold[plan.fold != NOWHERE]).tolist()
-    parts = [search.on(plan.training(problem.scene.t_s, fold) & search.rows) for fold in numbers]
-    for fold, part, chosen in zip(numbers, parts, each(choose, parts), strict=True):
+    numbers = np.unique(blocks.fold[blocks.fold != NEVER]).tolist()
+    parts = [pool.on(blocks.training(problem.scene.t_s, fold) & pool.rows) for fold in numbers]
+    for fold, part, chosen in zip(numbers, parts, parallel_map(choose, parts), strict=True):
         seen_s = problem.scene.t_s[part.rows]
-        test = (folds == fold) & search.good & ~_at_a_step(whole.scene.t_s, seen_s, [*before, *chosen])
-        known = [(c, _of(c, known, search)) for c in (*before, *chosen)]
+        test = (folds == fold) & pool.valid & ~_beside_changepoint(whole.scene.t_s, seen_s, [*before, *chosen])
+        known = [(c, _columns_of(c, known, pool)) for c in (*before, *chosen)]
         for which, effects in enumerate((before, chosen)):
-            A = np.concatenate([whole.T[test], *(_of(c, known, search)[test] for c in effects)], axis=2)
-            out[which, test] = lengths(whole, whole.y[test] - A @ part.solved(effects), test)
+            A = np.concatenate([whole.T[test], *(_columns_of(c, known, pool)[test] for c in effects)], axis=2)
+            out[which, test] = residual_lengths(whole, whole.y[test] - A @ part.coefficients(effects), test)
     seen = np.isfinite(out).all(axis=0)
-    return HeldOut(block[seen], out[0, seen], out[1, seen], seen)
+    return HeldOutErrors(block[seen], out[0, seen], out[1, seen], seen)
 
 
-def always(accepted: Sequence[Candidate]) -> Callable[[Search], Sequence[Candidate]]:
+def fixed_choice(accepted: Sequence[Candidate]) -> Callable[[CandidateSet], Sequence[Candidate]]:
     """The same effects whatever the training rows."""
     return lambda part: accepted
 
 
-def _at_a_step(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDArray[np.bool_]:
+def _beside_changepoint(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDArray[np.bool_]:
     """Rows (n,) between the two known times that a step of one of these effects lies between."""
     out = np.zeros(len(t_s), dtype=bool)
-    for shape in (shape for c in effects for shape in c.form.shape if shape.name == "t_step_s"):
+    for shape in (shape for c in effects for shape in c.term.shape if shape.name == "t_step_s"):
         after = int(np.searchsorted(known_s, shape.value))
         low, high = np.concatenate([[-np.inf], known_s, [np.inf]])[after : after + 2]
         out |= (t_s > low) & (t_s < high)
     return out
 
 
-def _of(candidate: Candidate, known: Sequence[tuple[Candidate, Array]], search: Search) -> Array:
+def _columns_of(candidate: Candidate, known: Sequence[tuple[Candidate, Array]], pool: CandidateSet) -> Array:
     """Its columns on every row, from what is known where they are there."""
     for other, columns in known:
-        if other.form is candidate.form:
+        if other is candidate:
             return columns
-    return search.whole_columns(candidate)
+    return pool.full_columns(candidate)
 
 
-def lengths(problem: Problem, whitened: Array, rows: NDArray[np.bool_]) -> Array:
+def residual_lengths(problem: LinearProblem, whitened: Array, rows: NDArray[np.bool_]) -> Array:
     """Length [nT] of whitened residuals (m, q) of some rows: of the vector, or of the magnitude."""
     W = problem.whiten[rows]
     if problem.kind == "vector":

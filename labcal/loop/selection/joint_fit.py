@@ -8,29 +8,29 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.data.linear_problem import Problem, linearise
-from labcal.loop.noise.bands import transformed
-from labcal.loop.noise.coloured import spectrum_of, weighted_gram
-from labcal.loop.noise.nuisance import SEEN, _inverse, minimise
+from labcal.loop.data.linear_problem import LinearProblem, linearise
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
+from labcal.loop.noise.nuisance import MIN_NEW_SHARE, inverse_gram, ols_with_nuisance
 from labcal.model import Parameter
-from labcal.model.effects import Form, Scene, families
+from labcal.model.effects import Scene, Term, families
 from labcal.model.effects.protocol import Shape
 
 Array = NDArray[np.float64]
 STEPS = 8
 HALVINGS = 6
 ROUNDS = 30  # of an effect of the field, which acts on what it adds to the field itself
-SAME_nT = 0.1
-NEAR_nT = 5.0  # over which the slope of an effect in the field is taken
-Point = tuple[Problem, tuple[Form, ...], tuple[Array, ...]]
+SETTLED_nT = 0.1
+SLOPE_STEP_nT = 5.0  # over which the slope of an effect in the field is taken
+Point = tuple[LinearProblem, tuple[Term, ...], tuple[Array, ...]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Refit:
+class JointFit:
     """The joint solution."""
 
-    problem: Problem  # about the solution, effects subtracted
-    forms: tuple[Form, ...]
+    problem: LinearProblem  # about the solution, effects subtracted
+    terms: tuple[Term, ...]
     beta: tuple[Array, ...]  # of each form
     covariance: (
         Array  # of the base's coordinates, the phases, the betas and the searched shapes, correlated noise included
@@ -38,9 +38,9 @@ class Refit:
 
     def effects(self, scene: Scene) -> Array | float:
         """Σ e (n, 3) [nT]."""
-        return total(self.forms, self.beta, scene)
+        return sum_of_effects(self.terms, self.beta, scene)
 
-    def uncorrected(self) -> Problem:
+    def uncorrected(self) -> LinearProblem:
         """The problem about the same map and phases with the effects still in its residual.
 
         Where vectors show them the base's columns stay clear of them: readings that hold the effects, less a reference
@@ -48,10 +48,10 @@ class Refit:
         """
         p = self.problem
         if p.kind == "vector":
-            return linearise(p.run, p.seen, p.noise, p.base, p.allowed, p.theta, p.phase)
+            return linearise(p.run, p.observations, p.noise, p.base, p.parameterisation, p.theta, p.phase)
         effects = self.effects(p.scene)
-        here = linearise(p.run, p.seen, p.noise, p.base, p.allowed, p.theta, p.phase, effects)
-        y = sum((here.columns(form) @ b for form, b in zip(self.forms, self.beta, strict=True)), here.y)
+        here = linearise(p.run, p.observations, p.noise, p.base, p.parameterisation, p.theta, p.phase, effects)
+        y = sum((here.columns(term) @ b for term, b in zip(self.terms, self.beta, strict=True)), here.y)
         return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + effects)
 
     def parameters(self) -> tuple[tuple[Parameter, ...], ...]:
@@ -60,14 +60,14 @@ class Refit:
         linear = sum(len(b) for b in self.beta)
         shapes = iter(u[linear:].tolist())
         out, at = [], 0
-        for form, beta in zip(self.forms, self.beta, strict=True):
+        for term, beta in zip(self.terms, self.beta, strict=True):
             found = [
                 Parameter(name, float(value), float(spread), unit)
-                for (name, unit), value, spread in zip(form.parameters, beta, u[at : at + len(beta)], strict=True)
+                for (name, unit), value, spread in zip(term.parameters, beta, u[at : at + len(beta)], strict=True)
             ]
             at += len(beta)
             found += [
-                Parameter(s.name, s.value, self._uncertain(s, shapes) if s.grid else 0.0, s.unit) for s in form.shape
+                Parameter(s.name, s.value, self._uncertain(s, shapes) if s.grid else 0.0, s.unit) for s in term.shape
             ]
             out.append(tuple(found))
         return tuple(out)
@@ -81,140 +81,152 @@ class Refit:
         return float((t[after] - t[after - 1]) / np.sqrt(12))
 
 
-def total(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:
+def sum_of_effects(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array | float:
     """The sum of the effects (n, 3) [nT]; 0.0 where there is none."""
-    return sum((form.columns(scene) @ b for form, b in zip(forms, beta, strict=True)), 0.0)
+    return sum((term.columns(scene) @ b for term, b in zip(terms, beta, strict=True)), 0.0)
 
 
-def refit(problem: Problem, forms: Sequence[Form], rows: NDArray[np.bool_] | None = None) -> Refit:
+def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bool_] | None = None) -> JointFit:
     """Fit all from the problem's own parameters, on `rows` where they are given."""
     used = np.ones(len(problem), dtype=bool) if rows is None else rows
-    here, forms = problem, tuple(forms)
-    beta = tuple(np.zeros(len(form.parameters)) for form in forms)
+    here, terms = problem, tuple(terms)
+    beta = tuple(np.zeros(len(term.parameters)) for term in terms)
     for _ in range(STEPS):
-        A = np.concatenate([here.T, *(-here.columns(form) for form in forms)], axis=2)[used]
-        step = -minimise(A, here.y[used], here.T.shape[2], _seen(here, forms, beta, used))
-        there = _downhill(here, forms, beta, step, used)
+        A = np.concatenate([here.T, *(-here.columns(term) for term in terms)], axis=2)[used]
+        step = -ols_with_nuisance(A, here.y[used], here.T.shape[2], _min_new_share(here, terms, beta, used))
+        there = _line_search(here, terms, beta, step, used)
         if there is None:
             break
-        here, forms, beta = there
+        here, terms, beta = there
         if _negligible(A, step):
             break
-    return Refit(here, forms, beta, _covariance(here, forms, beta, used))
+    return JointFit(here, terms, beta, _covariance(here, terms, beta, used))
 
 
-def _downhill(
-    here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...], step: Array, used: NDArray[np.bool_]
+def _line_search(
+    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], step: Array, used: NDArray[np.bool_]
 ) -> Point | None:
     """The point a step on, or a part of it that does not raise the sum of squares; None where none does."""
     limit = float(np.sum(here.y[used] ** 2)) * (1 + 1e-9)
     for _ in range(HALVINGS):
-        bare, moved = _moved(here, forms, beta, step)
-        settled = tuple(_settled(form, b) for form, b in zip(forms, moved, strict=True))
-        there = _about(bare, settled, moved)
+        bare, moved = _stepped(here, terms, beta, step)
+        settled = tuple(_on_own_secant(term, b) for term, b in zip(terms, moved, strict=True))
+        there = _relinearised(bare, settled, moved)
         if float(np.sum(there.y[used] ** 2)) <= limit:
             return there, settled, moved
         step = step / 2
     return None
 
 
-def _seen(here: Problem, forms: Sequence[Form], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
+def _min_new_share(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
     """The part of a column's square that has to be new to the base.
 
     The map is driven by readings, the rig's effects by the reference: a turn common to all mountings, which no run
     shows, seems to differ from a turn of the map by twice the angle between the two (two standard deviations).
     """
-    if not any(family.kernel is form.kernel for family in families() if family.belongs_to == "rig" for form in forms):
-        return SEEN
-    apart = here.residual_nT + total(forms, beta, here.scene)
-    return max(SEEN, float(4 * np.sum(apart[used] ** 2) / np.sum(here.scene.field_nT[used] ** 2)))
+    if not any(family.kernel is term.kernel for family in families() if family.belongs_to == "rig" for term in terms):
+        return MIN_NEW_SHARE
+    apart = here.residual_nT + sum_of_effects(terms, beta, here.scene)
+    return max(MIN_NEW_SHARE, float(4 * np.sum(apart[used] ** 2) / np.sum(here.scene.field_nT[used] ** 2)))
 
 
 def _negligible(A: Array, step: Array) -> bool:
     return bool(np.sqrt(np.mean((A @ step) ** 2)) < 1e-4)
 
 
-def _moved(
-    here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...], step: Array
-) -> tuple[Problem, tuple[Array, ...]]:
-    q = here.allowed.basis.shape[1]
-    theta = here.theta + here.allowed.basis @ step[:q]
+def _stepped(
+    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], step: Array
+) -> tuple[LinearProblem, tuple[Array, ...]]:
+    q = here.parameterisation.basis.shape[1]
+    theta = here.theta + here.parameterisation.basis @ step[:q]
     phase = here.phase.copy()
-    phase[here.turning] += step[q : q + len(here.turning)]
-    ends = np.cumsum([q + len(here.turning), *(len(b) for b in beta)])
+    phase[here.phase_groups] += step[q : q + len(here.phase_groups)]
+    ends = np.cumsum([q + len(here.phase_groups), *(len(b) for b in beta)])
     moved = tuple(b + step[start : start + len(b)] for b, start in zip(beta, ends, strict=False))
-    bare = linearise(here.run, here.seen, here.noise, here.base, here.allowed, theta, phase)
+    bare = linearise(here.run, here.observations, here.noise, here.base, here.parameterisation, theta, phase)
     return bare, moved
 
 
-def _about(bare: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...]) -> Problem:
-    if not forms:
+def _relinearised(bare: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...]) -> LinearProblem:
+    if not terms:
         return bare
-    effects = _acting(forms, beta, bare.scene)
-    slope = _slope(forms, beta, _holding(effects, bare.scene))
-    return linearise(bare.run, bare.seen, bare.noise, bare.base, bare.allowed, bare.theta, bare.phase, effects, slope)
+    effects = _self_consistent(terms, beta, bare.scene)
+    slope = _field_slope(terms, beta, _with_effects(effects, bare.scene))
+    return linearise(
+        bare.run,
+        bare.observations,
+        bare.noise,
+        bare.base,
+        bare.parameterisation,
+        bare.theta,
+        bare.phase,
+        effects,
+        slope,
+    )
 
 
-def _acting(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array | float:
+def _self_consistent(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array | float:
     """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene whose quiet field lacks them.
 
     Parameters so large that no field holds its own effect are as far off as their first round says.
     """
-    effects, change = total(forms, beta, scene), np.inf
+    effects, change = sum_of_effects(terms, beta, scene), np.inf
     for _ in range(ROUNDS):
-        held = total(forms, beta, _holding(effects, scene))
+        held = sum_of_effects(terms, beta, _with_effects(effects, scene))
         last, change = change, float(np.max(np.abs(held - effects)))
         if not change < last:
             break
         effects = held
-        if change < SAME_nT:
+        if change < SETTLED_nT:
             break
     return effects
 
 
-def _holding(effects: Array | float, scene: Scene) -> Scene:
-    return replace(scene, quiet_nT=scene.smooth_nT + effects)
+def _with_effects(effects: Array | float, scene: Scene) -> Scene:
+    return replace(scene, denoised_field_nT=scene.driving_field_nT + effects)
 
 
-def _slope(forms: Sequence[Form], beta: Sequence[Array], scene: Scene) -> Array:
+def _field_slope(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array:
     """∂e/∂a (n, 3, 3), by small changes of the field along each axis: what the map adds to a moves e as well."""
-    here = total(forms, beta, scene)
-    moved = (total(forms, beta, scene.moved(step)) for step in NEAR_nT * np.eye(3))
-    return np.stack([(there - here) / NEAR_nT for there in moved], axis=2)
+    here = sum_of_effects(terms, beta, scene)
+    moved = (sum_of_effects(terms, beta, scene.moved(step)) for step in SLOPE_STEP_nT * np.eye(3))
+    return np.stack([(there - here) / SLOPE_STEP_nT for there in moved], axis=2)
 
 
-def _settled(form: Form, beta: Array) -> Form:
+def _on_own_secant(term: Term, beta: Array) -> Term:
     """A lag's secant is taken over the lag itself."""
-    if any(s.name == "secant_s" for s in form.shape) and abs(float(beta[0])) > 1e-6:
-        return form.reshaped(secant_s=float(beta[0]))
-    return form
+    if any(s.name == "secant_s" for s in term.shape) and abs(float(beta[0])) > 1e-6:
+        return term.with_values(secant_s=float(beta[0]))
+    return term
 
 
-def _covariance(here: Problem, forms: tuple[Form, ...], beta: tuple[Array, ...], used: NDArray[np.bool_]) -> Array:
+def _covariance(
+    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], used: NDArray[np.bool_]
+) -> Array:
     """A⁻¹ (Σ S_k G_k) A⁻¹ for plain least squares under the noise spectrum S that the residual shows."""
-    shapes = [_by_shape(form, b, here) for form, b in zip(forms, beta, strict=True)]
-    columns = [here.columns(form) for form in forms]
+    shapes = [_nonlinear_slopes(term, b, here) for term, b in zip(terms, beta, strict=True)]
+    columns = [here.columns(term) for term in terms]
     parts = np.concatenate([here.T, *columns, *(s for s in shapes if s.shape[2])], axis=2)[used]
-    moved = transformed(parts)
-    bands, spectrum = spectrum_of(moved, here.y[used])
+    moved = cosine_transform(parts)
+    bands, spectrum = noise_spectrum(moved, here.y[used])
     A = weighted_gram(moved, bands, np.ones_like(spectrum))
-    inverse = _inverse(A, here.T.shape[2], _seen(here, forms, beta, used))
+    inverse = inverse_gram(A, here.T.shape[2], _min_new_share(here, terms, beta, used))
     return np.asarray(inverse @ weighted_gram(moved, bands, spectrum) @ inverse)
 
 
-def _by_shape(form: Form, beta: Array, here: Problem) -> Array:
+def _nonlinear_slopes(term: Term, beta: Array, here: LinearProblem) -> Array:
     """Derivatives by the searched shapes, whitened (n, q, shapes)."""
     out = [np.zeros((len(here), here.y.shape[1], 0))]
-    for shape in form.shape:
+    for shape in term.shape:
         if shape.grid:
-            step = _small(shape, here.scene.t_s)
-            up, down = (form.reshaped(**{shape.name: shape.value + s}) for s in (step, -step))
+            step = _difference_step(shape, here.scene.t_s)
+            up, down = (term.with_values(**{shape.name: shape.value + s}) for s in (step, -step))
             slope = (up.columns(here.scene) - down.columns(here.scene)) @ beta / (2 * step)
             out.append(here.whiten @ slope[:, :, None])
     return np.concatenate(out, axis=2)
 
 
-def _small(shape: Shape, t_s: Array) -> float:
+def _difference_step(shape: Shape, t_s: Array) -> float:
     """A step of the shape over which the effect is straight."""
     if shape.name == "f_Hz":
         return 1e-3 / float(np.ptp(t_s))

@@ -8,20 +8,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.candidates.library import Candidate, Cause, expand
-from labcal.loop.candidates.scorer import Search, Weighed
-from labcal.loop.data.decimate import binned
-from labcal.loop.data.linear_problem import Problem
-from labcal.loop.data.noise_floor import Floor
-from labcal.loop.data.outliers import farness, outliers
+from labcal.loop.candidates.library import Candidate, Cause
+from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.data.noise_floor import NoiseFloor
+from labcal.loop.data.outliers import hampel_outliers, outlier_distance
 from labcal.loop.selection.admission import MATERIAL
-from labcal.loop.selection.crossval import HeldOut, Plan, always, held_out
-from labcal.loop.selection.equivalents import Contender, as_good
-from labcal.loop.selection.heldout_rules import _told
-from labcal.loop.selection.joint_fit import refit
-from labcal.loop.selection.select import Choice, _chosen, decided
-from labcal.loop.selection.stepwise import MOST
-from labcal.loop.selection.surrogates import by_chance
+from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.equivalents import Equivalent, equivalent_models
+from labcal.loop.selection.heldout_rules import n_reportable
+from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.select import Selection, select, stepwise
+from labcal.loop.selection.stepwise import MAX_EFFECTS
+from labcal.loop.selection.surrogates import null_distribution
 
 Array = NDArray[np.float64]
 
@@ -30,105 +28,112 @@ Array = NDArray[np.float64]
 class Evidence:
     """All that the verdict rests on."""
 
-    search: Search
-    bare: Search  # about the base's own map
+    pool: CandidateSet
+    base_set: CandidateSet  # about the base's own map
     accepted: tuple[Candidate, ...]
-    rankings: tuple[list[Weighed], ...]
-    rivals: tuple[tuple[Contender, ...], ...]  # of each accepted effect, itself first
-    honest: HeldOut
-    steps: tuple[HeldOut, ...]  # of each accepted effect, those before it already in
-    level: Floor
-    blocks: Plan
-    heaviest: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
-    refused: Mapping[Cause, HeldOut]  # proofs of causes that were taken and given up on held-out data
-    far: float  # how far the rows that were set aside typically lie, in standard deviations of the others
+    rankings: tuple[list[Scored], ...]
+    equivalents: tuple[tuple[Equivalent, ...], ...]  # of each accepted effect, itself first
+    cv_error: HeldOutErrors
+    contributions: tuple[HeldOutErrors, ...]  # of each accepted effect, those before it already in
+    level: NoiseFloor
+    blocks: BlockFolds
+    null_distribution: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
+    refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
+    outlier_distance: float  # of the rows set aside, in standard deviations of the others
 
 
-def weighed(search: Search, level: Floor) -> Evidence:
-    """Choose effects about the map that goes with them, and prove them."""
-    around = settled(search)
-    return proved(search, around, decided(around, level), level)
+def select_and_prove(pool: CandidateSet, level: NoiseFloor) -> Evidence:
+    """Select effects about the map that goes with them, and cross-validate them."""
+    around = relinearised(pool)
+    return prove(pool, around, select(around, level), level)
 
 
-def proved(bare: Search, search: Search, choice: Choice, level: Floor) -> Evidence:
-    """The proof of a choice: its error is told by choices that were made again without each held-out fold."""
-    accepted, blocks = choice.accepted, choice.blocks
+def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, level: NoiseFloor) -> Evidence:
+    """Cross-validate a selection: its error is that of selections repeated without each held-out fold."""
+    accepted, blocks = selection.accepted, selection.blocks
     while True:
-        honest = held_out(search, blocks, repeated(level, blocks, len(accepted)))
-        rivals = tuple(tuple(as_good(search, blocks, accepted, one)) for one in accepted)
-        told = _told(search, honest, level, accepted, rivals)
-        if told == len(accepted):
+        cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted)))
+        equivalents = tuple(tuple(equivalent_models(pool, blocks, accepted, one)) for one in accepted)
+        reportable = n_reportable(pool, cv_error, level, accepted, equivalents)
+        if reportable == len(accepted):
             break
-        accepted = accepted[:told]
-    honest = from_the_base(bare, search, blocks, honest)
-    steps = choice.steps[: len(accepted)]
-    far = farness(search.everywhere(accepted)[0], search.good)
-    chance = by_chance(search, accepted)
-    gone = {c.cause: step for c, step in zip(choice.accepted, choice.steps, strict=True)}
-    refused = {**choice.refused, **gone}
-    return Evidence(search, bare, accepted, choice.rankings, rivals, honest, steps, level, blocks, chance, refused, far)
+        accepted = accepted[:reportable]
+    contributions = {c.cause: held for c, held in zip(selection.accepted, selection.contributions, strict=True)}
+    return Evidence(
+        pool=pool,
+        base_set=base_set,
+        accepted=accepted,
+        rankings=selection.rankings,
+        equivalents=equivalents,
+        cv_error=against_own_base(base_set, pool, blocks, cv_error),
+        contributions=selection.contributions[: len(accepted)],
+        level=level,
+        blocks=blocks,
+        null_distribution=null_distribution(pool, accepted),
+        refused={**selection.refused, **contributions},
+        outlier_distance=outlier_distance(pool.residual_everywhere(accepted)[0], pool.valid),
+    )
 
 
-def from_the_base(bare: Search, search: Search, blocks: Plan, honest: HeldOut) -> HeldOut:
-    """The same held-out error, before which stands the base's own on the same rows, about its own map.
+def against_own_base(
+    base_set: CandidateSet, pool: CandidateSet, blocks: BlockFolds, cv_error: HeldOutErrors
+) -> HeldOutErrors:
+    """The same held-out error, compared with the base model's own on the same rows, about the base's own map.
 
     About the map that goes with the effects the base would seem better than it is.
     """
-    if search is bare or len(search.problem) != len(bare.problem):
-        return honest
-    own, before = held_out(bare.without(~search.good), blocks, always(())), np.zeros(len(honest.rows))
+    if pool is base_set or len(pool.problem) != len(base_set.problem):
+        return cv_error
+    own = cross_validate(base_set.without_rows(~pool.valid), blocks, fixed_choice(()))
+    before = np.zeros(len(cv_error.rows))
     before[own.rows] = own.before_nT
-    return replace(honest, before_nT=before[honest.rows])
+    return replace(cv_error, before_nT=before[cv_error.rows])
 
 
-def repeated(level: Floor, blocks: Plan, most: int = MOST) -> Callable[[Search], Sequence[Candidate]]:
-    """The whole choice again on a part of the rows, its own proofs on the blocks that are left."""
-    return lambda part: decided(part, level, blocks.among(part.rows), most).accepted
+def nested_selection(
+    level: NoiseFloor, blocks: BlockFolds, most: int = MAX_EFFECTS
+) -> Callable[[CandidateSet], Sequence[Candidate]]:
+    """The whole selection again on a part of the rows, tested on the blocks that are left (nested cross-validation)."""
+    return lambda part: select(part, level, blocks.restricted_to(part.rows), most).accepted
 
 
-def settled(search: Search) -> Search:
-    """The search about the map that goes with the effects it finds, where the problem is not linear in the map.
+def relinearised(pool: CandidateSet) -> CandidateSet:
+    """The candidates about the map that goes with the effects they show, where the problem is not linear in the map.
 
     A magnitude is not: fitted without a strong effect, K and k are so far off that what is left of them looks like an
     effect of the field. Vectors are, but for the phases and the field that an effect follows.
     """
-    accepted, _ = _chosen(search)
-    if not accepted or (search.problem.kind == "vector" and not _bends(search, accepted)):
-        return search
-    around = refit(search.whole, [c.form for c in accepted], search.good)
-    return without_outliers(search_of(around.uncorrected(), search.lowest), None if search.good.all() else ~search.good)
+    accepted, _ = stepwise(pool)
+    if not accepted or (pool.problem.kind == "vector" and not _is_nonlinear(pool, accepted)):
+        return pool
+    around = joint_fit(pool.whole, [c.term for c in accepted], pool.valid)
+    again = CandidateSet.of(around.uncorrected(), pool.min_noise_level)
+    return without_outliers(again, None if pool.valid.all() else ~pool.valid)
 
 
-def _bends(search: Search, accepted: Sequence[Candidate]) -> bool:
+def _is_nonlinear(pool: CandidateSet, accepted: Sequence[Candidate]) -> bool:
     """Whether the effects, turned or grown as the base moves beside them, change by more than is worth a name."""
-    whole, x = search.whole, search.solved(accepted)
+    whole, x = pool.whole, pool.coefficients(accepted)
     field = np.einsum("nqj,nj->nq", whole.whiten, whole.scene.field_nT)
-    moved, added = whole.T @ x[: whole.T.shape[2]], search.everywhere(accepted)[1]
+    moved, added = whole.T @ x[: whole.T.shape[2]], pool.residual_everywhere(accepted)[1]
     return bool(np.mean(moved**2) * np.mean(added**2) > MATERIAL * np.mean(field**2))
 
 
-def search_of(problem: Problem, lowest: float) -> Search:
-    """Every candidate on all rows, or on bins of them where there are many."""
-    fewer = binned(problem)
-    rows, good = (np.ones(len(p), dtype=bool) for p in (fewer, problem))
-    return Search(fewer, expand(fewer), rows, lowest, good)
+def without_outliers(pool: CandidateSet, known: NDArray[np.bool_] | None = None) -> CandidateSet:
+    """The candidates on the rows that are no outliers, once the effects that the other rows show are subtracted.
 
-
-def without_outliers(search: Search, known: NDArray[np.bool_] | None = None) -> Search:
-    """The search on the rows that do not lie, once the effects that the others show are taken off.
-
-    The first look is without rows `known` to lie (N,), or without those that seem to before any effect is.
+    The first selection is without the rows `known` as outliers (N,), or without those that seem so before any effect.
     """
-    segment = search.whole.scene.segment
-    first = outliers(search.whole.y, segment) if known is None else known
-    tried = [search, search.without(first)]
+    segment = pool.whole.scene.segment
+    first = hampel_outliers(pool.whole.y, segment) if known is None else known
+    tried = [pool, pool.without_rows(first)]
     for _ in range(2):
         here = tried[-1]
-        accepted = [] if here.good.all() else _chosen(here)[0]
-        left, added = here.everywhere(accepted)
-        lying = outliers(left, segment, added)
-        same = [one for one in tried if bool((one.good == ~lying).all())]
-        tried.append(same[-1] if same else here.without(lying))
+        accepted = [] if here.valid.all() else stepwise(here)[0]
+        left, added = here.residual_everywhere(accepted)
+        outlying = hampel_outliers(left, segment, added)
+        same = [one for one in tried if bool((one.valid == ~outlying).all())]
+        tried.append(same[-1] if same else here.without_rows(outlying))
         if tried[-1] is here:
             break
     return tried[-1]

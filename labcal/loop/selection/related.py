@@ -9,65 +9,70 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.candidates.library import Candidate
-from labcal.loop.candidates.refine import _names
-from labcal.loop.candidates.scorer import Search
-from labcal.loop.noise.bands import transformed
-from labcal.loop.noise.nuisance import spanning
+from labcal.loop.candidates.library import Candidate, Span
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.nuisance import principal_span
 from labcal.model.effects.following import time_constants
 
 Array = NDArray[np.float64]
-DIRECTIONS = 3  # in which columns are compared
+RANDOM_DIRECTIONS = 3  # on which columns are projected to be compared
 
 
-def neighbourhood(search: Search, accepted: Sequence[Candidate]) -> list[Array]:
-    """All other looks of the accepted causes, as a few transformed columns that span them."""
+def related_columns(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Span]:
+    """All other candidates of the accepted causes and of related families, as a few columns that span them."""
     parts = []
     for chosen in accepted:
-        parts += _spanned(search, chosen, (chosen.family.id, *chosen.family.extends, *chosen.family.akin))
-        parts += _starts(search, chosen)
+        parts += span_of_related(pool, chosen, (chosen.family.id, *chosen.family.extends, *chosen.family.related))
+        parts += initial_state_columns(pool, chosen)
     return parts
 
 
-def _starts(search: Search, chosen: Candidate) -> list[Array]:
-    """What the unknown state that a slow response starts from leaves: it dies out with the response's own tau_s."""
-    settling = next((c.form for c in search.candidates if c.family.bound_to_run and "tau_s" in _names(c.form)), None)
+def initial_state_columns(pool: CandidateSet, chosen: Candidate) -> list[Span]:
+    """The transient of a slow response's unknown initial state: it decays with the response's own tau_s."""
+    settling = next((c for c in pool.candidates if c.family.bound_to_run and _has_time_constant(c)), None)
     if settling is None:
         return []
 
-    def made(tau_s: float) -> Array:
-        return transformed(search.problem.columns(settling.reshaped(tau_s=tau_s))[search.moving])
+    def made(tau_s: float) -> Span:
+        columns = pool.problem.columns(settling.term.with_values(tau_s=tau_s))
+        return Span(cosine_transform(columns[pool.transformed_rows]))
 
-    taus = [tau_s for tau_s in time_constants(chosen.form) if tau_s > 0]
-    return [search.once(("starts", tau_s), (settling,), partial(made, tau_s)) for tau_s in taus]
-
-
-def _spanned(search: Search, chosen: Candidate, ids: Collection[str]) -> list[Array]:
-    """All looks of these families on the channels of `chosen`, spanned; nothing where there is none."""
-    kin = [c for c in search.candidates if c.family.id in ids and c.form.channels == chosen.form.channels]
-
-    forms = [c.form for c in kin]
-
-    def made() -> Array:
-        distinct = search.once("distinct", forms, lambda: _distinct(search, kin), everywhere=True)
-        parts = [search.moved(c)[:, :, places] for c, places, _ in distinct]
-        return spanning(np.concatenate(parts, axis=2), np.concatenate([times for _, _, times in distinct]))
-
-    return [search.once("spanned", forms, made)] if kin else []
+    taus = [tau_s for tau_s in time_constants(chosen.term) if tau_s > 0]
+    return [pool.cached(("initial state", tau_s), (settling,), partial(made, tau_s)) for tau_s in taus]
 
 
-def _distinct(search: Search, kin: Sequence[Candidate]) -> list[tuple[Candidate, NDArray[np.intp], Array]]:
-    """Where columns that the looks have in common stand first, and how often each comes: a curve's are in every loop's.
+def _has_time_constant(candidate: Candidate) -> bool:
+    return any(shape.name == "tau_s" for shape in candidate.term.shape)
 
-    Columns are the same where they are, at unit length, in a few directions drawn at random.
+
+def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:
+    """The span of all candidates of these families on the channels of `chosen`; empty where there is none."""
+    related = [c for c in pool.candidates if c.family.id in ids and c.term.channels == chosen.term.channels]
+
+    def made() -> Span:
+        distinct = pool.store.memo.get("distinct", related, lambda: _distinct_columns(pool, related))
+        parts = [pool.transformed_columns(c)[:, :, places] for c, places, _ in distinct]
+        times = np.concatenate([times for _, _, times in distinct])
+        return Span(principal_span(np.concatenate(parts, axis=2), times))
+
+    return [pool.cached("span", related, made)] if related else []
+
+
+def _distinct_columns(
+    pool: CandidateSet, related: Sequence[Candidate]
+) -> list[tuple[Candidate, NDArray[np.intp], Array]]:
+    """The places of columns that occur for the first time, and how often each occurs: a curve's are in every loop's.
+
+    Columns are the same where their projections on a few random directions are, at unit length.
     """
-    some = np.concatenate([search.columns(c) for c in kin], axis=2)
+    some = np.concatenate([pool.columns(c) for c in related], axis=2)
     some = some.reshape(-1, some.shape[2])
-    drawn = np.random.default_rng(0).normal(size=(DIRECTIONS, len(some))) @ some
+    drawn = np.random.default_rng(0).normal(size=(RANDOM_DIRECTIONS, len(some))) @ some
     some = np.round(drawn / np.maximum(np.sqrt(np.einsum("nc,nc->c", some, some)), 1e-300), 9)
     _, first, times = np.unique(some, axis=1, return_index=True, return_counts=True)
-    order, ends = np.argsort(first), np.cumsum([0, *(len(c.form.parameters) for c in kin)])
+    order, ends = np.argsort(first), np.cumsum([0, *(len(c.term.parameters) for c in related)])
     first, times = first[order], times[order].astype(float)
     inside = [(first >= a) & (first < b) for a, b in itertools.pairwise(ends)]
-    found = zip(kin, ends[:-1].tolist(), inside, strict=True)
+    found = zip(related, ends[:-1].tolist(), inside, strict=True)
     return [(c, first[here] - start, times[here]) for c, start, here in found if here.any()]

@@ -1,8 +1,8 @@
-"""Forward choice with re-examination: an effect comes in, and those already in have to earn their place again.
+"""Stepwise selection: an effect is added, and those already accepted are tested again beside it.
 
 A second cause has to explain what a more flexible version of the first one cannot: beside every accepted effect stand
-all other looks of its family on the same channels. So the remainder of a shape that is not quite ours is not given
-another name.
+all other candidates of its family on the same channels. So the misfit of a form that is not quite the device's own is
+not given another name.
 """
 
 from __future__ import annotations
@@ -11,110 +11,113 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from labcal.loop.candidates.available import looks
+from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.refine import refined
-from labcal.loop.candidates.scorer import Search, Weighed
-from labcal.loop.parallel import each
-from labcal.loop.selection.admission import NAMED, _material, earned
-from labcal.loop.selection.pairs import pairs
-from labcal.loop.selection.related import neighbourhood
+from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.parallel import parallel_map
+from labcal.loop.selection.admission import MIN_EVIDENCE, earns_its_extension, min_material_drop
+from labcal.loop.selection.pairs import score_pairs
+from labcal.loop.selection.related import related_columns
 
-MOST = 3  # effects accepted at most
-COMPANION = 0.7  # of the drop of the heaviest
-ALL_BUT_WHITE = 1.5  # times the white level: no frequency of the noise left has more
+MAX_EFFECTS = 3  # effects accepted at most
+COMPANION = 0.7  # of the drop of the best candidate
+NEARLY_WHITE = 1.5  # times the white level: no frequency of the noise left has more
 
 
-def forward(
-    search: Search, most: int = MOST, refused: Collection[Cause] = ()
-) -> tuple[list[Candidate], list[list[Weighed]]]:
+def stepwise_forward(
+    pool: CandidateSet, most: int = MAX_EFFECTS, refused: Collection[Cause] = ()
+) -> tuple[list[Candidate], list[list[Scored]]]:
     """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
     accepted: list[Candidate] = []
-    rankings: list[list[Weighed]] = []
+    rankings: list[list[Scored]] = []
     total, out_of_play, left = 0.0, set(refused), set[Cause]()
     while len(accepted) < most:
-        open_to = [c for c in looks(search, accepted) if not _same(c, accepted)]
-        ranking = search.rank(open_to, accepted)
-        if accepted and _nothing_left(search, accepted, ranking):
+        open_to = [c for c in all_candidates(pool, accepted) if not _already_accepted(c, accepted)]
+        ranking = pool.rank(open_to, accepted)
+        if accepted and _is_white(pool, accepted, ranking):
             rankings.append(ranking)
             break
         if accepted:
-            ranking = search.rank(open_to, accepted, neighbourhood(search, accepted))
+            ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
         rankings.append(ranking)
-        best = _best(search, accepted, [w for w in ranking if w.candidate.cause not in out_of_play], total)
+        best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play], total)
         if best is None:
-            both = _pair(search, accepted, ranking, out_of_play, total) if len(accepted) + 2 <= most else []
+            both = _material_pair(pool, accepted, ranking, out_of_play, total) if len(accepted) + 2 <= most else []
             accepted = [*accepted, *both]
             if not both:
                 break
             continue
-        chosen = refined(search, best.candidate, accepted)
-        kept = reexamined(search, [*accepted, chosen])
+        chosen = refined(pool, best.candidate, accepted)
+        kept = backward_check(pool, [*accepted, chosen])
         if chosen in kept:
             gone = {c.cause for c in accepted if c not in kept}
-            out_of_play |= gone & left  # what leaves for the second time would come and go for ever
+            out_of_play |= gone & left  # what leaves for the second time would alternate for ever
             accepted, total, left = kept, total + best.drop, left | gone
         else:
             out_of_play.add(best.candidate.cause)
     return accepted, rankings
 
 
-def _nothing_left(search: Search, accepted: Sequence[Candidate], ranking: Sequence[Weighed]) -> bool:
-    """Whether the accepted effects leave noise that is all but white, and nothing in it weighs half of a name."""
-    stage = search.stage(accepted)
-    return bool(stage.bands.spectra[stage.null.tried].max() < ALL_BUT_WHITE) and ranking[0].weight < NAMED / 2
+def _is_white(pool: CandidateSet, accepted: Sequence[Candidate], ranking: Sequence[Scored]) -> bool:
+    """Whether the accepted effects leave nearly white noise, and no candidate has half the evidence of a name."""
+    null_model = pool.null_model(accepted)
+    highest = float(null_model.bands.spectra[null_model.null.spectrum].max())
+    return highest < NEARLY_WHITE and ranking[0].evidence < MIN_EVIDENCE / 2
 
 
-def _pair(
-    search: Search,
+def _material_pair(
+    pool: CandidateSet,
     accepted: Sequence[Candidate],
-    ranking: Sequence[Weighed],
+    ranking: Sequence[Scored],
     refused: Collection[Cause],
     total: float,
 ) -> list[Candidate]:
     """Two causes that are material together, each earning its place beside the other; none where no two do."""
-    stage = search.stage(accepted, neighbourhood(search, accepted))
-    open_to = [w for w in ranking if not _same(w.candidate, accepted)]
-    for pair in pairs(search, stage, open_to, {*refused, *(c.cause for c in accepted)}):
-        if pair.weight < NAMED or pair.drop < _material(search, accepted, total):
+    null_model = pool.null_model(accepted, related_columns(pool, accepted))
+    open_to = [w for w in ranking if not _already_accepted(w.candidate, accepted)]
+    for pair in score_pairs(pool, null_model, open_to, {*refused, *(c.cause for c in accepted)}):
+        if pair.evidence < MIN_EVIDENCE or pair.drop < min_material_drop(pool, accepted, total):
             continue
-        one = refined(search, pair.one, [*accepted, pair.other])
-        both = [one, refined(search, pair.other, [*accepted, one])]
-        if reexamined(search, [*accepted, *both])[-2:] == both:
+        one = refined(pool, pair.one, [*accepted, pair.other])
+        both = [one, refined(pool, pair.other, [*accepted, one])]
+        if backward_check(pool, [*accepted, *both])[-2:] == both:
             return both
     return []
 
 
-def _best(search: Search, accepted: Sequence[Candidate], ranking: list[Weighed], total: float) -> Weighed | None:
-    """The heaviest that is material; a companion on a channel already at work goes before a little better stranger."""
-    least = _material(search, accepted, total)
-    fit = [w for w in ranking if w.drop >= least and w.weight >= NAMED]
-    used = {name for c in accepted for name in c.form.channels}
-    companions = [w for w in fit if used & set(w.candidate.form.channels) and w.drop >= COMPANION * fit[0].drop]
-    return next((w for w in [*companions, *fit] if earned(search, accepted, w)), None)
+def best_admissible(
+    pool: CandidateSet, accepted: Sequence[Candidate], ranking: list[Scored], total: float
+) -> Scored | None:
+    """The best that is material; one on a channel already accepted goes before another that is a little better."""
+    least = min_material_drop(pool, accepted, total)
+    fit = [w for w in ranking if w.drop >= least and w.evidence >= MIN_EVIDENCE]
+    used = {name for c in accepted for name in c.term.channels}
+    companions = [w for w in fit if used & set(w.candidate.term.channels) and w.drop >= COMPANION * fit[0].drop]
+    return next((w for w in [*companions, *fit] if earns_its_extension(pool, accepted, w)), None)
 
 
-def _same(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
+def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
     """The same cause twice; steps and periods may come twice, at another time or frequency."""
-    return candidate.family.sought == "grid" and any(covers(c, candidate) for c in accepted)
+    return candidate.family.search_strategy == "grid" and any(is_same_source(c, candidate) for c in accepted)
 
 
-def covers(one: Candidate, other: Candidate) -> bool:
+def is_same_source(one: Candidate, other: Candidate) -> bool:
     """Whether `other` is the same cause as `one`, or its current or square: a detail of the same load."""
-    return other.form.channels == one.form.channels and other.family.id in (one.family.id, *one.family.akin)
+    return other.term.channels == one.term.channels and other.family.id in (one.family.id, *one.family.related)
 
 
-def reexamined(search: Search, accepted: list[Candidate]) -> list[Candidate]:
-    """Those that still earn their place beside the others."""
+def backward_check(pool: CandidateSet, accepted: list[Candidate]) -> list[Candidate]:
+    """Those that still have the evidence of a name beside the others."""
 
-    def weight(chosen: Candidate) -> float:
+    def evidence(chosen: Candidate) -> float:
         others = [c for c in accepted if c is not chosen]
-        return search.weigh(chosen, search.stage(others, neighbourhood(search, others))).weight
+        return pool.score(chosen, pool.null_model(others, related_columns(pool, others))).evidence
 
     while len(accepted) > 1:
-        weights = each(weight, accepted)
-        weakest = int(np.argmin(weights))
-        if weights[weakest] >= NAMED:
+        each = parallel_map(evidence, accepted)
+        weakest = int(np.argmin(each))
+        if each[weakest] >= MIN_EVIDENCE:
             break
         accepted = [c for i, c in enumerate(accepted) if i != weakest]
     return accepted

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.model.effects.protocol import Array, Form, Scene, Shape
-from labcal.model.effects.recursion import affine
+from labcal.model.effects.protocol import Array, Scene, Shape, Term
+from labcal.model.effects.recursion import affine_recursion
 from labcal.record import Run
 from labcal.record.run import Channel
 
@@ -34,9 +34,9 @@ def on_each_axis(drive: Array) -> Array:
     return np.asarray(drive[:, None, None] * np.eye(3))
 
 
-def driving(form: Form, scene: Scene) -> Array:
+def driving(term: Term, scene: Scene) -> Array:
     """The field (n, 3) [nT] that drives the form: along the sensor's own axes, or along those of the body."""
-    return scene.smooth_nT if form.parameters[0][0].startswith(BODY) else scene.on_axes(scene.smooth_nT)
+    return scene.driving_field_nT if term.parameters[0][0].startswith(BODY) else scene.on_axes(scene.driving_field_nT)
 
 
 def moving(run: Run, quantities: Iterable[str]) -> list[Channel]:
@@ -99,7 +99,7 @@ def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float
     for start, stop in zip(starts, [*starts[1:].tolist(), len(t_s)], strict=True):
         add[start] = drive[start] - tau_s * _slope(t_s[start:stop], drive[start:stop], tau_s)
     keep[anew] = 0.0
-    return affine(keep, add, 0.0)
+    return affine_recursion(keep, add, 0.0)
 
 
 def inverted(t_s: Array, segment: NDArray[np.intp], seen: Array, tau_s: float) -> Array:
