@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
 
-.PHONY: demo test lint slow papers blind bench gui clean
+.PHONY: demo test lint slow papers blind campaign bench gui clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/.run: pyproject.toml
@@ -47,6 +47,12 @@ BLIND_RUNS ?= 448
 blind: $(VENV)/.dev
 	@rm -rf blind-out && $(BIN)/python tests/blind/simulate.py blind-out $(BLIND_RUNS) 2026
 	@$(BIN)/python tests/blind/score.py blind-out
+
+FAULTS ?= 20
+BENCHES ?= 2
+campaign: $(VENV)/.dev
+	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/campaign.py --out campaign-out --number $(FAULTS) --benches $(BENCHES)
+	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/reliability.py table campaign-out docs/reliability.md
 
 clean:
 	rm -rf $(VENV) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -29,6 +29,7 @@ ON, REMOTE_ON, ALARM, LOCATION = 1 << 7, 1 << 11, 1 << 15, 0x1F  # of its state'
 class Settings:
     """`address` is 0 for the classic series (it answers), 1 for PSB 10000. `location` is how it calls this line:
     3 USB, 6 Ethernet. `trips`: whether its trips lie in 550 and 553, to be set and read back before it energises.
+    `watchdog_s`: what its interface monitoring is set to in its menu, 0 where it is off: it is fed, and never set.
     """
 
     address: Annotated[int, Field(ge=0, le=247)] = 0
@@ -39,6 +40,7 @@ class Settings:
     ramp_A_per_s: float = 4.0
     trips: bool = True
     gap_s: NotNegative = 0.05
+    watchdog_s: NotNegative = 0.0
 
 
 class EaSupply:
@@ -76,6 +78,7 @@ class EaSupply:
     def __init__(self, name: str, link: ModbusLink, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self.registers = name, settings, RemoteRegisters(link, clock, settings)
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
+        self.watchdog_s = settings.watchdog_s
         self._counts: tuple[float, float] | None = None
         self._asked_A = 0.0
 
@@ -129,6 +132,26 @@ class EaSupply:
             words = f"{self.name}: its output did not go {'on' if on else 'off'}."
             raise InstrumentError(words, fault="read-back", remedy="Look at its panel.")
 
+    def write_current(self, current_A: float) -> None:
+        """Send the set-point and wait for nothing; before it, that this line has control."""
+        self._asked_A = current_A
+        self.registers.switch_unacknowledged(REMOTE, True)
+        type(self).current.write(self, current_A)
+
+    def write_off(self) -> None:
+        """Send "output off" and wait for nothing."""
+        self.registers.switch_unacknowledged(REMOTE, True)
+        self.registers.switch_unacknowledged(OUTPUT, False)
+
+    def feed(self) -> None:
+        """Be heard, where it is under remote control. Raises InstrumentError where it has left that by itself."""
+        if self.watchdog_s and not self.registers.still_held():
+            raise InstrumentError(
+                f"{self.name}: it has left remote control, as it does after a silence of {self.watchdog_s:g} s.",
+                fault="tripped",
+                remedy="What its output does then is set in its menu. See its panel, then begin this step again.",
+            )
+
     def make_safe(self) -> None:
         """Current to zero, then output off, a failure of one not skipping the other; after both, back to its panel."""
         with ExitStack() as steps:
@@ -142,7 +165,7 @@ class EaSupply:
 
     def _refuse_alarm(self, state: int) -> None:
         if state & ALARM:
-            words = f"{self.name}: an alarm is active, its output is off."
+            words = f"{self.name}: it tripped: an alarm is active."
             raise InstrumentError(words, fault="tripped", remedy="Acknowledge the alarm on its panel.")
 
 
@@ -162,6 +185,13 @@ class RemoteRegisters(Registers):
         """One coil."""
         with self._control():
             super().switch(address, on)
+
+    def still_held(self) -> bool:
+        """Whether it is under control, as it was when this asked or wrote last; True where it was not taken."""
+        if not self._held:
+            return True
+        self._held = bool(self.read(STATE, 2)[1] & REMOTE_ON)
+        return self._held
 
     def release(self) -> None:
         """Give control back to the panel."""

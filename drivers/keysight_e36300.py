@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
 
 from drivers.framing.scpi import Scpi
 from drivers.framing.supply import CurrentSource
@@ -16,11 +19,15 @@ from labcal.errors import InstrumentError
 
 COUPLINGS = (("OUTP:PAIR?", "pairing"), ("OUTP:TRAC?", "tracking"))
 UNCOUPLED = ("OFF", "0")
+TRIPS = {"VOLT": "over-voltage", "CURR": "over-current"}
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`couplings`: what must answer OFF before the output goes on; an empty list where a model has neither."""
+    """`couplings`: what must answer OFF before the output goes on; an empty list where a model has neither.
+
+    `watchdog_s`: its outputs switch off after so many seconds without a message; 0: it is left alone.
+    """
 
     output: Output = 1
     max_current_A: Positive = 3.0
@@ -29,6 +36,7 @@ class Settings:
     ramp_A_per_s: float = 4.0
     couplings: tuple[str, ...] = ("pairing", "tracking")
     timeout_s: Positive = 1.5
+    watchdog_s: Annotated[int, Field(ge=0, le=3600)] = 0
 
 
 class KeysightSupply(CurrentSource):
@@ -50,13 +58,22 @@ class KeysightSupply(CurrentSource):
         "OUTP? (@{s.output})", "OUTP {value:d},(@{s.output})", unit="1", doc="Control whether the output is on.",
         limits=lambda s: (0, 1),
     )  # fmt: skip
+    watchdog_delay = quantity(
+        "OUTP:PROT:WDOG:DEL?", "OUTP:PROT:WDOG:DEL {value:.0f}", unit="s",
+        doc="Control the silence after which it switches off.", limits=lambda s: (1, 3600),
+    )  # fmt: skip
+    watching = quantity(
+        "OUTP:PROT:WDOG?", "OUTP:PROT:WDOG {value:d}", unit="1", doc="Control whether it minds a silence.",
+        limits=lambda s: (0, 1),
+    )  # fmt: skip
     sensed = quantity("MEAS:CURR? (@{s.output})", unit="A", doc="Measure the delivered current.")
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
         self._scpi = Scpi(name, link, clock, settings.timeout_s)
-        self.query, self.command = self._scpi.query, self._scpi.command
+        self.query, self.command, self.write = self._scpi.query, self._scpi.command, self._scpi.send
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
+        self.watchdog_s, self._armed = float(settings.watchdog_s), False
 
     def identify(self) -> Identity:
         """Ask who it is, and empty the error queue of the time before. An E3631A speaks otherwise and is refused."""
@@ -68,18 +85,45 @@ class KeysightSupply(CurrentSource):
         return who
 
     def output(self, on: bool) -> None:
-        """Switch the output, confirmed; before it goes on, it is not coupled and its compliance voltage is set."""
+        """Switch the output, confirmed; before it goes on, it is not coupled, watched, and its compliance is set."""
         if on:
             self._refuse_coupling()
+            self._watch()
         super().output(on)
+
+    def trip(self) -> str:
+        """Which protection it says has tripped."""
+        asked = ((f"{word}:PROT:TRIP? (@{self.settings.output})", name) for word, name in TRIPS.items())
+        return " and ".join(name for question, name in asked if self.query(question) == "1")
+
+    def feed(self) -> None:
+        """Be heard, where it watches. Raises InstrumentError where it does so no longer: it was switched off and on."""
+        if self._armed and not self.watching:
+            raise InstrumentError(
+                f"{self.name}: its watchdog is off.",
+                fault="tripped",
+                remedy="Was it switched off and on? Begin this step again.",
+            )
 
     def release(self) -> None:
         """Give it back to its panel. Nothing is asked after it: any other message takes control again."""
+        if self._armed:
+            self.watching, self._armed = 0, False
         self._scpi.send("SYST:LOC")
 
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()
+
+    def _watch(self) -> None:
+        if not self.watchdog_s:
+            return
+        try:
+            self.watchdog_delay, self.watching = self.watchdog_s, 1
+        except InstrumentError as fault:
+            remedy = "Leave watchdog_s out of its settings where this model has no watchdog."
+            raise InstrumentError(fault.what, fault=fault.fault, remedy=remedy) from fault
+        self._armed = True
 
     def _refuse_coupling(self) -> None:
         for ask, name in COUPLINGS:
@@ -87,5 +131,5 @@ class KeysightSupply(CurrentSource):
                 raise InstrumentError(
                     f"{self.name}: its outputs are coupled: {name} is {said}.",
                     fault="wrong mode",
-                    remedy=f"Switch {name} off on its panel; the output stays open.",
+                    remedy=f"Switch {name} off on its panel.",
                 )

@@ -80,9 +80,20 @@ class KoradSupply(CurrentSource):
             reply += self._link.ask(b"", end=4, timeout_s=self.settings.timeout_s)
         return reply.decode("latin-1")
 
+    def trip(self) -> str:
+        """It says that its output is off, and not by which of its two protections."""
+        return "" if self.enabled else "over-voltage or over-current"
+
     def command(self, text: str) -> None:
         """Tell. It never says whether it heard."""
-        self._send(text)
+        self.write(text)
+
+    def write(self, text: str) -> None:
+        """Tell, once it is ready to hear; what was left on the line is dropped."""
+        self._clock.wait_until(self._free_s)
+        self._link.flush()
+        self._link.send((text + self.settings.terminator).encode())
+        self._free_s = self._clock.now() + self.settings.gap_s
 
     def _first(self, question: str) -> bytes:
         """The first byte of its answer. Raises InstrumentError (silent) where it was asked twice and nothing came."""
@@ -94,14 +105,8 @@ class KoradSupply(CurrentSource):
         return self._asked(question)
 
     def _asked(self, question: str) -> bytes:
-        self._send(question)
+        self.write(question)
         return self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
-
-    def _send(self, text: str) -> None:
-        self._clock.wait_until(self._free_s)
-        self._link.flush()
-        self._link.send((text + self.settings.terminator).encode())
-        self._free_s = self._clock.now() + self.settings.gap_s
 
     def _until_quiet(self, reply: bytes) -> str:
         while pieces := self._link.receive(self._clock.now() + QUIET_S):

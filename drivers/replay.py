@@ -16,6 +16,19 @@ from labcal.bench.links import Link
 from labcal.bench.roles import Identity
 from labcal.errors import InputError
 
+LARGEST_BYTES = 1 << 28  # all its rows are kept at once
+
+
+def recording(file: Path) -> bytes:
+    """The bytes of a recorded file. Raises InputError for a device, a pipe, and more than a recording has."""
+    if not file.is_file():
+        raise InputError("no table of samples is there: it is no file", file=file)
+    with file.open("rb") as opened:
+        content = opened.read(LARGEST_BYTES + 1)
+    if len(content) > LARGEST_BYTES:
+        raise InputError(f"is larger than {LARGEST_BYTES >> 20} MiB: replay a part of it", file=file)
+    return content
+
 
 @dataclass(frozen=True, slots=True)
 class Settings(CsvSettings):
@@ -43,6 +56,6 @@ class Replay(Listener):
             raise InputError(f"{name}: a file is replayed on emulated://, not on {link.url}")
         self.settings, self.channels = settings, channels(settings)
         file = Path(settings.file)
-        digest = hashlib.sha256(file.read_bytes()).hexdigest()
+        digest = hashlib.sha256(recording(file)).hexdigest()
         who = Identity("", f"replay of {file.name}", settings.serial, f"sha256 {digest[:16]}")
         super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from drivers.framing.supply import CurrentSource
+from drivers.framing.supply import CLEAR_IT, CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.links.modbus import ModbusLink
 from labcal.bench.registers import Registers, register
@@ -99,7 +99,7 @@ class RidenSupply(CurrentSource):
         state = self.registers.read(STATE, 11)
         if state[TRIPPED] and state[SET]:  # at set-point zero the way to rest must not be barred
             why = TRIPS.get(state[TRIPPED], f"protection {state[TRIPPED]}")
-            raise InstrumentError(f"{self.name}: its {why} protection tripped.", fault="tripped", remedy="Coils off.")
+            raise InstrumentError(f"{self.name}: its {why} protection tripped.", fault="tripped", remedy=CLEAR_IT)
         return state[MEASURED] / self.scale[1]
 
     def output(self, on: bool) -> None:

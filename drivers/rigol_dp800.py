@@ -12,6 +12,8 @@ from labcal.bench.links import Link
 from labcal.bench.roles import Identity
 from labcal.bench.settings import NotNegative, Output, Positive
 
+TRIPS = {"OVP": "over-voltage", "OCP": "over-current"}
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -50,7 +52,7 @@ class RigolSupply(CurrentSource):
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
         self._scpi = Scpi(name, link, clock, settings.timeout_s, settings.gap_s, ":SYST:ERR?")
-        self.query, self.command = self._scpi.query, self._scpi.command
+        self.query, self.command, self.write = self._scpi.query, self._scpi.command, self._scpi.send
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
 
     def identify(self) -> Identity:
@@ -58,6 +60,11 @@ class RigolSupply(CurrentSource):
         who = self._scpi.identify(lambda maker, model: "RIGOL" in maker and model.startswith("DP"), "a Rigol DP supply")
         self._scpi.empty_errors()
         return who
+
+    def trip(self) -> str:
+        """Which protection it says has tripped."""
+        asked = ((f":OUTP:{word}:QUES? CH{self.settings.channel}", name) for word, name in TRIPS.items())
+        return " and ".join(name for question, name in asked if self.query(question) == "YES")
 
     def release(self) -> None:
         """Give it back to its panel. Nothing is asked after it: any other message takes control again."""

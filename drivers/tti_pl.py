@@ -27,6 +27,8 @@ EXECUTION = {
     200: "another interface holds the lock",
 }
 
+TRIPS = {4: "over-voltage", 8: "over-current", 16: "power", 64: "thermal"}  # the last one needs its mains off and on
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -65,7 +67,7 @@ class TtiSupply(CurrentSource):
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
         self._scpi = Scpi(name, link, clock, settings.timeout_s)
-        self.query = self._scpi.query
+        self.query, self.write = self._scpi.query, self._scpi.send
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
 
     def identify(self) -> Identity:
@@ -81,6 +83,13 @@ class TtiSupply(CurrentSource):
         super().output(on)
         if not on and self.settings.interface_lock:
             self.query("IFUNLOCK")
+
+    def trip(self) -> str:
+        """Which protection its limit event register remembers; reading clears it."""
+        said = self.query(f"LSR{self.settings.output}?")
+        if not said.isdigit():
+            return ""
+        return " and ".join(name for bit, name in TRIPS.items() if int(said) & bit)
 
     def release(self) -> None:
         """Give it back to its panel. Nothing is asked after it: any other message takes control again."""
@@ -98,7 +107,7 @@ class TtiSupply(CurrentSource):
             raise InstrumentError(
                 f"{self.name}: {text!r} failed: {self._why(events)}.",
                 fault="restarted" if events == "128" else "refused",
-                remedy="Coils go to zero; look at the supply's panel.",
+                remedy="Look at the supply's panel.",
             )
 
     def _lock(self) -> None:

@@ -77,7 +77,7 @@ class WaveshareRelay:
             raise InstrumentError(
                 f"{self.name}: the relay of coil {axis} did not take polarity {sign:+d}.",
                 fault="polarity not confirmed",
-                remedy="The output stays open; look at the relay board.",
+                remedy="Look at the relay board.",
             )
 
     def polarity(self, axis: str) -> int:

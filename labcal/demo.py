@@ -14,7 +14,7 @@ from pathlib import Path
 from labcal import session
 from labcal.bench.clock import VirtualClock
 from labcal.certificate import Verification, sign_simulated
-from labcal.certificate.signing import signature_files
+from labcal.demo_folder import CALIBRATION, REPORT, RUN, STORE, TRUST
 from labcal.errors import InputError
 from labcal.loop import ClosedLoop
 from labcal.record.stream import Item, Measurement
@@ -22,8 +22,6 @@ from labcal.runner import Outcome
 from labcal.store import Store, save_bundle
 
 START = datetime(2026, 1, 5, 8, 0, tzinfo=UTC)
-RUN, CALIBRATION, TRUST, REPORT = "run.zip", "calibration.json", "allowed_signers", "report.html"
-STORE = "labcal-demo.sqlite"
 STAGES = ("cage check", "preflight", "close the loop", "sign and verify")
 CAGE_CHECK = {"steps": "2", "dwell_s": "0.5"}  # the short form of cage-calibration
 Progress = Callable[[str], None]
@@ -42,12 +40,11 @@ class Demo:
 
 
 def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, tell: Callable[[Item], None]) -> Demo:
-    """Run the line into `folder`. `run.zip` and `calibration.json` repeat byte for byte from `seed`.
+    """Run the line into `folder`, where `demo_folder.make_room` has been. Two files repeat byte for byte from `seed`.
 
-    `stage` hears the names in STAGES as they begin, `tell` every item of the run. Raises InstrumentError where an
-    emulated instrument fails.
+    These are `run.zip` and `calibration.json`. `stage` hears the names in STAGES as they begin, `tell` every item of
+    the run. Raises InstrumentError where an emulated instrument fails.
     """
-    _make_room(folder)
     stage(STAGES[0])
     cage = _record("cage-calibration", folder, seed, tell, CAGE_CHECK, f"demo-{seed}-cage", START - timedelta(hours=1))
     stage(STAGES[1])
@@ -88,11 +85,3 @@ def simulated_bench() -> Path:
         if place.is_file():
             return Path(str(place)).resolve()
     raise InputError("this installation lacks the simulated bench, simulated.toml: install labcal again")
-
-
-def _make_room(folder: Path) -> None:
-    """Make the folder; what an earlier demo left there goes, and nothing else."""
-    folder.mkdir(parents=True, exist_ok=True)
-    ours = [RUN, CALIBRATION, TRUST, REPORT, *(STORE + end for end in ("", "-wal", "-shm"))]
-    for old in [*(folder / name for name in ours), *signature_files(folder / CALIBRATION)]:
-        old.unlink(missing_ok=True)

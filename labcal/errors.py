@@ -30,7 +30,7 @@ class InputError(ValueError):
 
 
 class InstrumentError(RuntimeError):
-    """An instrument failed: what happened, what state the lab is in, and what to do.
+    """An instrument failed: what happened and what to do. How the coils are, whoever shows it says from a reading.
 
     `fault` is the named fault state ("silent", "overloaded", "stuck", "wrong mode", "tripped", "link lost" …); where no
     `remedy` is stated, it has that of its fault in `WHAT_TO_DO`.
@@ -53,4 +53,4 @@ class LimitNotMet(Exception):
 
 
 class Stopped(Exception):
-    """The operator stopped the work; the coils are at zero."""
+    """The operator stopped the work."""

@@ -15,16 +15,19 @@ from labcal.errors import InputError
 def replacing(path: Path, mode: int | None = None) -> Iterator[Path]:
     """Give a temporary path beside `path`; on success it is flushed to disk and takes the name, else it goes.
 
-    `mode` is the file's permissions (0o600 for a secret); by default the umask decides. Raises InputError where
-    `path` is a folder or a device, which no file may replace, or lies in no folder.
+    A link stays, and what it points at is replaced. `mode` is the file's permissions (0o600 for a secret); by default
+    the umask decides. Raises InputError where `path` is a folder or a device, which no file may replace, or lies in
+    no folder.
     """
-    part = _beside(path)
+    replaceable(path)
+    target = Path(os.path.realpath(path))
+    part = _beside(target)
     try:
         yield part
         with part.open("rb+") as written:
             os.fsync(written.fileno())
         os.chmod(part, 0o666 & ~_umask() if mode is None else mode)
-        part.replace(path)
+        part.replace(target)
     except BaseException as error:
         with suppress(FileNotFoundError):
             part.unlink()
@@ -44,13 +47,21 @@ def write_text(path: Path, content: str) -> None:
     write_bytes(path, content.encode())
 
 
-def _beside(path: Path) -> Path:
-    """An empty file of a new name in the folder of `path`."""
+def replaceable(path: Path) -> None:
+    """Raise InputError where `path` is a folder or a device, or lies in no folder."""
     if path.exists() and not path.is_file():
         raise InputError("is a folder or a device; name a file", file=path)
     if not path.parent.is_dir():
         raise InputError("its folder does not exist", file=path)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:60]}.", suffix=".part")
+
+
+def _beside(path: Path) -> Path:
+    """An empty file of a new name in the folder of `path`."""
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:60]}.", suffix=".part")
+    except OSError as error:
+        error.filename = str(path)
+        raise
     os.close(handle)
     return Path(name)
 

@@ -38,7 +38,14 @@ class Talk:
 
 
 def close_by_measuring(
-    run: str, bench: Path, talk: Talk, *, out: Path | None = None, report: Path | None = None, seed: int | None = None
+    run: str,
+    bench: Path,
+    talk: Talk,
+    *,
+    out: Path | None = None,
+    report: Path | None = None,
+    seed: int | None = None,
+    force: bool = False,
 ) -> ClosedLoop:
     """Close the loop on `run`; while it is open, measure what is proposed on `bench`, three rounds at most.
 
@@ -46,14 +53,14 @@ def close_by_measuring(
     the simulated lab's. Raises InputError where the bench holds another DUT, and what an instrument or limit raises.
     """
     _refuse_another_dut(run, bench)
-    closed = session.close_loop(run, out, talk.progress, report=report)
+    closed = session.close_loop(run, out, talk.progress, report=report, force=force)
     rounds: list[Round] = []
     while not closed.done and len(rounds) < ROUNDS:
         plan = _plan(closed, bench, {r.procedure for r in rounds}, seed)
         if plan is None or not talk.consent(plan):
             break
         run, new = _measured(plan, run, bench, talk, seed)
-        closed = session.close_loop(run, out, talk.progress, report=report)
+        closed = session.close_loop(run, out, talk.progress, report=report, force=force)
         rounds.append(Round(plan.procedure, new, closed.verdict))
     return replace(closed, rounds=tuple(rounds))
 

@@ -2,11 +2,32 @@
 
 from __future__ import annotations
 
+import json
 import re
 from typing import Any
 
 # What a terminal obeys, what turns the direction of reading, and what XML or UTF-8 cannot write.
 _ACTS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]")
+# What a reader does not see, or not where it stands: the same, with zero widths, marks of direction, joiners and tags.
+_UNSEEN = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff"
+    "\ufeff\ufff9-\ufffb\ufffe\uffff\U000e0000-\U000e0fff]"
+)
+
+
+def seen(text: str) -> str:
+    """`text` as a terminal may get it, with U+FFFD in place of every character that acts or is not seen."""
+    return _UNSEEN.sub("\ufffd", text)
+
+
+def one_line(text: str) -> str:
+    """`text` as `seen`, with a blank in place of tabs and line ends: nothing in it begins a line of its own."""
+    return seen(re.sub(r"[\t\r\n]+", " ", text))
+
+
+def escaped(json_text: str) -> str:
+    """JSON that means the same, with an escape in place of every character that acts or is not seen."""
+    return _UNSEEN.sub(lambda found: json.dumps(found[0])[1:-1], json_text)
 
 
 def plain(text: str) -> str:

@@ -15,6 +15,7 @@ from labcal.bench.bench import open_bench
 from labcal.bench.cage_file import CageCalibration, sha256_of, write_cage
 from labcal.bench.clock import Clock
 from labcal.bench.greet import Greeting, greet
+from labcal.bench.state import LabState
 from labcal.bench.zero import AtZero
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
@@ -26,13 +27,29 @@ from labcal.home import home
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
 from labcal.model.apply import Applied
+from labcal.outputs import claim, writing
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.runner.cage import approved_cage
-from labcal.store import Bundle, RunSummary, Store, describe, export, load_bundle, photos, save_bundle
+from labcal.store import (
+    Bundle,
+    Checked,
+    RunSummary,
+    Store,
+    bundle_files,
+    describe,
+    export,
+    load_bundle,
+    photos,
+    save_bundle,
+)
+from labcal.store import check_store as store_check
+from labcal.store.live import FILE as STORE
+from labcal.toml_file import named_files
 
 if TYPE_CHECKING:
+    from labcal.bench.look_again import Looked
     from labcal.fit.filters.history import History
 
 THIS_LAB = "this lab's trust list"
@@ -52,10 +69,12 @@ def run(
     store: Path | None = None,
     control: Control | None = None,
     tell: Callable[[Item], None] = lambda item: None,
+    show: Callable[[LabState], None] = lambda state: None,
 ) -> Outcome:
     """Run a procedure (its name, or a file) on a bench into the store, with `given` settings {key: text}.
 
     Without `answer`, prompts are answered as far as `--yes` may. The clock is virtual where all links are emulated.
+    `show` hears how the lab is, whenever it was read.
     """
     found, texts, filled = find(procedure), dict(given or {}), dict[str, Any]()
     if found.takes("calibration") and "calibration" in texts:
@@ -64,7 +83,7 @@ def run(
         return run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
-            run_id=run_id, control=control, tell=tell,
+            run_id=run_id, control=control, tell=tell, show=show,
         )  # fmt: skip
 
 
@@ -79,6 +98,7 @@ def resume(
     seed: int | None = None,
     control: Control | None = None,
     tell: Callable[[Item], None] = lambda item: None,
+    show: Callable[[LabState], None] = lambda state: None,
 ) -> Outcome:
     """Go on with an interrupted run of the local store after its last finished step.
 
@@ -86,14 +106,18 @@ def resume(
     """
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
-        return resume_run(lab, found, run, store=kept, answer=ask, dut_serial=dut, control=control, tell=tell)
+        return resume_run(
+            lab, found, run, store=kept, answer=ask, dut_serial=dut, control=control, tell=tell, show=show
+        )
 
 
-def approve_cage(run: str, name: str, out: Path) -> CageCalibration:
+def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> CageCalibration:
     """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
+    [output] = claim("bench cage", out, force=force)
     with Store.open() as kept:
         found = approved_cage(kept.header(run), kept.status(run), kept.items(run), name)
-    write_cage(found, out)
+    with output.writing():
+        write_cage(found, out)
     return found
 
 
@@ -149,11 +173,11 @@ def keep_photo(path: Path) -> dict[str, str]:
 
 
 def hand_out(calibration: Path, folder: Path) -> None:
-    """Copy a calibration, its signatures and the keys they are checked against to `folder`."""
-    for file in (calibration, *certificate.signature_files(calibration)):
-        write_bytes(folder / file.name, file.read_bytes())
-    lines = [entry.signer.line() for entry in trusted_keys() if not entry.revoked]
-    write_bytes(folder / "allowed_signers", "".join(f"{line}\n" for line in lines).encode())
+    """Copy a calibration, its signatures and the keys they are checked against to `folder`.
+
+    Raises InputError, before anything is copied, where another file of one of these names is there.
+    """
+    certificate.hand_out(calibration, folder, [entry.signer for entry in trusted_keys() if not entry.revoked])
 
 
 def import_bundle(path: Path) -> str:
@@ -162,15 +186,28 @@ def import_bundle(path: Path) -> str:
         return store.add_bundle(path)
 
 
-def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path) -> None:
+def check_store(run: str | None = None) -> Checked:
+    """Look through the local store, or one run of it, for the first thing that does not fit."""
+    return store_check(home() / STORE, run)
+
+
+def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path, *, force: bool = False) -> None:
     """Write the run that `run` names to `out`."""
+    files, folder = (bundle_files(out), True) if format_ == "bundle" else ([out], False)
+    outputs = claim("export", *files, inputs=paths(run), force=force, with_folder=folder)
     bundle = run_bundle(run)
-    if format_ == "bundle":
-        save_bundle(bundle, out)
-    elif format_ == "csv":
-        write_bytes(out, bundle.samples_csv)
-    else:
-        write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
+    with writing(outputs):
+        if format_ == "bundle":
+            save_bundle(bundle, out)
+        elif format_ == "csv":
+            write_bytes(out, export.csv_table(bundle))
+        else:
+            write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
+
+
+def paths(run: str) -> list[Path]:
+    """The path that `run` names, where it is none of the store's ids: what a command reads it from."""
+    return [Path(run)] if _is_path(run) else []
 
 
 def _is_path(run: str) -> bool:
@@ -240,11 +277,13 @@ def filter_history(run: str, method: str) -> History:
     return history.filter_history(load_run(run), method)
 
 
-def draft(run: str, found: Fit, out: Path) -> Calibration:
+def draft(run: str, found: Fit, out: Path, *, force: bool = False) -> Calibration:
     """Write the draft calibration that a fit of `run` makes."""
+    [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
     made = fit.draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run))
-    write_bytes(out, certificate.calibration_bytes(made))
+    with output.writing():
+        write_bytes(out, certificate.calibration_bytes(made))
     return made
 
 
@@ -254,20 +293,24 @@ def close_loop(
     progress: Callable[[str], None] = lambda text: None,
     *,
     report: Path | None = None,
+    force: bool = False,
 ) -> ClosedLoop:
     """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`, the page to `report`."""
+    outputs = {output.path: output for output in claim("close-loop", out, report, inputs=paths(run), force=force)}
     if report is not None:
         check_form(report)  # before the work, not after it
     bundle = run_bundle(run)
     measured = bundle.run()
     closed = _proposing(loop.close_loop(measured, progress))
     if report is not None:
-        write_report(closed_loop_page(closed, measured), report)
+        with outputs[report].writing():
+            write_report(closed_loop_page(closed, measured), report)
     if out is not None:
         made = fit.draft_calibration(
             measured, closed.fit(), bundle.sha256, metrics=closed.metrics(), cage_sha256=_cage_sha256(run)
         )
-        write_bytes(out, certificate.calibration_bytes(made))
+        with outputs[out].writing():
+            write_bytes(out, certificate.calibration_bytes(made))
     return closed
 
 
@@ -294,22 +337,29 @@ def _proposing(closed: ClosedLoop) -> ClosedLoop:
     return replace(closed, next_experiment=replace(proposed, procedure=next(fitting, None)))
 
 
-def apply_calibration(calibration: Path, source: Path, out: Path, dut: str | None = None) -> Applied:
+def apply_calibration(
+    calibration: Path, source: Path, out: Path, dut: str | None = None, *, force: bool = False
+) -> Applied:
     """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
+    [output] = claim("apply", out, inputs=(calibration, source), force=force)
     found = load_calibration(calibration)
     if dut is not None and dut != found.dut.serial:
         raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
     certificate.check_effects(found, calibration)
-    return certificate.apply_file(found, source, out)
+    with output.writing():
+        return certificate.apply_file(found, source, out)
 
 
-def report(source: str, out: Path, allowed_signers: Path | None = None) -> None:
+def report(source: str, out: Path, allowed_signers: Path | None = None, *, force: bool = False) -> None:
     """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`."""
-    if certificate.looks_like_calibration(Path(source)):
-        return _report_calibration(Path(source), out, allowed_signers)
-    bundle = run_bundle(source)
-    run = bundle.run()
-    return write_report(run_page(run, bundle.sha256, fit.fit(run, holdout=False)), out)
+    read = [*paths(source), Path(source), *([allowed_signers] if allowed_signers else [])]
+    [output] = claim("report", out, inputs=read, force=force)
+    with output.writing():
+        if certificate.looks_like_calibration(Path(source)):
+            return _report_calibration(Path(source), out, allowed_signers)
+        bundle = run_bundle(source)
+        run = bundle.run()
+        return write_report(run_page(run, bundle.sha256, fit.fit(run, holdout=False)), out)
 
 
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
@@ -336,11 +386,24 @@ def greetings(bench: Path) -> list[Greeting]:
     return greet(bench)
 
 
-def serve_bench(bench: Path, out: Path, ready: Callable[[], None]) -> None:
+def serve_bench(bench: Path, out: Path, ready: Callable[[], None], *, force: bool = False) -> None:
     """Put the emulated instruments of `bench` on TCP ports and ptys until interrupted; `out` is the bench to use."""
     from labcal.bench.serve import serve
 
-    serve(bench, out, ready)
+    [output] = claim("bench serve", out, inputs=named_files(bench), force=force)
+
+    def written() -> None:
+        output.remember()
+        ready()
+
+    serve(bench, out, written)
+
+
+def look_again(bench: Path, clear_as: str = "") -> Looked | None:
+    """Measure again where a zero of this bench is in doubt; None where none is. `clear_as`: who answers for it."""
+    from labcal.bench.look_again import look_again
+
+    return look_again(bench, clear_as)
 
 
 def coils_off(bench: Path) -> list[AtZero]:

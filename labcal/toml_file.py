@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import re
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +38,26 @@ def read_toml(path: Path) -> tuple[str, dict[str, Any]]:
         raise InputError("is nested too deeply", file=path) from error
     except ValueError as error:  # TOMLDecodeError, and numbers of thousands of digits
         raise _not_toml(str(error), path) from error
+
+
+def named_files(path: Path) -> list[Path]:
+    """`path` and the files that are named anywhere in it, from its own folder or from here."""
+    texts = _texts(read_toml(path)[1])
+    return [path, *(file for text in texts for file in (path.parent / text, Path(text)) if text and _is_file(file))]
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    for part in value.values() if isinstance(value, dict) else value if isinstance(value, list) else ():
+        yield from _texts(part)
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # no name of a file
+        return False
 
 
 def _not_toml(said: str, path: Path) -> InputError:

@@ -36,6 +36,7 @@ def degauss(
         for coil, (step, _) in enumerate(plan.steps):
             yield plan.begin(bench, step)
             yield from _one_coil(bench, coil, amplitudes(field_nT, last_nT, cycles), hold_s)
+        bench.cage.check.outdated(bench.clock.now())  # by what degaussing is for
         yield from coils_off(bench)
         yield from measure_ambient(bench, 10.0, name="after")
         changed = float(np.linalg.norm(bench.cage.ambient_nT - before))

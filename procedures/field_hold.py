@@ -90,7 +90,7 @@ class Frozen:
             raise InstrumentError(
                 f"{self.name}: the coils have moved the field by {self.moved_nT:.0f} nT and the reading not at all.",
                 fault="stuck",
-                remedy="Coils go to zero; switch the sensor off and on, and look at its range.",
+                remedy="Switch the sensor off and on, and look at its range.",
             )
         self._last = readings[-1]
 

@@ -36,7 +36,7 @@ def shared() -> Path:
 
 @pytest.fixture(scope="session", autouse=True)
 def runtime_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Locks and sockets lie where no other labcal on this machine looks; a socket's path must be short."""
+    """Temporary files lie in a folder of this run's; locks do on Windows alone: elsewhere no environment moves them."""
     tmp_path_factory.getbasetemp()
     get_temp_dir()  # multiprocessing's own is cleared away later than this folder
     folder = tempfile.mkdtemp(prefix="labcal-", dir="/tmp" if os.name == "posix" else None)

@@ -9,6 +9,8 @@ import zipfile
 import pytest
 
 from labcal import cli
+from labcal.demo_folder import make_room
+from labcal.errors import InputError
 from labcal.record.stream import Measurement
 from labcal.store import Store
 
@@ -107,3 +109,31 @@ def test_verify_says_yes_to_the_demo_and_no_to_another_run(demo, capsys):
     arguments = ["verify", str(folder / "calibration.json"), "--allowed-signers", str(folder / "allowed_signers")]
     assert cli._run([*arguments, "--run", str(folder / "run.zip")]) == 0
     assert cli._run(["verify", str(folder / "calibration.json")]) == 1  # this lab trusts nobody yet
+
+
+def test_only_what_a_demo_left_gives_way_to_the_next(demo, tmp_path):
+    folder = tmp_path / "again"
+    shutil.copytree(demo[0], folder)
+    (folder / "my notes.txt").write_text("kept")
+    spoilt = {
+        "report.html": b"<!doctype html>my own page",
+        "run.zip": b"PK",
+        "allowed_signers": b'ada@lab namespaces="labcal-calibration" ssh-ed25519 AAAA',
+        "calibration.json.2.sshsig": b"of a person",
+    }
+    for name, content in spoilt.items():
+        before = (folder / name).read_bytes() if (folder / name).exists() else None
+        (folder / name).write_bytes(content)
+        there = {path: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+        with pytest.raises(InputError, match=r"is there already|is signed|is the name of a signature"):
+            make_room(folder)
+        assert {path: path.read_bytes() for path in folder.iterdir() if path.is_file()} == there
+        (folder / name).unlink() if before is None else (folder / name).write_bytes(before)
+    make_room(folder)
+    assert [path.name for path in folder.iterdir() if path.is_file()] == ["my notes.txt"]
+
+
+def test_a_demo_says_which_file_is_in_its_way(tmp_path, capsys):
+    (tmp_path / "report.html").write_text("mine")
+    assert cli._run(["demo", "--out", str(tmp_path)]) == 2
+    assert capsys.readouterr().err == f"labcal: {tmp_path / 'report.html'}: is there already; --force replaces it\n"

@@ -19,8 +19,8 @@ fi
 "$BIN/mypy"
 "$BIN/lint-imports" --no-cache
 
-# `PROCESSES=2 make test`: two processes share the tests, whole files each and in order, where there are two cores.
-SHARED=$(PROCESSES=${PROCESSES:-1} "$BIN/python" -c 'from importlib.util import find_spec; import os
+# Two processes share the tests, whole files each and in order, where there are two cores; `PROCESSES=1 make test`: one.
+SHARED=$(PROCESSES=${PROCESSES:-2} "$BIN/python" -c 'from importlib.util import find_spec; import os
 processes = min(int(os.environ["PROCESSES"]), os.cpu_count() or 1)
 print(f"-n {processes} --dist loadfile --no-loadscope-reorder" if processes > 1 and find_spec("xdist") else "")')
 # shellcheck disable=SC2086  # several words

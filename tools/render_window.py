@@ -213,7 +213,7 @@ def render(studio: Studio) -> None:
         Fault(
             "instrument",
             "The reference sensor has sent nothing for 2 s.",
-            "Check its plug; the coils are at zero.",
+            "Check its plug.",
             "…",
         )
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Mapping
 from typing import Any
@@ -28,7 +29,10 @@ OUTSIDE = 4
 
 
 class EaEmulator(RtuSlave):
-    """Takes set-points only under remote control; `local` is the lock on its panel."""
+    """Takes set-points only under remote control; `local` is the lock on its panel.
+
+    `monitoring_s`: the silence, of its menu, after which it leaves remote control and switches off; 0: none does.
+    """
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(settings.address, self._get, self._put, delay_s=0.02)
@@ -37,12 +41,22 @@ class EaEmulator(RtuSlave):
         self._held = dict.fromkeys((*SET_POINTS, *TRIPS), 0) | LIMITS
         self._bits = {REMOTE: False, OUTPUT: False}
         self.local = self.alarm = False
+        self.monitoring_s, self._ends_s = settings.watchdog_s, math.inf
         nominal = struct.unpack(">6H", struct.pack(">3f", VOLTS, AMPS, WATTS))
         self._fixed = dict(zip(range(121, 127), nominal, strict=True))
         for at, text in ((1, "PSI 9080-60 T"), (21, "Elektro-Automatik"), (151, f"28{ord(role[-1])}30001")):
             self._fixed |= dict(enumerate(struct.unpack(">20H", text.encode().ljust(40, b"\0")), at))
 
+    def _hear(self, t_s: float) -> None:
+        if t_s > self._ends_s:
+            self._bits = {REMOTE: False, OUTPUT: False}
+            self._act(t_s)
+        monitored = self.monitoring_s and self._bits[REMOTE]
+        self._ends_s = t_s + self.monitoring_s if monitored else math.inf
+        self._coil.close(t_s, "monitoring", self._ends_s)
+
     def _get(self, t_s: float, function: int, address: int, count: int) -> list[int]:
+        self._hear(t_s)
         if function == READ_COILS and all(address + k in self._bits for k in range(count)):
             return [int(self._bits[address + k]) for k in range(count)]
         current = self._coil.current.now(t_s)
@@ -57,6 +71,7 @@ class EaEmulator(RtuSlave):
         return [known[address + k] for k in range(count)]
 
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
+        self._hear(t_s)
         if self.local or (address != REMOTE and not self._bits[REMOTE]):
             raise Refused(IN_LOCAL)
         if function == WRITE_COIL and address in self._bits:
@@ -69,6 +84,7 @@ class EaEmulator(RtuSlave):
         else:
             raise Refused(ILLEGAL_ADDRESS)
         self._act(t_s)
+        self._hear(t_s)
 
     def _refuse_outside(self, address: int, value: int) -> None:
         least, most = BOUNDS.get(address, (None, None))

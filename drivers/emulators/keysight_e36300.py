@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import deque
 from collections.abc import Mapping
@@ -14,10 +15,13 @@ NUMBER = r"\d+\.?\d*|\.\d+"
 COMMAND = re.compile(
     rf"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?)(?: \(@([123])\))?| ({NUMBER}|ON|OFF)(?:,\(@([123])\))?)"
 )
+TRIPPED = re.compile(r"(VOLT|CURR):PROT:TRIP\?(?: \(@([123])\))?")
+WATCH = re.compile(r"OUTP:PROT:WDOG(:DEL)?(?::STAT)?(?:(\?)| (\d+|ON|OFF))")
 SELECT = re.compile(r"INST:(?:NSEL |SEL (?:CH|OUTP(?:UT)?))([123])")
 APPLY = re.compile(rf"APPL (?:(?:CH|OUTP(?:UT)?)([123]),)?({NUMBER}),({NUMBER})(?:,\(@([123])\))?")
 LONG = re.compile(
-    r"(CURR|VOLT|OUTP|MEAS|SYST|ERR|INST|N?SEL|APPL|REM|LOC|RWL)(?:ENT|AGE|UT|URE|EM|OR|RUMENT|ECT|Y|OTE|AL|OCK)\b"
+    r"(CURR|VOLT|OUTP|MEAS|SYST|ERR|INST|N?SEL|APPL|REM|LOC|RWL|PROT|DEL|CLE)"
+    r"(?:ENT|AGE|UT|URE|EM|OR|RUMENT|ECTION|ECT|AY|Y|OTE|AL|OCK|AR)\b"
 )
 MAX = {1: {"VOLT": 6.18, "CURR": 5.15}, 2: {"VOLT": 25.75, "CURR": 1.03}, 3: {"VOLT": 25.75, "CURR": 1.03}}
 
@@ -35,7 +39,8 @@ class Output:
 class KeysightEmulator(Answers):
     """Numbers come as `+1.23456000E+00`; `pairing` and `tracking` can be switched on at its panel.
 
-    What names no output is for the selected one.
+    What names no output is for the selected one. `has_watchdog`: whether it knows the commands of its watchdog, which
+    latches every output off until it is cleared.
     """
 
     wire = "tcp"
@@ -45,6 +50,8 @@ class KeysightEmulator(Answers):
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
         self._serial = f"MY5912{ord(min(roles)[-1])}"
         self._errors = deque[str](maxlen=QUEUE)
+        self.tripped = ""  # by which of VOLT and CURR
+        self.has_watchdog, self._watching, self._delay_wd_s, self._ends_s = True, False, 60, math.inf
         self.pairing, self.tracking, self._selected = "OFF", "0", min(self._outputs)
 
     def _reply(self, t_s: float, text: str) -> bytes:
@@ -54,7 +61,27 @@ class KeysightEmulator(Answers):
             said = self._fault('-222,"Data out of range"')
         return said.encode() + b"\n" if said else b""
 
+    def _hear(self, t_s: float) -> None:
+        """Whatever it hears puts the watchdog off, unless it has tripped."""
+        if t_s <= self._ends_s:
+            self._ends_s = t_s + self._delay_wd_s if self._watching else math.inf
+            for output in self._outputs.values():
+                output.coil.close(t_s, "watchdog", self._ends_s)
+
+    def _watch(self, t_s: float, delay: str | None, ask: str | None, value: str | None) -> str:
+        if ask:
+            return f"{self._delay_wd_s if delay else int(self._watching)}"
+        if delay and value not in ("ON", "OFF") and 1 <= int(value or 0) <= 3600:
+            self._delay_wd_s = int(value or 0)
+        elif not delay and value in ("0", "1", "ON", "OFF"):
+            self._watching = value in ("1", "ON")
+        else:
+            return self._fault('-222,"Data out of range"')
+        self._hear(t_s)
+        return ""
+
     def _do(self, t_s: float, text: str) -> str:
+        self._hear(t_s)
         short = LONG.sub(r"\1", text.upper().lstrip(":"))
         match short:
             case "*IDN?":
@@ -69,7 +96,15 @@ class KeysightEmulator(Answers):
                 return f"{self._selected}"
             case "SYST:LOC" | "SYST:REM" | "SYST:RWL":
                 return ""
-        if found := SELECT.fullmatch(short):
+        if found := TRIPPED.fullmatch(short):
+            self._wired(found[2])
+            return f"{self.tripped == found[1]:d}"
+        if short == "OUTP:PROT:CLE":
+            self._ends_s = math.inf
+            self._hear(t_s)
+        elif self.has_watchdog and (found := WATCH.fullmatch(short)):
+            return self._watch(t_s, found[1], found[2], found[3])
+        elif found := SELECT.fullmatch(short):
             self._selected = self._wired(found[1])
         elif found := APPLY.fullmatch(short):
             number = self._wired(found[1] or found[4])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import math
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 
 from drivers.emulators.line import Lab, Pieces
 from drivers.framing.columns import number
+from drivers.replay import recording
 from labcal.errors import InputError
 
 NAMES = {"t": ("t", "t_s"), "x": ("x", "dut_x"), "y": ("y", "dut_y"), "z": ("z", "dut_z"), "-": ()}
@@ -38,9 +40,10 @@ class ReplayEmulator:
 def _lines(file: Path, settings: Any) -> Iterator[tuple[float, bytes]]:
     """Times from the first row on, and lines in the order of the column map. Raises InputError with the line."""
     try:
-        with file.open(encoding="utf-8", newline="") as opened:
-            header, *rows = csv.reader(opened)
-    except (OSError, ValueError, csv.Error) as error:
+        header, *rows = csv.reader(io.StringIO(recording(file).decode(), newline=""))
+    except InputError:
+        raise
+    except (ValueError, csv.Error) as error:
         raise InputError(f"no table of samples is there ({error})", file=file) from error
     places = [_place(name, header, file) for name in settings.columns]
     begun, clock = None, places[settings.columns.index("t")]

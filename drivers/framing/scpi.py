@@ -66,7 +66,7 @@ class Scpi:
 
 def refused(name: str, text: str, why: str) -> InstrumentError:
     """The error for a command that a supply did not take."""
-    remedy = "Coils go to zero; look at the supply's panel."
+    remedy = "Look at the supply's panel."
     return InstrumentError(f"{name}: {text!r} failed: {why}.", fault="refused", remedy=remedy)
 
 

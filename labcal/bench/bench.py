@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
@@ -11,12 +11,13 @@ from pathlib import Path
 from typing import Literal, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.cage import Cage
 from labcal.bench.cage_file import Place
 from labcal.bench.clock import Clock
-from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
+from labcal.bench.doubt import Latch
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.reconnect import Reconnecting, bring_back
@@ -32,9 +33,10 @@ from labcal.bench.roles import (
     RotationPlatform,
 )
 from labcal.bench.samples import merged
-from labcal.bench.watch import FieldLimit, StreamWatch, TemperatureLimit
+from labcal.bench.state import Coil, Heard, LabState
+from labcal.bench.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
-from labcal.record.stream import Block, Event, Stream
+from labcal.record.stream import Block, Event, Prompt, Stream
 
 COIL_POLL_S = 1.0
 SEE_S = 0.2  # of the reference, and at least one sample
@@ -84,9 +86,12 @@ class Bench:
         self.platform, self.reference, self.dut = platform, reference, dut
         self.by_hand = next((i for i in instruments.values() if isinstance(i, ByHand)), None)
         self._guardian = guardian
+        if guardian is not None:
+            guardian.look = lambda: self.look()
         self.cage = Cage(
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
             guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
+            blind=blind(config.reference), latch=Latch(config.guarded_links),
         )  # fmt: skip
         self._instruments, self.hands, self.carry = dict(instruments), hands, carry
         self._links, self._known = links or {}, dict[str, Identity]()
@@ -102,7 +107,22 @@ class Bench:
         self._limits: list[TemperatureLimit] = []
         self._field_limit = self._limit_of_the_field_seen()
         self._streaming = False
+        self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
+        self._heard_s: dict[str, float] = {}  # what is polled, by name
+        self._look = Look(self._at_rest_only(), self._ask_again)
+
+    def state(self) -> LabState:
+        """The lab as it was last read, each part with its time on the bench's clock."""
+        watched = {watch.name: watch.last_s for watch in self._watches}
+        coils = {self.cage.supplies[coil.axis].name: coil for coil in self.cage.coils()}
+        heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
+        alive = None if self._guardian is None else self._guardian.alive
+        return LabState(self.cage.coils(), self.cage.check.witness, alive, tuple(heard))
+
+    def sentence(self) -> str:
+        """What may be said of the coils now."""
+        return self.state().sentence(self.clock.now())
 
     def instruments(self) -> Mapping[str, Instrument]:
         """Every instrument by its name in bench.toml."""
@@ -121,7 +141,7 @@ class Bench:
             raise InstrumentError(
                 f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
                 fault="another instrument",
-                remedy="Coils stay at zero; plug the instruments in as bench.toml says, and begin again.",
+                remedy="Plug the instruments in as bench.toml says, and begin again.",
             )
         return who
 
@@ -146,7 +166,7 @@ class Bench:
             for sensor, stated in ((self.dut, self.config.dut), (self.reference, self.config.reference))
         ]
         self._limits = self._temperature_limits(now)
-        self._streaming = True
+        self._streaming = self.cage.check.streaming = True
 
     def stream_until(self, t_s: float) -> list[Block]:
         """Everything that arrived up to `t_s` on the bench's clock, in blocks at their own stamps; waits for it."""
@@ -157,11 +177,21 @@ class Bench:
 
     def events(self) -> list[Event]:
         """What the streams lost since this was asked last: gaps, wrong checksums, broken frames, their line."""
-        return [event for stream in self._streams for event in stream.events()]
+        told = [event for stream in self._streams for event in stream.events()]
+        told += [event for watch in self._watches for event in watch.events()] + self._look.events()
+        return sorted(told, key=lambda event: event.t_s)
+
+    def handled(self, prompt: Prompt) -> None:
+        """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
+        asked = set(prompt.drawing)
+        elsewhere = asked <= {"angle_deg", "mode"} if asked else prompt.key == "ready"
+        if prompt.acts and not elsewhere:
+            moved = bool(asked & {"reference_m", "reference_turned"})
+            self.cage.check.outdated(self.clock.now(), reference_moved=moved)
 
     def stop(self) -> None:
         """End all streams."""
-        self._streaming = False
+        self._streaming = self.cage.check.streaming = False
         with ExitStack() as steps:
             steps.callback(self.reference.stop)
             steps.callback(self.dut.stop)
@@ -190,9 +220,12 @@ class Bench:
             steps.callback(self.make_safe)
 
     def _wait_until(self, t_s: float) -> None:
+        if self._streaming:  # however late it is: on a slow line a ramp has no time left to wait
+            self.look()
         while self._streaming and self.clock.now() < t_s:
             self.clock.wait_until(min(t_s, self._next_angle_s, self._next_coils_s))
             self._poll()
+            self.look()
         self.clock.wait_until(t_s)
         if self._streaming:
             self._listen()
@@ -201,11 +234,11 @@ class Bench:
         """Of the DUT and of the windings, as far as they are stated."""
         dut, winding = self.config.dut.limits.temperature_C, self.config.cage.limits.temperature_C
         stated = (
-            ("dut", dut, "let the DUT come back into its range."),
+            ("dut", dut, "Let the DUT come back into its range."),
             (
                 "coil",
                 None if winding is None else (-math.inf, winding),
-                "let the windings cool, then use less current.",
+                "Let the windings cool, then use less current.",
             ),
         )
         return [
@@ -221,21 +254,34 @@ class Bench:
         return FieldLimit(min(limit for limit in stated if limit is not None))
 
     def _listen(self) -> None:
-        now = self.clock.now()
-        dut, reference = (stream.read_until(now) for stream in self._streams)
+        """Take in what has come. What one stream or one watch finds wrong is raised when all have been looked at."""
+        now, faults = self.clock.now(), list[InstrumentError]()
+        dut, reference = (self._read(stream, now, faults) for stream in self._streams)
         readings = dut, [self._into_cage(block) for block in reference]
+        self._pending += [*readings[0], *readings[1]]
+        for block in readings[1]:
+            if block.values.shape[1] == 3:
+                self.cage.check.see(block.t_s, block.values)
+        if faults:
+            raise faults[0]
         for watch, blocks in zip(self._watches, readings, strict=True):
-            self._pending += blocks
             watch.see(blocks, now)
         for limit in self._limits:
             limit.see(readings[0], now)
         if self._field_limit is not None and self.cage.on:
             self._field_limit.see(readings[1], float(np.linalg.norm(self.cage.ambient_nT)))
+        self.cage.refuse_what_is_not_seen()
+
+    def _read(self, stream: Reconnecting, now: float, faults: list[InstrumentError]) -> list[Block]:
+        try:
+            return stream.read_until(now)
+        except InstrumentError as fault:
+            faults.append(fault)
+            return []
 
     def _field_seen(self) -> NDArray[np.float64] | None:
         """The mean (3,) of what the reference sends next, C; None where none streams that sees the coils."""
-        stated = self.config.reference
-        if not self._streaming or stated.kind != "vector" or stated.place in ("remote", "computed"):
+        if not self._streaming or blind(self.config.reference):
             return None
         begun, rows = self.clock.now(), np.empty((0, 3))
         while not len(rows):
@@ -252,7 +298,7 @@ class Bench:
         stated = self.config.reference
         if block.values.shape[1] != 3:
             return block
-        field = (block.values - stated.offset_nT) @ np.array(stated.cage_from_sensor).T
+        field = into_cage(block.values, stated)
         return replace(block, values=field if self.carry is None else field + self.carry.at(self.cage.flowing_A))
 
     def _poll(self) -> None:
@@ -262,10 +308,12 @@ class Bench:
         if self.clock.now() >= self._next_coils_s:
             self._next_coils_s = self.clock.now() + COIL_POLL_S
             self._poll_coils()
+        self._look.at(self.clock.now())
 
     def _poll_platform(self) -> None:
         t = self.clock.now()
         angle, moving = self.platform.state()
+        self._heard_s[self.platform.name] = t
         if self.by_hand is None or not moving:  # hands tell no angle before they are taken off
             self._keep("angle", self.platform.name, ("angle_deg",), t, angle)
         self._keep("channel", self.platform.name, (MOTOR_CHANNEL.name,), t, float(moving and self.by_hand is None))
@@ -276,8 +324,38 @@ class Bench:
         values = np.column_stack([currents, signs]).ravel()
         self._keep("channel", "cage", tuple(c.name for c in COIL_CHANNELS), t, *values.tolist())
 
+    def _at_rest_only(self) -> list[str]:
+        """What nobody hears of while it rests: contacts that are on a real line."""
+        there = self.config.instruments.items()
+        return [n for n, one in there if one.role == "polarity" and not one.link.startswith("emulated://")]
+
+    def _ask_again(self, name: str) -> None:
+        """See that an instrument still answers; its lost line is opened again."""
+        if self._look.wrong(name) == "link lost":
+            self.reconnect(name)
+        else:
+            self._instruments[name].identify()
+        self._heard_s[name] = self.clock.now()
+
+    def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: Coil | None) -> Heard:
+        if coil is not None:
+            return Heard(name, coil.read_s, coil.fault)
+        wrong = [self._look.wrong(name), *(watch.wrong(name) for watch in self._watches)]
+        return Heard(name, heard_s.get(name), next(filter(None, wrong), ""))
+
     def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:
         self._polled.setdefault((stream, source, columns), []).append((t_s, *values))
+
+
+def blind(reference: ReferenceConfig) -> str:
+    """Why this reference cannot tell whether the coils are at zero; "" where it can."""
+    sees = reference.kind == "vector" and reference.place not in ("remote", "computed")
+    return "" if sees else "no vector reference stands at the DUT"
+
+
+def into_cage(values: ArrayLike, reference: ReferenceConfig) -> NDArray[np.float64]:
+    """Readings (n, 3) [nT] of the reference, zero taken off, from its own axes into C."""
+    return np.asarray((np.asarray(values) - reference.offset_nT) @ np.array(reference.cage_from_sensor).T)
 
 
 def _block(stream: Stream, source: str, columns: tuple[str, ...], rows: list[tuple[float, ...]]) -> Block:

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+import time
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from labcal.bench.agreement import FieldCheck
 from labcal.bench.clock import Clock
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
+from labcal.bench.doubt import Doubt, Latch
 from labcal.bench.roles import CoilSupply
 from labcal.bench.sign import Probe, SignCheck
+from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Coil
 from labcal.bench.watch import Windings
 from labcal.bench.zero import RAMP_STEP_S, AtZero, to_zero
 from labcal.errors import InstrumentError, LimitError
@@ -21,6 +27,7 @@ Array = NDArray[np.float64]
 LONGEST_RAMP_DOWN_S = 1.5
 LOOK_AGAIN_S = (0.5, 2.0)
 FOLLOWS = 0.01  # of the set-point, between what was set and what flows
+SAMPLE_S = 0.05  # after a zero the reference is looked at so often
 
 
 class Cage:
@@ -30,6 +37,8 @@ class Cage:
     aims at the total field. `wait` is how time passes during ramps: the bench keeps its streams read meanwhile.
     `guardian` brings real coils to zero in its own process, told why. `contacts` are the axes behind reversing
     contacts, whose sign is confirmed by what `see` sees: the reference's field (3,) in C, None where there is none.
+    `check` hears what the reference sends and compares it with what ought to flow; where it does not see a zero that
+    the supplies state, `latch` keeps everything from being energised.
     """
 
     def __init__(
@@ -43,6 +52,8 @@ class Cage:
         guardian: Callable[[str], list[AtZero]] | None = None,
         contacts: Collection[str] = (),
         see: Callable[[], Array | None] = lambda: None,
+        blind: str = "no reference is there to see it",
+        latch: Latch | None = None,
     ) -> None:
         self.limits: CageLimits = config.limits
         self.matrix_nT_per_A: Array = config.matrix
@@ -59,6 +70,9 @@ class Cage:
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
         self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
+        self.check = FieldCheck(self.matrix_nT_per_A, blind)
+        self.latch = latch or Latch(())
+        self._read = {axis: Coil(axis) for axis in AXES}
         limits = config.limits
         self._windings = Windings(limits.rms_current_A or (math.inf,) * 3, limits.rms_window_s)
         self._refuse_slow_supplies()
@@ -81,13 +95,19 @@ class Cage:
         """
         target = np.asarray(i_A, dtype=float)
         self._refuse_beyond_limits(target)
-        self._held_A = None
+        if (doubt := self.latch.doubt) is not None:
+            raise doubt.error()
+        self._held_A, now = None, self._clock.now()
+        self.check.leaves_zero(now)
+        self.check.expect(None, now, now)
         self._close_outputs()
         if confirm_signs:
             self._confirm_signs(target)
         self._ramp(target)
         self._wait(self._clock.now() + self._settle_s)
         self._held_A = target
+        if confirm_signs:  # else they are what the caller measures
+            self.check.expect(target, self._clock.now(), self._clock.now())
         self.currents_A()
 
     def field_nT(self) -> Array:
@@ -100,7 +120,7 @@ class Cage:
         Raises InstrumentError: "limit reached" where a winding has had enough, "tripped" or "wrong mode" where another
         current flows than is held.
         """
-        currents = np.array([supply.measure_current() for supply in self.supplies.values()])
+        currents = np.array([self.read(axis) for axis in AXES])
         self._windings.see(currents, self._clock.now())
         self.flowing_A = currents
         if self._held_A is not None:
@@ -111,17 +131,99 @@ class Cage:
         """Signed set-points (3,), read back."""
         return np.array([supply.set_point() for supply in self.supplies.values()])
 
+    def coils(self) -> tuple[Coil, ...]:
+        """Each axis as it was last read, on the bench's clock."""
+        return tuple(self._read.values())
+
     def zero(self) -> None:
         """Ramp every coil to zero, see it below its `zero_current_A`, open its output where it can open.
 
-        A failure of one axis does not skip the others; the first failure is raised at the end.
+        A failure of one axis does not skip the others; the first failure is raised at the end. Where the supplies have
+        none, and a reference beside the DUT sees the field of a current all the same, InstrumentError (not zero).
         """
+        begun, was_on = self._clock.now(), self.on
         self.on, self._held_A = False, None
         self._signs.forget()
-        ended = self._guardian("the session is done with it") if self._guardian else self._to_zero()
+        if was_on:
+            self.check.expect(None, begun, begun)
+        ended = self._all_to_zero()
         self.abrupt |= {end.axis for end in ended if end.abrupt}
+        self._note(ended, begun)
+        self._ask_the_reference(begun, was_on)
+        doubt = self._not_zero() if self.check.witness.verdict == "disagrees" else None
         if faults := [end.fault for end in ended if end.fault is not None]:
             raise faults[0]
+        if doubt is not None:
+            raise doubt
+
+    def refuse_what_is_not_seen(self) -> None:
+        """Raise InstrumentError where the reference has long seen another field than the coils are said to make."""
+        if (found := self.check.witness).verdict != "disagrees":
+            return
+        if self.check.zero_expected:
+            raise self._not_zero()
+        said = " ".join(f"{i:+.4g}" for i in self.flowing_A)
+        raise InstrumentError(
+            f"the supplies state {said} A, and the reference does not see that: {found.words}.",
+            fault="not seen",
+            remedy="Does every supply obey, are signs and constants right, was something magnetic moved? axes-check "
+            "tells which coil it is.",
+        )
+
+    def _not_zero(self) -> InstrumentError:
+        """What the reference saw against the supplies' word; from here on nothing is energised."""
+        found = self.check.witness
+        if self.latch.doubt is None:
+            utc = f"{self._clock.utc():%Y-%m-%d %H:%M} UTC"
+            self.latch.set(Doubt(utc, found.words, found.seen_nT, found.expected_nT))
+        return InstrumentError(f"{NOT_BY_REFERENCE}: {found.words}.", fault="not zero", remedy=f"{OPEN_THEM}.")
+
+    def read(self, axis: str) -> float:
+        """The measured signed current of one axis [A], noted with its time. Raises InstrumentError."""
+        supply = self.supplies[axis]
+        try:
+            current = supply.measure_current()
+        except InstrumentError as fault:
+            self._known(axis, current_A=None, zero=False, read_s=None, fault=str(fault))
+            raise
+        zero = abs(current) < supply.zero_current_A
+        self._known(axis, current_A=current, zero=zero, read_s=self._clock.now(), fault="")
+        return current
+
+    def _known(self, axis: str, **what: Any) -> None:
+        self._read[axis] = replace(self._read[axis], **what)
+
+    def _note(self, ended: Sequence[AtZero], begun_s: float) -> None:
+        """How each axis ended; the guardian reads by the computer's clock."""
+        for end in ended:
+            read_s, known = self._clock.now(), end.current_A is not None
+            if self._guardian is not None:
+                read_s = begun_s if end.read_s is None else read_s - (time.monotonic() - end.read_s)
+            self._read[end.axis] = Coil(
+                end.axis, 0.0 if known else None, end.current_A, known, end.opened, read_s if known else None,
+                "" if end.fault is None else str(end.fault),
+            )  # fmt: skip
+
+    def _ask_the_reference(self, begun_s: float, was_on: bool) -> None:
+        """Wait until it has seen the zero, or seen that it is none; that is remembered beyond this session."""
+        settled_s = self._clock.now() + self._settle_s
+        if not self.check.zero_expected:
+            self.check.expect(np.zeros(3), begun_s, settled_s)
+        self._wait_whatever_fails(self._clock.now())  # no time passes: what has come is taken in
+        while was_on and self.check.waits_for_more(self._clock.now() - settled_s):
+            self._wait_whatever_fails(self._clock.now() + SAMPLE_S)
+        found = self.check.witness
+        if found.verdict == "agrees" and self.latch.doubt is not None and all(coil.zero for coil in self.coils()):
+            utc = f"{self._clock.utc():%Y-%m-%d %H:%M} UTC"
+            self.latch.lift(f"supplies and reference agree again, {utc}: {found.words}")
+
+    def _all_to_zero(self) -> list[AtZero]:
+        try:
+            return self._guardian("the session is done with it") if self._guardian else self._to_zero()
+        except InstrumentError as fault:  # the guardian is lost: nobody knows what flows
+            for axis in AXES:
+                self._known(axis, current_A=None, zero=False, read_s=None, fault=str(fault))
+            raise
 
     def _to_zero(self) -> list[AtZero]:
         return list(to_zero(self.supplies, self._rates(), self._clock, self._wait_whatever_fails).values())
@@ -140,6 +242,8 @@ class Cage:
         for supply in self.supplies.values() if not self.on else ():
             supply.set_current(0.0)
             supply.output(True)
+        for axis in AXES if not self.on else ():
+            self._known(axis, open=False, set_A=0.0)
         self.on = True
 
     def _confirm_signs(self, target: Array) -> None:
@@ -147,6 +251,8 @@ class Cage:
         for probe in self._signs.probes(self.set_points_A(), target):
             if (before := self._seen_at(probe.before)) is None or (after := self._seen_at(probe.after)) is None:
                 return
+            if not probe.before.any() and self.check.ambient_nT is None:
+                self.check.take_ambient(before, self._clock.now())  # this one was measured since the mounting
             try:
                 self._judge(probe, before, after)
             except InstrumentError:
@@ -177,7 +283,7 @@ class Cage:
                 raise InstrumentError(
                     f"coil {axis}: {wanted:.4g} A was set and nothing flows.",
                     fault="tripped",
-                    remedy="Its output has gone off by itself, or the winding is open. Set the coils off, look at its "
+                    remedy="Has its output gone off by itself, is the winding open? Set the coils off, look at its "
                     "panel, and find out why before it is cleared.",
                 )
             raise InstrumentError(
@@ -192,8 +298,9 @@ class Cage:
         steps = max(1, math.ceil(duration / RAMP_STEP_S))
         for step in range(1, steps + 1):
             begun = self._clock.now()  # of this step: time lost in reversing contacts is not caught up
-            for supply, value in zip(self.supplies.values(), start + (target - start) * step / steps, strict=True):
-                supply.set_current(float(value))
+            for axis, value in zip(AXES, (start + (target - start) * step / steps).tolist(), strict=True):
+                self.supplies[axis].set_current(value)
+                self._known(axis, set_A=value)
             self._wait(begun + duration / steps)
 
     def _refuse_beyond_limits(self, target: Array) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
@@ -14,11 +15,12 @@ from labcal.errors import InputError
 from labcal.toml_file import read_toml
 
 AXES = ("x", "y", "z")
+RUNTIME_LONGEST = 60  # of the 107 bytes that the name of a socket may have
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
 Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
 Vector = tuple[Finite, Finite, Finite]
 Matrix = tuple[Vector, Vector, Vector]
-RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut"]
+RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut"]
 
 
 def _each_axis(value: Any) -> Any:
@@ -32,6 +34,20 @@ def _each_axis(value: Any) -> Any:
 def _for_people(value: str) -> str:
     if not value.isprintable():
         raise ValueError("has characters that cannot be printed")
+    return value
+
+
+def _group_name(value: str) -> str:
+    if not re.fullmatch(r"\w[\w.@-]{0,31}", value):
+        raise ValueError("must be the name of a group of this computer's users")
+    return value
+
+
+def _folder_name(value: str) -> str:
+    if not re.fullmatch(r"(/[\w@-][\w.@-]*)+", value) or len(value) > RUNTIME_LONGEST:
+        raise ValueError(
+            f"must be the whole path of a folder, of at most {RUNTIME_LONGEST} letters, digits, '/', '-', '_', '.', '@'"
+        )
     return value
 
 
@@ -151,6 +167,19 @@ class DutConfig(_Table):
     limits: DutLimits = DutLimits()
 
 
+class SafetyConfig(_Table):
+    """Who, beside the user whose session drives the coils, may bring them to zero."""
+
+    group: Annotated[str, AfterValidator(_group_name)] | None = None  # of the computer's users
+    runtime: Annotated[str, AfterValidator(_folder_name)] | None = None  # of its locks and sockets; /run/labcal-GROUP
+
+    @model_validator(mode="after")
+    def _of_a_group(self) -> Self:
+        if self.runtime is not None and self.group is None:
+            raise ValueError("runtime is the folder of a group: state group too")
+        return self
+
+
 class InstrumentConfig(_Table):
     """One instrument: which driver speaks to it, over which link, and what it is for."""
 
@@ -169,6 +198,7 @@ class BenchConfig(_Table):
     platform: PlatformConfig = PlatformConfig()
     reference: ReferenceConfig = ReferenceConfig()
     dut: DutConfig
+    safety: SafetyConfig = SafetyConfig()
     instruments: dict[str, InstrumentConfig]
     twin: dict[str, Any] = Field(default={}, exclude=True, repr=False)
 
@@ -189,8 +219,9 @@ class BenchConfig(_Table):
 
     @property
     def guarded(self) -> list[str]:
-        """The instruments that can hurt, by name: supplies and polarity relays."""
-        return [name for name, entry in self.instruments.items() if entry.role.startswith(("coil-", "polarity"))]
+        """The instruments that can hurt, or keep from it, by name: supplies, polarity relays and the interlock."""
+        heads = ("coil-", "polarity", "interlock")
+        return [name for name, entry in self.instruments.items() if entry.role.startswith(heads)]
 
     @property
     def guarded_links(self) -> list[str]:

@@ -10,6 +10,7 @@ from pathlib import Path
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.config import read_config
 from labcal.bench.guardian.client import ask_once, found
+from labcal.bench.links import ports
 from labcal.bench.loading import Loader
 from labcal.bench.roles import Identity
 from labcal.errors import InstrumentError
@@ -30,6 +31,7 @@ def greet(path: Path) -> list[Greeting]:
     """Ask every instrument of `path` who it is. Raises InputError for a bad file."""
     config = read_config(path)
     loader = Loader(path, config, VirtualClock(datetime.now(UTC)) if config.simulated else RealClock(), 0)
+    loader.meet_group()
     with ExitStack() as afterwards:
         afterwards.callback(loader.close)
         return [_greet(loader, name) for name in config.instruments]
@@ -37,9 +39,12 @@ def greet(path: Path) -> list[Greeting]:
 
 def _asked(loader: Loader, name: str) -> Identity:
     """Who answers: through the guardian where one lives and owns the port, else on a link of our own."""
-    if name in loader.config.guarded and (guardian := found([loader.config.instruments[name].link])) is not None:
-        with closing(guardian):
-            return Identity(**ask_once(guardian, "identify", name=name))
+    if name in loader.config.guarded:
+        link = loader.config.instruments[name].link
+        if (guardian := found([link])) is not None:
+            with closing(guardian):
+                return Identity(**ask_once(guardian, "identify", name=name))
+        ports.refuse_connected([] if loader.config.simulated else [link])
     return loader.instrument(name).identify()
 
 

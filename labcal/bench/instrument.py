@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any, Protocol, Self, overload
 
 from labcal.errors import InstrumentError, LimitError
 
@@ -33,6 +33,10 @@ class Speaks(Protocol):
         """Tell, and raise InstrumentError where the instrument did not accept it."""
         ...
 
+    def write(self, text: str) -> None:
+        """Put it on the line and wait for nothing. Only what is used on the way to zero needs it."""
+        ...
+
 
 class quantity:
     """A number in `unit`. In `get` and `set`, {s.…} are the instrument's settings, {value} is the number
@@ -59,8 +63,12 @@ class quantity:
     def __set_name__(self, owner: type, name: str) -> None:
         self.label = name.replace("_", " ")
 
-    def __get__(self, device: Any, owner: type | None = None) -> float:
-        return self._ask(device)
+    @overload
+    def __get__(self, device: None, owner: type | None = None) -> Self: ...
+    @overload
+    def __get__(self, device: object, owner: type | None = None) -> float: ...
+    def __get__(self, device: Any, owner: type | None = None) -> Self | float:
+        return self if device is None else self._ask(device)
 
     def __set__(self, device: Any, value: float) -> None:
         self._refuse_beyond_limits(device, value)
@@ -70,8 +78,13 @@ class quantity:
             raise InstrumentError(
                 f"{device.name}: {self.label} was set to {value:g} {self.unit} and reads back {held:g} {self.unit}.",
                 fault="read-back",
-                remedy="Coils go to zero; look at the instrument's panel.",
+                remedy="Look at the instrument's panel.",
             )
+
+    def write(self, device: Any, value: float) -> None:
+        """Send the value and ask nothing: whether it was heard is seen when it is read back. Raises LimitError."""
+        self._refuse_beyond_limits(device, value)
+        self._send(device, value)
 
     def _ask(self, device: Speaks) -> float:
         reply = device.query(self.get.format(s=device.settings))
@@ -83,7 +96,13 @@ class quantity:
             ) from error
 
     def _tell(self, device: Speaks, value: float) -> None:
-        device.command(self.set.format(s=device.settings, value=value, on="ON" if value else "OFF"))
+        device.command(self._message(device, value))
+
+    def _send(self, device: Speaks, value: float) -> None:
+        device.write(self._message(device, value))
+
+    def _message(self, device: Speaks, value: float) -> str:
+        return self.set.format(s=device.settings, value=value, on="ON" if value else "OFF")
 
     def _agrees(self, device: Speaks, value: float, held: float) -> bool:
         return abs(held - value) <= self.tolerance

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
 
+from labcal import outside
 from labcal.bench.bench import Bench, Reopens, temperatures_of
 from labcal.bench.cage_file import CageCalibration, calibrated
 from labcal.bench.clock import Clock, RealClock, VirtualClock
@@ -22,7 +23,7 @@ from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.modbus import GuardedModbus
 from labcal.bench.guardian.proxies import GuardedInstrument, GuardedSupply
 from labcal.bench.hands import SimulatedHands
-from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link
+from labcal.bench.links import EmulatedLink, Emulator, Link, SharedWire, open_link, ports
 from labcal.bench.links.urls import split
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.polarity import ReversedSupply
@@ -109,9 +110,28 @@ class Loader:
                 split(entry.link)
             except InputError as error:
                 self.refuse(error.what, ("instruments", name, "link"))
+            self._refuse_shared_interlock(name)
             place = (self.line_of(name), *(getattr(settings, which, None) for which in WHICH))
             if (other := places.setdefault(place, name)) != name:
                 self.refuse(f"{other} has the same link, address and output", ("instruments", name))
+
+    def _refuse_shared_interlock(self, name: str) -> None:
+        """What hangs on an interlock's line could keep its heartbeat back, or what it cuts could share its fault."""
+        if self.config.instruments[name].role != "interlock":
+            return
+        for other in self.config.instruments:
+            if other != name and self.line_of(other) == self.line_of(name):
+                self.refuse(f"an interlock needs a line of its own, and {other} has this one too",
+                            ("instruments", name, "link"))  # fmt: skip
+
+    def meet_group(self) -> None:
+        """See that locks lie where the group of `[safety]` finds them, if one is named. Raises InputError."""
+        if self.config.simulated:
+            return
+        try:
+            ports.meet(self.config.safety.group, self.config.safety.runtime)
+        except InputError as error:
+            self.refuse(error.what, ("safety", "group"))
 
     def link(self, name: str) -> Link:
         """The link of one instrument; instruments that state the same link share it."""
@@ -188,7 +208,10 @@ class Loader:
         if name not in found:
             what = "driver" if group == DRIVERS else "emulator" if group == EMULATORS else "twin"
             self.refuse(f"there is no {what} {name!r}; there are {', '.join(sorted(found))}", keys)
-        return found[name].load()
+        try:
+            return outside.load(found[name])
+        except InputError as error:
+            self.refuse(str(error), keys)
 
 
 @cache
@@ -218,6 +241,7 @@ def load_bench(path: Path, clock: Clock | None, seed: int | None) -> Bench:
         raise InputError("a virtual clock is for a bench whose links are all emulated", file=path)
     loader = Loader(path, config, clock, seed or 0)
     loader.look_over()  # what is wrong with the file is said here, not by another process
+    loader.meet_group()
     with ExitStack() as on_failure:
         guardian = _guardian(loader)
         if guardian is not None:

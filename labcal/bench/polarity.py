@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from labcal.bench.clock import Clock
-from labcal.bench.roles import CoilSupply, Identity, PolarityRelay
+from labcal.bench.roles import CoilSupply, Identity, PolarityRelay, Unacknowledged
 from labcal.errors import InstrumentError
 
 SETTLE_S = 0.05  # contact bounce is of the order of 10 ms
@@ -39,6 +39,21 @@ class ReversedSupply:
     def measure_current(self) -> float:
         """The signed delivered current [A]."""
         return self._known_sign() * self._supply.measure_current()
+
+    def write_current(self, current_A: float) -> None:
+        """Send a current of the sign that it has, smaller or zero, and wait for nothing: contacts are not moved."""
+        if isinstance(self._supply, Unacknowledged):
+            self._supply.write_current(abs(current_A))
+        else:
+            self._supply.set_current(abs(current_A))
+
+    def write_off(self) -> None:
+        """Send "output off" and wait for nothing."""
+        if isinstance(self._supply, Unacknowledged):
+            self._supply.write_off()
+        else:
+            self._supply.output(False)
+        self._closed = False
 
     def output(self, on: bool) -> None:
         """Close or open the supply's output; the contacts are read again before they carry current."""
@@ -74,7 +89,7 @@ class ReversedSupply:
             raise InstrumentError(
                 f"coil {self._axis}: the contacts did not switch to {sign:+d}.",
                 fault="polarity not confirmed",
-                remedy="The output is open and stays open; look at the relay and its supply.",
+                remedy="Look at the relay and its supply.",
             )
         self._supply.output(self._closed)
 

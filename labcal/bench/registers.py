@@ -37,6 +37,14 @@ class Registers:
         """FC 05, sent once."""
         self._in_turn().write_coil(self._device, address, on)
 
+    def write_unacknowledged(self, address: int, value: int) -> None:
+        """FC 06; the reply is dropped, or is late."""
+        self._in_turn().write_register_unacknowledged(self._device, address, value)
+
+    def switch_unacknowledged(self, address: int, on: bool) -> None:
+        """FC 05; the reply is dropped, or is late."""
+        self._in_turn().write_coil_unacknowledged(self._device, address, on)
+
     def close(self) -> None:
         """Let go of the line."""
         self._link.close()
@@ -71,13 +79,20 @@ class register(quantity):
         return float(device.registers.read(self.address, 1)[0] / self.counts(device))
 
     def _tell(self, device: Any, value: float) -> None:
+        device.registers.write(self.address, self._count(device, value))
+
+    def _send(self, device: Any, value: float) -> None:
+        count = self._count(device, value) if value else 0  # of any model: zero does not wait for who answers
+        device.registers.write_unacknowledged(self.address, count)
+
+    def _count(self, device: Any, value: float) -> int:
         counts = self.counts(device)
         if round(value * counts) > self.top:
             raise LimitError(
                 f"{device.name}: {self.label} {value:g} {self.unit} is beyond the {self.top / counts:g} {self.unit} "
                 "that its register holds; nothing was sent."
             )
-        device.registers.write(self.address, round(value * counts))
+        return round(value * counts)
 
     def _agrees(self, device: Any, value: float, held: float) -> bool:
         return abs(held - value) <= HALF_A_COUNT / self.counts(device)

@@ -66,6 +66,19 @@ class CoilSupply(Instrument, Protocol):
 
 
 @runtime_checkable
+class Unacknowledged(CoilSupply, Protocol):
+    """A supply that can be written to without its reply being waited for: one that answers late hears zero in time."""
+
+    def write_current(self, current_A: float) -> None:
+        """Put the set-point on the line and return; what the supply says to it is dropped. Refused beyond limits."""
+        ...
+
+    def write_off(self) -> None:
+        """Put "output off" on the line and return."""
+        ...
+
+
+@runtime_checkable
 class PolarityRelay(Instrument, Protocol):
     """Reversing contacts that turn unipolar supplies into signed coil axes. Never switched under current."""
 
@@ -79,6 +92,30 @@ class PolarityRelay(Instrument, Protocol):
 
     def polarity(self, axis: str) -> int:
         """+1 or -1, read back."""
+        ...
+
+
+@runtime_checkable
+class Watched(Protocol):
+    """What switches off by itself where it is not heard in time: a supply with a watchdog, or an interlock."""
+
+    watchdog_s: float  # after so long a silence; 0 where it has none, or it is not used
+
+    def feed(self) -> None:
+        """Be heard: at least every third of `watchdog_s`. Raises InstrumentError where it is silent or has opened."""
+        ...
+
+
+@runtime_checkable
+class Interlock(Instrument, Watched, Protocol):
+    """A contact that lets the coils' currents through for `watchdog_s` after each beat, and falls open without."""
+
+    def arm(self) -> None:
+        """Close it, with the coils at zero. Raises InstrumentError where it would not fall open by itself."""
+        ...
+
+    def disarm(self) -> None:
+        """Open it now."""
         ...
 
 

@@ -73,7 +73,7 @@ def samples(blocks: Iterable[Block], stream: Stream, column: str | None = None) 
         raise InstrumentError(
             f"no samples came from {column or stream}.",
             fault="silent",
-            remedy="Coils go to zero; look at its power and its cable.",
+            remedy="Look at its power and its cable.",
         )
     columns = (column,) if column else found[0].columns
     places = [[b.columns.index(c) for c in columns] for b in found]

@@ -75,7 +75,7 @@ class SignCheck:
                     f"coil {AXES[axis]}: after its contacts were set, a step of {wanted[axis]:+.3g} A was seen by the "
                     f"reference as {seen[axis]:+.3g} A.",
                     fault="polarity not confirmed",
-                    remedy="The coils are at zero. Look for a contact that hangs or is welded, then run axes-check.",
+                    remedy="Look for a contact that hangs or is welded, then run axes-check.",
                 )
             self._seen[axis] = float(np.sign(wanted[axis]))
 

@@ -159,6 +159,7 @@ def measure_ambient(bench: Bench, seconds: float, *, name: str = "zero") -> Work
         yield from measured(bench, f"{name}: {column}", value, u, "nT")
     if len(reference.columns) == 3:
         bench.cage.ambient_nT = reference.mean
+        bench.cage.check.take_ambient(reference.mean, bench.clock.now())
     return blocks
 
 
@@ -173,7 +174,7 @@ def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | No
         except InstrumentError as fault:
             yield Event(bench.clock.now(), "fault", str(fault), {"step": name, "fault": fault.fault})
             yield from coils_off(bench)
-            text = f"{name}: {fault} The coils are at zero."
+            text = f"{name}: {fault} ({bench.sentence()})"
             answer = yield Prompt(bench.clock.now(), f"failed-{name}", text, ("stop", "retry", "skip"))
             if answer == "stop":
                 raise
@@ -200,7 +201,13 @@ def drive(bench: Bench, i_A: ArrayLike, *, confirm_signs: bool = True) -> Work[N
 def coils_off(bench: Bench) -> Work[None]:
     """All coils to zero, read back, and say so in the record."""
     bench.cage.zero()
-    yield Event(bench.clock.now(), "read-back", "coils at zero", {"current_A": bench.cage.currents_A().tolist()})
+    yield read_back(bench, "read-back", current_A=bench.cage.currents_A().tolist())
+
+
+def read_back(bench: Bench, kind: str, before: str = "", **data: Any) -> Event:
+    """An event that says how the coils are, by what was read of them last; `before` opens the sentence."""
+    now, state = bench.clock.now(), bench.state()
+    return Event(now, kind, before + state.sentence(now), data | {"state": state.as_json(now)})
 
 
 def mount(bench: Bench, key: str, body_from_cage: ArrayLike, text: str, *instead: str) -> Work[str]:
@@ -255,5 +262,6 @@ def dut_nT(bench: Bench, blocks: Sequence[Block]) -> Samples:
 
 
 def _set_point(bench: Bench, text: str, **data: Any) -> Event:
-    read_back = bench.cage.currents_A().tolist()
-    return Event(bench.clock.now(), "set-point", text, data | {"read_back_A": read_back})
+    currents = bench.cage.currents_A().tolist()
+    data |= {"read_back_A": currents, "state": bench.state().as_json(bench.clock.now())}
+    return Event(bench.clock.now(), "set-point", text, data)

@@ -1,50 +1,91 @@
-"""What must not go unnoticed while the coils are on: a stream that falls silent or stuck, a winding that gets hot."""
+"""What must not go unnoticed: a stream that falls silent or stuck, contacts that are gone, a winding that gets hot."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.config import AXES
 from labcal.errors import InstrumentError, LimitError
-from labcal.record.stream import Block
+from labcal.record.stream import Block, Event
 
 Array = NDArray[np.float64]
 STUCK_SAMPLES = 100
+NOTICED_S, SILENCES = 2.0, 5.0
+LOOK_S = 2.0
 UNKNOWN_S = 60.0  # without a value so long, a temperature that has a limit is not known
 SEEN = 1.05  # the reference stands beside the DUT, and set-points may go up to the limit itself
 
 
 class StreamWatch:
-    """Raises InstrumentError where nothing has come for `silent_s`, or the same values for `stuck_s`."""
+    """Raises InstrumentError where nothing has come for `silent_s`, or the same values for `stuck_s`.
+
+    A silence is an event at once: as soon as it is `SILENCES` times the longest pause before, and `NOTICED_S` at least.
+    """
 
     def __init__(self, name: str, silent_s: float, stuck_s: float, now_s: float) -> None:
-        self._name, self._silent_s, self._stuck_s = name, silent_s, stuck_s
+        self.name, self._silent_s, self._stuck_s = name, silent_s, stuck_s
         self._last_s = self._changed_s = now_s
+        self._longest_s: float | None = None  # between two samples; None before there were two
+        self._quiet = False
+        self._told: list[Event] = []
         self._value: Array | None = None
         self._same = 0
+
+    @property
+    def last_s(self) -> float | None:
+        """The stamp of its last sample; None before there was one."""
+        return None if self._value is None else self._last_s
+
+    def wrong(self, name: str) -> str:
+        """What is wrong with `name` now; "" where nothing is, or another is meant."""
+        return "silent" if name == self.name and self._quiet else ""
+
+    def events(self) -> list[Event]:
+        """Silences that began or ended since this was asked last."""
+        told, self._told = self._told, []
+        return told
 
     def see(self, blocks: list[Block], now_s: float) -> None:
         """Look at what has come up to `now_s`."""
         for block in blocks:
             if block.stream in ("dut", "reference") and len(block):
                 self._note(block)
+        self._notice(now_s)
         if now_s - self._last_s > self._silent_s:
             raise InstrumentError(
-                f"{self._name}: no sample for {now_s - self._last_s:.1f} s.",
+                f"{self.name}: no sample for {now_s - self._last_s:.1f} s.",
                 fault="silent",
-                remedy="Coils go to zero; look at its power and its cable.",
+                remedy="Look at its power and its cable.",
             )
         if self._same > STUCK_SAMPLES and self._last_s - self._changed_s > self._stuck_s:
             raise InstrumentError(
-                f"{self._name}: the same reading for {self._last_s - self._changed_s:.0f} s.",
+                f"{self.name}: the same reading for {self._last_s - self._changed_s:.0f} s.",
                 fault="stuck",
-                remedy="Coils go to zero; switch the sensor off and on, and look at its range.",
+                remedy="Switch the sensor off and on, and look at its range.",
             )
 
+    def _notice(self, now_s: float) -> None:
+        """Say so once where it has fallen silent; a stream of which no two samples are known is given its time."""
+        pause_s = now_s - self._last_s
+        if self._longest_s is not None and not self._quiet and pause_s > max(NOTICED_S, SILENCES * self._longest_s):
+            self._quiet = True
+            self._tell(now_s, "silent", f"no sample for {pause_s:.1f} s")
+
+    def _tell(self, t_s: float, fault: str, text: str) -> None:
+        self._told.append(Event(t_s, "stream", f"{self.name}: {text}", {"fault": fault}))
+
     def _note(self, block: Block) -> None:
+        if self._quiet:
+            self._quiet = False
+            self._tell(float(block.t_s[0]), "heard again", f"it sends again, after {block.t_s[0] - self._last_s:.1f} s")
+        else:
+            before = block.t_s[:0] if self._value is None else np.array([self._last_s])
+            pauses = np.diff(np.concatenate([before, block.t_s])).tolist()
+            self._longest_s = max([*pauses, self._longest_s or 0.0]) if pauses else self._longest_s
         self._last_s = float(block.t_s[-1])
         before = block.values[:1] if self._value is None else self._value[None, :]
         moved = np.flatnonzero(np.any(np.diff(np.vstack([before, block.values]), axis=0) != 0, axis=1))
@@ -53,6 +94,48 @@ class StreamWatch:
             self._changed_s, self._same = float(block.t_s[moved[-1]]), len(block) - int(moved[-1])
         else:
             self._same += len(block)
+
+
+class Look:
+    """Asks what is not heard otherwise whether it still answers, one after another; what has gone, or is back, is told.
+
+    `ask` raises InstrumentError where it does not answer.
+    """
+
+    def __init__(self, names: Sequence[str], ask: Callable[[str], None]) -> None:
+        self._names, self._ask, self._next_s = tuple(names), ask, 0.0
+        self._wrong: dict[str, str] = {}
+        self._told: list[Event] = []
+
+    def at(self, now_s: float) -> None:
+        """Look, where it is time. Raises InstrumentError where another instrument answers than before."""
+        if now_s < self._next_s:
+            return
+        self._next_s = now_s + LOOK_S
+        for name in self._names:
+            self._look(name, now_s)
+
+    def wrong(self, name: str) -> str:
+        """What is wrong with it now; "" where nothing is."""
+        return self._wrong.get(name, "")
+
+    def events(self) -> list[Event]:
+        """What has gone or come back since this was asked last."""
+        told, self._told = self._told, []
+        return told
+
+    def _look(self, name: str, now_s: float) -> None:
+        try:
+            self._ask(name)
+        except InstrumentError as fault:
+            if fault.fault == "another instrument":
+                raise
+            if name not in self._wrong:
+                self._told.append(Event(now_s, "stream", f"{name}: {fault.what}", {"fault": fault.fault}))
+            self._wrong[name] = fault.fault
+            return
+        if self._wrong.pop(name, None) is not None:
+            self._told.append(Event(now_s, "stream", f"{name}: it answers again", {"fault": "heard again"}))
 
 
 class TemperatureLimit:
@@ -75,7 +158,7 @@ class TemperatureLimit:
                 raise InstrumentError(
                     f"{name}: no temperature for {now_s - last_s:.0f} s, and it has a limit.",
                     fault="silent",
-                    remedy=f"Coils go to zero; see why {name} is not told.",
+                    remedy=f"See why {name} is not told.",
                 )
 
     def _judge(self, source: str, name: str, values: Array) -> None:
@@ -88,7 +171,7 @@ class TemperatureLimit:
                 raise InstrumentError(
                     f"{source}: {name} is {value:g} degC, its limit is {limit:g} degC.",
                     fault="limit reached",
-                    remedy=f"Coils go to zero; {self._remedy}",
+                    remedy=self._remedy,
                 )
 
 
@@ -110,7 +193,7 @@ class FieldLimit:
                     raise InstrumentError(
                         f"{block.source}: a field of {seen:.0f} nT is seen, the limit is {self._limit_nT:.0f} nT.",
                         fault="limit reached",
-                        remedy="Coils go to zero; is the ambient field what it was when it was measured last?",
+                        remedy="Is the ambient field what it was when it was measured last?",
                     )
 
 
@@ -132,7 +215,7 @@ class Windings:
                 raise InstrumentError(
                     f"coil {axis}: {rms:.3g} A root mean square over {self._window_s:.0f} s, its limit is {limit:g} A.",
                     fault="limit reached",
-                    remedy="Coils go to zero; let the winding cool, then use less current or shorter times.",
+                    remedy="Let the winding cool, then use less current or shorter times.",
                 )
 
     def refuse(self, target_A: Array) -> None:

@@ -1,41 +1,24 @@
-"""The way to zero: all axes together, ramped, read back, opened; what fails on one axis does not stop another."""
+"""The way to zero: all axes together, ramped, read back, opened; what fails on one axis does not stop another.
+
+Every axis is written zero before anything is asked of any of them, as far as its set-point is known: a supply that
+hears and answers late is at zero in time.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+import time
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import TypeVar
 
+from labcal.bench.at_zero import AtZero as AtZero  # what the way to zero ends with
 from labcal.bench.clock import Clock
-from labcal.bench.roles import CoilSupply
+from labcal.bench.roles import CoilSupply, Unacknowledged
 from labcal.errors import InstrumentError
 
 T = TypeVar("T")
 RAMP_STEP_S = 0.1
 ZERO_TIMEOUT_S = 1.0
-
-
-@dataclass(frozen=True, slots=True)
-class AtZero:
-    """How one axis ended. `fault` is what went wrong on the way; then `current_A` may be unknown (None)."""
-
-    axis: str
-    current_A: float | None
-    opened: bool
-    fault: InstrumentError | None = None
-
-    @property
-    def abrupt(self) -> bool:
-        """Whether it came to zero without its ramp: that changes the magnetic history of what is near."""
-        return self.fault is not None and self.current_A is not None
-
-    @property
-    def words(self) -> str:
-        """The end state in words: "zero, open", "zero, not open", or the fault."""
-        if self.fault is not None:
-            return str(self.fault)
-        return "zero, open" if self.opened else "zero, not open"
 
 
 def to_zero(
@@ -44,20 +27,28 @@ def to_zero(
     clock: Clock,
     wait: Callable[[float], None] | None = None,
     known_A: Mapping[str, float] | None = None,
+    doubts: Mapping[str, InstrumentError] | None = None,
 ) -> dict[str, AtZero]:
     """Ramp every axis to zero, see it below its `zero_current_A`, then open it where it can open.
 
-    Every axis is set to zero before the first is read back, and read back before the first is opened. One that fails
-    on the ramp is set to zero without a ramp, as far as it answers, after all others: its silence keeps no line busy
-    that they need. `known_A`: set-points that need not be asked for.
+    `known_A`: set-points that need not be asked for. `doubts`: axes that may not answer, and why: they are written
+    zero at once, without a ramp, and read back after the others. An axis that fails on the way is treated likewise.
+    What is not read back at zero is written off as well: the last that can be said to it.
     """
-    faults: dict[str, InstrumentError] = {}
-    levels = dict(known_A or {})
-    levels |= _each({axis: supply.set_point for axis, supply in supplies.items() if axis not in levels}, faults)
-    arrived = _ramp_down(supplies, levels, rates_A_per_s, clock, wait or clock.wait_until, faults)
+    faults, levels = dict(doubts or {}), dict(known_A or {})
+    write_zero({axis: supplies[axis] for axis in faults})
+    levels |= _each({axis: s.set_point for axis, s in supplies.items() if axis not in levels | faults}, faults)
+    going = {axis: level for axis, level in levels.items() if level and axis not in faults}
+    _ramp_down(supplies, going, rates_A_per_s, clock, wait or clock.wait_until, faults)
+    write_zero({axis: supply for axis, supply in supplies.items() if axis not in going})
     well, ill = [axis for axis in supplies if axis not in faults], list(faults)
-    ended = {end.axis: end for axes in (well, ill) for end in _released(axes, supplies, clock, arrived, faults)}
+    ended = {end.axis: end for axes in (well, ill) for end in _read_back(axes, supplies, clock, faults)}
     return {axis: ended[axis] for axis in supplies}
+
+
+def write_zero(supplies: Mapping[str, CoilSupply]) -> None:
+    """Zero on the line to each of them, its answer not waited for. Never raises InstrumentError: it is read back."""
+    _each({axis: partial(s.write_current, 0.0) for axis, s in supplies.items() if isinstance(s, Unacknowledged)}, {})
 
 
 def _ramp_down(
@@ -67,57 +58,70 @@ def _ramp_down(
     clock: Clock,
     wait: Callable[[float], None],
     faults: dict[str, InstrumentError],
-) -> set[str]:
-    """Bring the set-points down together; returns the axes that hold zero now."""
+) -> None:
+    """Bring the set-points down together; the last that is written is zero."""
     duration = max((abs(level) / rates[axis] for axis, level in levels.items()), default=0.0)
-    begun, lead_s, arrived, left = clock.now(), RAMP_STEP_S, set[str](), float(duration > 0)
+    begun, lead_s, left = clock.now(), RAMP_STEP_S, float(duration > 0)
     while left > 0:  # by the clock: a slow line takes larger steps and not longer
         pass_begun = clock.now()
         left = max(0.0, 1 - (pass_begun + lead_s - begun) / duration)
-        going = [axis for axis, level in levels.items() if level and axis not in faults]
-        arrived = set(_each({a: partial(supplies[a].set_current, levels[a] * left) for a in going}, faults))
+        going = [axis for axis in levels if axis not in faults]
+        _each({axis: partial(_write, supplies[axis], levels[axis] * left) for axis in going}, faults)
         lead_s = max(RAMP_STEP_S, clock.now() - pass_begun)
         wait(begun + duration * (1 - left))
-    return arrived
 
 
-def _released(
-    axes: Sequence[str],
-    supplies: Mapping[str, CoilSupply],
-    clock: Clock,
-    arrived: set[str],
-    before: Mapping[str, InstrumentError],
+def _write(supply: CoilSupply, current_A: float) -> None:
+    if isinstance(supply, Unacknowledged):
+        supply.write_current(current_A)
+    else:
+        supply.set_current(current_A)
+
+
+def _read_back(
+    axes: Iterable[str], supplies: Mapping[str, CoilSupply], clock: Clock, before: Mapping[str, InstrumentError]
 ) -> list[AtZero]:
-    """Zero on all that are not there yet, then the read-backs of all, then the outputs."""
+    """The currents of all, then the outputs."""
     faults: dict[str, InstrumentError] = {}
-    _each({axis: partial(supplies[axis].set_current, 0.0) for axis in axes if axis not in arrived}, faults)
-    set_to_zero = [axis for axis in axes if axis not in faults]
-    currents = _each({axis: partial(wait_for_zero, axis, supplies[axis], clock) for axis in set_to_zero}, faults)
+    currents = _each({axis: partial(_read_zero, axis, supplies[axis], clock) for axis in axes}, faults)
     _each({axis: partial(supplies[axis].output, False) for axis in currents}, faults)
+    _each({axis: s.write_off for axis in faults if isinstance(s := supplies[axis], Unacknowledged)}, {})
     return [
         AtZero(axis, None, False, before.get(axis, faults[axis]))
         if axis in faults
-        else AtZero(axis, currents[axis], supplies[axis].can_open, before.get(axis))
+        else AtZero(axis, currents[axis][0], supplies[axis].can_open, before.get(axis), currents[axis][1])
         for axis in axes
     ]
+
+
+def _read_zero(axis: str, supply: CoilSupply, clock: Clock) -> tuple[float, float]:
+    """The current at zero and when it was read. An output that cannot open is held there by its set-point alone."""
+    if not supply.can_open and supply.set_point() != 0:
+        supply.set_current(0.0)
+    return wait_for_zero(axis, supply, clock), time.monotonic()
 
 
 def wait_for_zero(axis: str, supply: CoilSupply, clock: Clock) -> float:
     """The measured current once it is below `zero_current_A`. Raises InstrumentError (not zero) where it stays.
 
-    What was measured last was measured after the time was up, however slow the line is.
+    Zero is set once more, acknowledged, where it still flows: what was written may have been lost. What was measured
+    last was measured after the time was up, however slow the line is.
     """
-    deadline, late = clock.now() + ZERO_TIMEOUT_S, False
-    while abs(left := supply.measure_current()) >= supply.zero_current_A:
-        if late:
+    begun = clock.now()
+    left = abs(supply.measure_current())
+    if left >= supply.zero_current_A:
+        supply.set_current(0.0)
+    while left >= supply.zero_current_A:
+        clock.wait_until(clock.now() + 0.02)
+        late = clock.now() >= begun + ZERO_TIMEOUT_S
+        left = abs(supply.measure_current())
+        if left >= supply.zero_current_A and late:
             raise InstrumentError(
                 f"coil {axis}: {left:.4g} A still flows {ZERO_TIMEOUT_S:g} s after zero was set "
                 f"(zero is below {supply.zero_current_A:g} A).",
                 fault="not zero",
-                remedy="Its output stays closed: switch the supply off by hand, then look at its panel.",
+                remedy="Switch the supply off by hand, then look at its panel.",
             )
-        late = clock.now() >= deadline
-        clock.wait_until(clock.now() + 0.02)
     return left
 
 

@@ -9,6 +9,7 @@ from labcal.certificate.calibration_file import (
     parse_calibration,
     read_calibration,
 )
+from labcal.certificate.hand_out import hand_out
 from labcal.certificate.keys import Entry
 from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, signature_files, verify
 
@@ -21,6 +22,7 @@ __all__ = [
     "approve",
     "calibration_bytes",
     "check_effects",
+    "hand_out",
     "keys",
     "looks_like_calibration",
     "parse_calibration",

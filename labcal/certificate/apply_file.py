@@ -1,4 +1,7 @@
-"""A calibration applied to a recording on disk: every column and row stays, five columns are added."""
+"""A calibration applied to a recording on disk: every column and row stays, five columns are added.
+
+A text that a spreadsheet would work out as a formula gets an apostrophe before it (`labcal.spreadsheet`).
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,7 @@ from labcal.files import write_text
 from labcal.model import Calibration
 from labcal.model.apply import Applied, Readings, apply, needed_columns, temperature_channel
 from labcal.model.effects import load_shipped
+from labcal.spreadsheet import shielded_row
 from labcal.store.table import Table, read_table, require_increasing
 
 READING = ("dut_x", "dut_y", "dut_z")
@@ -35,10 +39,12 @@ def apply_file(calibration: Calibration, source: Path, out: Path) -> Applied:
     """
     if out.exists() and out.samefile(source):
         raise InputError("is the recording itself; write what is corrected to another file", file=out)
+    if source.is_char_device():
+        raise InputError("is a device, no recording", file=source)
     table = _table(calibration, source)
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is left empty
         applied = apply(calibration, _readings(table))
-    write_text(out, "\n".join([f"{table.header_line},{','.join(ADDED)}", *_rows(table, applied)]) + "\n")
+    write_text(out, "\n".join([f"{shielded_row(table.header_line)},{','.join(ADDED)}", *_rows(table, applied)]) + "\n")
     return applied
 
 
@@ -66,4 +72,5 @@ def _readings(table: Table) -> Readings:
 def _rows(table: Table, applied: Applied) -> list[str]:
     numbers = np.column_stack([applied.field_nT, applied.u_nT]).tolist()
     cells = (",".join(f"{v:.3f}" if isfinite(v) else "" for v in row) for row in numbers)
-    return [f"{line},{new},{flag}" for line, new, flag in zip(table.lines, cells, applied.flags, strict=True)]
+    rows = zip(map(shielded_row, table.lines), cells, applied.flags, strict=True)
+    return [f"{line},{new},{flag}" for line, new, flag in rows]

@@ -28,6 +28,7 @@ from labcal.certificate.allowed_signers import (
 from labcal.certificate.calibration_file import read_limited
 from labcal.certificate.sshsig import KEY_TYPE, public_key_blob
 from labcal.errors import InputError
+from labcal.home import own_folder
 
 SIMULATED = "simulated"  # the principal of keys made in memory: good for files that say simulated, and for no other
 
@@ -177,6 +178,5 @@ def _append(path: Path, lines: list[str]) -> None:
 
 
 def _keep(path: Path, content: bytes) -> None:
-    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    os.chmod(path.parent, 0o700)
+    own_folder(own_folder(path.parent.parent) / path.parent.name)
     files.write_bytes(path, content, mode=0o600)

@@ -11,6 +11,7 @@ from typing import Any, cast
 import typer
 from typer.core import TyperGroup
 
+from labcal.cli.screen import say
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
@@ -22,7 +23,7 @@ UsageFault = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 COMMANDS = (
-    *("demo", "gui", "bench", "run", "runs", "show", "import", "export"),
+    *("demo", "gui", "bench", "run", "runs", "show", "import", "export", "check-store"),
     *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report"),
 )
 
@@ -85,14 +86,15 @@ def _report_of(error: Exception) -> str:
     from traceback import format_exception
 
     from labcal.files import write_bytes
-    from labcal.home import home
+    from labcal.home import FILE, home, own_folder
+    from labcal.plain import seen
 
     what = f"a fault of labcal's own: {type(error).__name__}: {error}"
     report = home() / "last-fault.txt"
     try:
-        report.parent.mkdir(parents=True, exist_ok=True)
+        own_folder(report.parent)
         told = f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}"
-        write_bytes(report, told.encode(errors="backslashreplace"))
+        write_bytes(report, seen(told).encode(), FILE)
     except OSError:
         return what
     return f"{what}; please report it with the file {report}"
@@ -107,5 +109,5 @@ def _say_usage(error: typer.BadParameter) -> int:
 
 
 def _say(sentence: str, code: int) -> int:
-    print(f"labcal: {sentence}", file=sys.stderr)
+    say(f"labcal: {sentence}", err=True)
     return code

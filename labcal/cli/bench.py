@@ -5,10 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import typer
-from rich.console import Console
 from rich.table import Table
+from rich.text import Text
 
 from labcal.cli import DONE, INSTRUMENT_FAILED, app
+from labcal.cli.results import FORCE
+from labcal.cli.screen import console, say
 
 bench = typer.Typer(help="Instruments: check, serve emulated ones, coils off.", no_args_is_help=True)
 app.add_typer(bench, name="bench", rich_help_panel="Bench")
@@ -16,40 +18,53 @@ FILE = typer.Argument(help="bench.toml", show_default=False)
 
 
 @bench.command()
-def check(file: Path = FILE) -> None:
-    """Ask every instrument of FILE who it is."""
-    from labcal.session import greetings
+def check(
+    file: Path = FILE,
+    clear_as: str = typer.Option(
+        "", metavar="NAME", help="Who answers for a zero that the reference did not see; measures again first."
+    ),
+) -> None:
+    """Ask every instrument of FILE who it is; where the reference did not see a zero, measure that again."""
+    from labcal.session import greetings, look_again
 
     table = Table("instrument", "role", "link", "answers as")
     silent = 0
     for greeting in greetings(file):
         silent += greeting.fault is not None
-        said = f"[red]✕ {greeting.fault}[/red]" if greeting.fault else f"✓ {greeting.identity}"
+        said = Text(f"✕ {greeting.fault}", "red") if greeting.fault else Text(f"✓ {greeting.identity}")
         table.add_row(greeting.name, greeting.role, greeting.link, said)
-    Console().print(table)
-    raise typer.Exit(INSTRUMENT_FAILED if silent else DONE)
+    console().print(table)
+    looked = look_again(file, clear_as)
+    if looked is not None:
+        say(looked.words)
+    elif clear_as:
+        say("No zero of this bench is in doubt; there is nothing to clear.")
+    raise typer.Exit(INSTRUMENT_FAILED if silent or (looked is not None and not looked.lifted) else DONE)
 
 
 @bench.command()
 def serve(
     file: Path = FILE,
     out: Path = typer.Option(..., "--out", metavar="SERVED.toml", help="The bench file with the served links."),
+    force: bool = FORCE,
 ) -> None:
     """Serve FILE's emulated instruments on TCP ports and ptys until Ctrl-C."""
     from labcal.session import serve_bench
 
-    serve_bench(file, out, lambda: print("ready", flush=True))
+    serve_bench(file, out, lambda: say("ready"), force=force)
 
 
 @bench.command()
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
-    from labcal.session import coils_off
+    from labcal.bench.doubt import left_so
+    from labcal.bench.off import coils_off  # not by way of the session, which loads for a second
 
     ended = coils_off(file)
     for end in ended:
         current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
-        print(f"coil {end.axis}: {current}  {end.words}")
+        say(f"coil {end.axis}: {current}  {end.words}")
+    say(left_so(file, ended))
     raise typer.Exit(INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE)
 
 
@@ -60,10 +75,11 @@ def cage(
     out: Path = typer.Option(
         ..., "--out", metavar="CAGE.json", help="The file for `[cage] calibration` of bench.toml."
     ),
+    force: bool = FORCE,
 ) -> None:
     """Approve the cage calibration of RUN, a draft until then."""
     from labcal.session import approve_cage
 
-    found = approve_cage(run, name, out)
-    print(f"{out}: the cage as run {found.run_id} found it, approved by {found.approved_by}")
-    print(f'Put calibration = "{out.name}" into [cage] of the bench file, in place of its matrix.')
+    found = approve_cage(run, name, out, force=force)
+    say(f"{out}: the cage as run {found.run_id} found it, approved by {found.approved_by}")
+    say(f'Put calibration = "{out.name}" into [cage] of the bench file, in place of its matrix.')

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import typer
 
 from labcal.cli import app
+from labcal.cli.results import FORCE
+from labcal.cli.screen import console
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -22,16 +24,18 @@ if TYPE_CHECKING:
 def demo(
     seed: int = typer.Option(0, min=0, help="Repeats everything: the simulated lab and the effect that it hides."),
     out: Path = typer.Option(Path("demo-out"), metavar="DIR", help="The folder for what the demo writes."),
+    force: bool = FORCE,
 ) -> None:
     """Run the whole preflight on the simulated bench: cage check, record, fit, close the loop, sign, verify, report."""
-    from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     from labcal.demo import demo as run_demo
+    from labcal.demo_folder import make_room
 
+    make_room(out, force=force)
     began = time.monotonic()
-    columns = (TextColumn("{task.description:<34}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True)) as progress:
+    columns = (TextColumn("{task.description:<34}", markup=False), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console(stderr=True)) as progress:
         task = progress.add_task("opening the simulated bench", total=None)
 
         def stage(name: str) -> None:
@@ -52,10 +56,9 @@ def _step(progress: Progress, task: TaskID, item: Item) -> None:
 
 def _show(done: Demo, seconds: float) -> None:
     """The result in one table, then what lies where."""
-    from rich.console import Console
     from rich.table import Table
 
-    closed, console = done.closed, Console(file=sys.stdout, soft_wrap=True)
+    closed, screen = done.closed, console(file=sys.stdout, soft_wrap=True)
     table = Table(title="SIMULATED preflight", show_header=False, title_justify="left", box=None, padding=(0, 2, 0, 0))
     causes = ", ".join(" ".join((e.effect, *e.channels)) for e in closed.accepted) or "none"
     table.add_row("run", f"{done.run_id}, {done.rows} samples")
@@ -67,6 +70,6 @@ def _show(done: Demo, seconds: float) -> None:
     table.add_row("verdict", f"{closed.verdict}: {closed.summary}")
     table.add_row("signature", "valid" if done.verification.valid else "DOES NOT HOLD")
     table.add_row("time", f"{seconds:.0f} s")
-    console.print(table, highlight=False)
+    screen.print(table, highlight=False)
     for path in sorted(p for p in done.folder.iterdir() if p.is_file()):
-        console.print(f"  {path}", highlight=False)
+        screen.print(f"  {path}", highlight=False)

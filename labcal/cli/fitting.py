@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
 from labcal.cli import DONE, NEGATIVE, app
+from labcal.cli.results import FORCE, JSON, json_path, write_json
+from labcal.cli.screen import console, say
+from labcal.outputs import claim
 
 if TYPE_CHECKING:
     from labcal.fit import Fit
@@ -26,25 +27,25 @@ def fit(
     run: str = typer.Argument(..., help="A run id of the local store, or the path of a bundle."),
     method: str = typer.Option("ml", help="A method's name, or all."),
     channels: str | None = typer.Option(None, help="Housekeeping that telemetry may use: names apart by commas."),
-    json_file: Path | None = typer.Option(
-        None, "--json", metavar="FILE", help="Write the result as JSON; - is stdout."
-    ),
+    json_file: str | None = JSON,
     out: Path | None = typer.Option(None, metavar="CAL.json", help="Write a draft calibration (with all: of ml)."),
+    force: bool = FORCE,
 ) -> int:
     """Estimate a calibration from a run. Exit code 1: the run does not determine one."""
     from labcal import session
     from labcal.fit.document import document
 
+    claim("fit", out, json_path(json_file), inputs=session.paths(run), force=force)  # before the work, not after it
     names = tuple(name.strip() for name in channels.split(",") if name.strip()) if channels is not None else None
     measured, fits = session.fit_run(run, method, names)
     if json_file is not None:
-        _write_json(json_file, document(measured, fits))
-    if json_file != Path("-"):
+        write_json(document(measured, fits), json_file, "fit", inputs=session.paths(run), force=force)
+    if json_file != "-":
         _show_fits(fits)
     chosen = next((f for f in fits if f.method == "ml"), fits[0])
     if out is not None and chosen.ok:
-        session.draft(run, chosen, out)
-        print(f"draft calibration: {out}", file=sys.stderr)
+        session.draft(run, chosen, out, force=force)
+        say(f"draft calibration: {out}", err=True)
     return DONE if chosen.ok else NEGATIVE
 
 
@@ -54,25 +55,15 @@ def apply(
     source: Path = typer.Argument(..., metavar="IN.csv", help="Readings: dut_x, dut_y, dut_z and what CAL needs."),
     out: Path = typer.Option(..., metavar="OUT.csv", help="Every column of IN.csv and b_x, b_y, b_z, u_nT, flag."),
     dut: str | None = typer.Option(None, metavar="SERIAL", help="The DUT's serial, refused where CAL is another's."),
+    force: bool = FORCE,
 ) -> None:
     """Calibrate readings."""
     from labcal import session
 
-    _show_applied(session.apply_calibration(calibration, source, out, dut), out)
-
-
-def _write_json(file: Path, content: object) -> None:
-    from labcal.files import write_text
-
-    text = json.dumps(content, indent=1, allow_nan=False, ensure_ascii=False) + "\n"
-    if file == Path("-"):
-        sys.stdout.write(text)
-    else:
-        write_text(file, text)
+    _show_applied(session.apply_calibration(calibration, source, out, dut, force=force), out)
 
 
 def _show_fits(fits: list[Fit]) -> None:
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(box=None)
@@ -80,15 +71,15 @@ def _show_fits(fits: list[Fit]) -> None:
         table.add_column(name, no_wrap=True, justify="left" if name in ("Method", "Frame") else "right")
     for found in fits:
         table.add_row(found.method, *_cells(found)) if found.ok else table.add_row(found.method, "none", style="yellow")
-    console = Console()
-    console.print(table)
-    console.print(FIT_WORDS, style="dim", highlight=False)
+    screen = console()
+    screen.print(table)
+    screen.print(FIT_WORDS, style="dim", highlight=False)
     why_not: dict[str, list[str]] = {}
     for found in fits:
         if not found.ok:
             why_not.setdefault(str(found.why_not), []).append(found.method)
     for reason, methods in why_not.items():
-        console.print(f"{', '.join(methods)}: {reason}", style="yellow", highlight=False)
+        screen.print(f"{', '.join(methods)}: {reason}", style="yellow", highlight=False)
 
 
 def _cells(found: Fit) -> tuple[str, ...]:
@@ -102,4 +93,4 @@ def _show_applied(applied: Applied, out: Path) -> None:
 
     counts = Counter(word for flag in applied.flags for word in flag.split())
     flagged = ", ".join(f"{word} {n}" for word, n in counts.most_common()) or "none"
-    print(f"{len(applied.flags)} rows corrected into {out}; flagged: {flagged}")
+    say(f"{len(applied.flags)} rows corrected into {out}; flagged: {flagged}")

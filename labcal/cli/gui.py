@@ -9,10 +9,11 @@ from pathlib import Path
 import typer
 
 from labcal.cli import app
+from labcal.home import for_children
 
 
 @app.command("gui", rich_help_panel="Begin")
 def gui(bench: Path | None = typer.Option(None, help="The bench file; else the last one that was used.")) -> int:
     """Open the technician's window."""
     named = ["--bench", str(bench)] if bench is not None else []
-    return subprocess.run([sys.executable, "-m", "labcal.gui", *named], check=False).returncode
+    return subprocess.run([sys.executable, "-m", "labcal.gui", *named], env=for_children(), check=False).returncode

@@ -9,11 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
-from rich.console import Console
 from rich.table import Column, Table
 
 from labcal.cli import app
+from labcal.cli.screen import console, say, say_lines
 from labcal.errors import InputError
+from labcal.home import PASSPHRASE
 
 if TYPE_CHECKING:
     from labcal.certificate import Entry
@@ -29,7 +30,7 @@ def new(name: str = typer.Option(..., help="The person, as in ada@lab.example.")
     from labcal.certificate.sshsig import fingerprint
 
     signer = session.new_key(name, passphrase(f"New passphrase for {name}: ", again=True))
-    print(f"key of {signer.principal}: {fingerprint(signer.key)}")
+    say(f"key of {signer.principal}: {fingerprint(signer.key)}")
 
 
 @keys.command("list")
@@ -40,12 +41,11 @@ def list_keys(
     from labcal import session
 
     if allowed_signers:
-        print("".join(f"{entry.signer.line()}\n" for entry in session.trusted_keys() if not entry.revoked), end="")
-        return
+        return say_lines(entry.signer.line() for entry in session.trusted_keys() if not entry.revoked)
     table = Table("Person", Column("Key", no_wrap=True, min_width=50), "Private key", "Trusted", box=None)
     for entry in session.trusted_keys():
         table.add_row(*_row(entry))
-    Console().print(table if table.row_count else "No keys yet: `labcal keys new --name PERSON` makes one.")
+    return console().print(table if table.row_count else "No keys yet: `labcal keys new --name PERSON` makes one.")
 
 
 @keys.command("trust")
@@ -56,9 +56,9 @@ def trust(file: Path = typer.Argument(..., help="Lines as `labcal keys list --al
 
     new_ones = session.trust_keys(file)
     for signer in new_ones:
-        print(f"trusted: {signer.principal} {fingerprint(signer.key)}")
+        say(f"trusted: {signer.principal} {fingerprint(signer.key)}")
     if not new_ones:
-        print("nothing new: all of them are trusted already")
+        say("nothing new: all of them are trusted already")
 
 
 @keys.command("revoke")
@@ -66,12 +66,15 @@ def revoke(name: str = typer.Argument(..., help="The person whose keys are lost.
     """Accept nothing any more that a person's present keys have signed or will sign."""
     from labcal import session
 
-    print(f"revoked: {session.revoke_keys(name)} key(s) of {name}")
+    say(f"revoked: {session.revoke_keys(name)} key(s) of {name}")
 
 
 def passphrase(question: str, *, again: bool = False) -> str:
-    """The passphrase from LABCAL_PASSPHRASE, else asked at the terminal (twice for a new one). Raises InputError."""
-    if (stated := os.environ.get("LABCAL_PASSPHRASE")) is not None:
+    """The passphrase from LABCAL_PASSPHRASE, else asked at the terminal (twice for a new one). Raises InputError.
+
+    It leaves the environment as it is read: nobody whom this process starts is told.
+    """
+    if (stated := os.environ.pop(PASSPHRASE, None)) is not None:
         return stated
     if not sys.stdin.isatty():
         raise InputError("there is no terminal to ask for the passphrase; set LABCAL_PASSPHRASE")

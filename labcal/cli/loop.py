@@ -10,8 +10,11 @@ import typer
 
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.progress import shown
-from labcal.cli.results import JSON, write_json
+from labcal.cli.results import FORCE, JSON, json_path, write_json
+from labcal.cli.screen import console, say, say_lines
 from labcal.errors import InputError
+from labcal.outputs import claim
+from labcal.toml_file import named_files
 
 if TYPE_CHECKING:
     from labcal.loop import ClosedLoop
@@ -32,32 +35,35 @@ def close_loop(
     bench: Path | None = typer.Option(None, help="The bench to measure on."),
     yes: bool = typer.Option(False, "--yes", help="Agree to the plans; on a real bench prompts still need a person."),
     seed: int | None = typer.Option(None, help="Of the simulated lab: that of the run."),
+    force: bool = FORCE,
 ) -> int:
     """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
     from labcal import session
 
+    read = [*session.paths(run), *(named_files(bench) if bench else ())]
+    claim("close-loop", out, report, json_path(json_file), inputs=read, force=force)  # before the work, not after it
     if measure:
         if bench is None:
             raise InputError("--measure needs a bench: say --bench FILE")
-        closed = _measuring(run, bench, out, report, seed, sure=yes)
+        closed = _measuring(run, bench, out, report, seed, sure=yes, force=force)
     else:
-        closed = session.close_loop(run, out, _progress, report=report)
+        closed = session.close_loop(run, out, _progress, report=report, force=force)
     if json_file is not None:
-        write_json(closed.to_json(), json_file)
+        write_json(closed.to_json(), json_file, "close-loop", inputs=read, force=force)
     if json_file != "-":
         _show(closed)
     return DONE if closed.done else NEGATIVE
 
 
 def _measuring(
-    run: str, bench: Path, out: Path | None, report: Path | None, seed: int | None, *, sure: bool
+    run: str, bench: Path, out: Path | None, report: Path | None, seed: int | None, *, sure: bool, force: bool
 ) -> ClosedLoop:
     """Plans and progress go to stderr, for stdout belongs to the result."""
     from labcal.measuring import Talk, close_by_measuring
 
     def consent(plan: Rehearsal) -> bool:
         with display.aside():
-            print("\n".join(["The plan:", *(f"  {line}" for line in plan.lines())]), file=sys.stderr)
+            say_lines(["The plan:", *(f"  {line}" for line in plan.lines())], err=True)
             if sure or (plan.simulated and not sys.stdin.isatty()):
                 return True
             if not sys.stdin.isatty():
@@ -71,25 +77,24 @@ def _measuring(
     with shown("bar") as display:
         answer = display.ask if sys.stdin.isatty() and not sure else None
         talk = Talk(consent, answer, display.tell, progress)
-        return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed)
+        return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed, force=force)
 
 
 def _progress(step: str) -> None:
     if sys.stderr.isatty():
-        print(f"{step} …", file=sys.stderr)
+        say(f"{step} …", err=True)
 
 
 def _show(closed: ClosedLoop) -> None:
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console()
-    console.print(f"{closed.verdict}: {closed.summary}", highlight=False)
+    screen = console()
+    screen.print(f"{closed.verdict}: {closed.summary}", highlight=False)
     table = Table("", "in sample nT", "held out nT", box=None)
     for when, errors in (("before", closed.before), ("after", closed.after)):
         table.add_row(when, f"{errors.train_rms_nT:.1f}", f"{errors.holdout_rms_nT:.1f}")
     table.add_row("noise alone", "", f"{closed.noise_floor_nT:.1f}")
-    console.print(table)
+    screen.print(table)
     if closed.accepted:
         effects = Table("Cause", "Channel", "Parameter", "Value", "u", "Unit", box=None)
         for effect in closed.accepted:
@@ -97,11 +102,11 @@ def _show(closed: ClosedLoop) -> None:
             for number, p in enumerate(effect.parameters):
                 first = (name, ", ".join(effect.channels)) if number == 0 else ("", "")
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
-        console.print(effects)
+        screen.print(effects)
     for remark in closed.remarks:
         if remark not in closed.summary:
-            console.print(remark, highlight=False)
+            screen.print(remark, highlight=False)
     for done in closed.rounds:
-        console.print(f"Measured: {done.procedure} (run {done.run_id}), then {done.verdict}.", highlight=False)
+        screen.print(f"Measured: {done.procedure} (run {done.run_id}), then {done.verdict}.", highlight=False)
     if closed.next_experiment is not None:
-        console.print(f"Next: {closed.next_experiment.do} ({closed.next_experiment.why}).", highlight=False)
+        screen.print(f"Next: {closed.next_experiment.do} ({closed.next_experiment.why}).", highlight=False)

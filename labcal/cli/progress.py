@@ -9,13 +9,16 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Protocol
 
-from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn
 
+from labcal.cli.screen import console, say
 from labcal.errors import InputError
 
 if TYPE_CHECKING:
     from labcal.record.stream import Item, Prompt
+
+
+AT_ONCE = ("silent", "link lost", "heard again", "reconnected")  # of an instrument, while the run still goes on
 
 
 class Display(Protocol):
@@ -40,8 +43,8 @@ def shown(how: str) -> Iterator[Display]:
     if how != "bar":
         yield Lines() if how == "json" else Nothing()
         return
-    columns = (TextColumn("{task.description:<28}"), BarColumn(), TextColumn("{task.fields[left]}"))
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    columns = (TextColumn("{task.description:<28}", markup=False), BarColumn(), TextColumn("{task.fields[left]}"))
+    with Progress(*columns, console=console(stderr=True), transient=True) as progress:
         yield Bar(progress)
 
 
@@ -74,11 +77,11 @@ class Lines(Nothing):
             return
         verdict = {"verdict": item.verdict} if isinstance(item, Measurement) else {}
         said = {"item": type(item).__name__.lower(), **asdict(item), **verdict}
-        print(json.dumps(said, default=str), file=sys.stderr, flush=True)
+        say(json.dumps(said, default=str), err=True)
 
 
 class Bar(Nothing):
-    """Step n of m with the lab time left; measurements with their verdict as they are made."""
+    """Step n of m with the lab time left; measurements with their verdict, and instruments lost, as they are told."""
 
     def __init__(self, progress: Progress) -> None:
         self._progress = progress
@@ -86,8 +89,10 @@ class Bar(Nothing):
 
     def tell(self, item: Item) -> None:
         """Move the bar at a step, print a measurement that has a limit."""
-        from labcal.record.stream import Measurement, Step
+        from labcal.record.stream import Event, Measurement, Step
 
+        if isinstance(item, Event) and item.kind == "stream" and item.data.get("fault") in AT_ONCE:
+            self._progress.console.print(f"! {item.text}", highlight=False, markup=False)
         if isinstance(item, Step):
             left = f"step {item.number} of {item.total} · {clock_face(item.left_s)} left"
             self._progress.update(
@@ -122,7 +127,7 @@ def _until_valid(prompt: Prompt) -> str:
     choices, only = "/".join(prompt.choices), len(prompt.choices) == 1
     shown = f" [{choices}{', or Enter' if only else ''}]" if choices else ""
     while True:
-        print(f"{prompt.text}{shown} ", end="", file=sys.stderr, flush=True)
+        say(f"{prompt.text}{shown} ", end="", err=True)
         given = sys.stdin.readline()
         if not given:
             raise InputError(f"nobody answered: {prompt.text}")
@@ -133,4 +138,4 @@ def _until_valid(prompt: Prompt) -> str:
             return prompt.choices[0]
         if said.lower() in prompt.choices:
             return said.lower()
-        print(f"{said!r} is no answer here: say {choices}.", file=sys.stderr)
+        say(f"{said!r} is no answer here: say {choices}.", err=True)

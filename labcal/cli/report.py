@@ -7,6 +7,8 @@ from pathlib import Path
 import typer
 
 from labcal.cli import app
+from labcal.cli.results import FORCE
+from labcal.cli.screen import say
 
 
 @app.command(rich_help_panel="Certificate")
@@ -14,9 +16,10 @@ def report(
     source: str = typer.Argument(..., metavar="RUN|CAL", help="A run, or a calibration file (*.json)."),
     out: Path = typer.Option(..., metavar="FILE", help="FILE.html or FILE.pdf; of a calibration also FILE.xml (DCC)."),
     allowed_signers: Path | None = typer.Option(None, help="Check CAL's signatures against this list, not the lab's."),
+    force: bool = FORCE,
 ) -> None:
     """Write the report of a run or a calibration."""
     from labcal import session
 
-    session.report(source, out, allowed_signers)
-    print(out)
+    session.report(source, out, allowed_signers, force=force)
+    say(out)

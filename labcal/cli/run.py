@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import signal
-import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from datetime import UTC, datetime
@@ -17,6 +16,7 @@ import typer
 
 from labcal.cli import app
 from labcal.cli.progress import shown
+from labcal.cli.screen import console, say
 from labcal.errors import InputError
 
 if TYPE_CHECKING:
@@ -72,23 +72,25 @@ def run(
             return _list()
     said = f"{outcome.status}; {outcome.at_rest}"
     as_json = progress is ProgressChoice.json
-    print(json.dumps({"item": "end", "text": said}) if as_json else said, file=sys.stderr)
-    print(outcome.run_id)
+    say(json.dumps({"item": "end", "text": said}) if as_json else said, err=True)
+    say(outcome.run_id)
     return outcome.raise_fault()
 
 
 def _list() -> None:
     """What there is to run, with what each may be told."""
-    from rich.console import Console
     from rich.table import Table
 
-    from labcal.runner import procedures
+    from labcal.runner import catalogue
 
     table = Table("procedure", "does", "--set", box=None)
-    for name, found in procedures().items():
+    found_ones, broken = catalogue()
+    for name, found in found_ones.items():
         told = "\n".join(f"{spec.name}: {spec.expected}" for spec in found.parameters)
         table.add_row(name, found.title, told)
-    Console().print(table)
+    console().print(table)
+    for error in broken.values():
+        say(f"labcal: {error}", err=True)
 
 
 def _pairs(settings: Sequence[str]) -> dict[str, str]:

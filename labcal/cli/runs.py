@@ -9,11 +9,11 @@ from typing import Any
 
 import typer
 from rich.console import Console
-from rich.markup import escape
 from rich.table import Table
 
 from labcal.cli import app
-from labcal.cli.results import JSON, write_json
+from labcal.cli.results import FORCE, JSON, write_json
+from labcal.cli.screen import console, say
 
 RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the path of a bundle.")
 
@@ -28,7 +28,7 @@ class Format(StrEnum):
 
 
 @app.command(rich_help_panel="Runs")
-def runs(json: str | None = JSON) -> None:
+def runs(json: str | None = JSON, force: bool = FORCE) -> None:
     """List the runs of the store, the oldest first, with how each ended."""
     from dataclasses import asdict
 
@@ -36,27 +36,43 @@ def runs(json: str | None = JSON) -> None:
 
     found = session.runs()
     if json is not None:
-        return write_json([asdict(run) for run in found], json)
+        return write_json([asdict(run) for run in found], json, "runs", force=force)
     table = Table("run", "started", "status", "DUT", "procedure", "operator")
     for run in found:
         procedure = f"{run.procedure} (simulated)" if run.simulated else run.procedure
-        table.add_row(*_plain(run.run_id, run.started_utc, run.status, run.dut_serial, procedure, run.operator))
+        table.add_row(run.run_id, run.started_utc, run.status, run.dut_serial, procedure, run.operator)
     return _console().print(table if found else "no runs yet: `labcal demo` makes one, `labcal import` takes one in")
 
 
 @app.command(rich_help_panel="Runs")
-def show(run: str = RUN, json: str | None = JSON) -> None:
+def show(run: str = RUN, json: str | None = JSON, force: bool = FORCE) -> None:
     """Show what a run is: DUT, reference, segments and what each offers, channels, measurements."""
     from labcal import session
 
     told = session.describe_run(run)
     if json is not None:
-        return write_json(told, json)
-    console = _console()
+        return write_json(told, json, "show", inputs=session.paths(run), force=force)
+    screen = _console()
     for table in (_head(told), _segments(told), _channels(told), _measurements(told)):
         if table.row_count:
-            console.print(table)
+            screen.print(table)
     return None
+
+
+@app.command("check-store", rich_help_panel="Runs")
+def check_store(
+    run: str | None = typer.Argument(None, metavar="RUN", help="A run id of the store; none: all of them."),
+) -> int:
+    """Look through the store, every page and row: exit 0 where all fits, else 1 and the first thing that does not."""
+    from labcal import session
+    from labcal.cli import DONE, NEGATIVE
+
+    found = session.check_store(run)
+    if found.fault:
+        say(f"NOT SOUND: {found.fault}")
+        return NEGATIVE
+    say(f"sound: {found.runs} run{'s' * (found.runs != 1)}, {found.items} rows")
+    return DONE
 
 
 @app.command("import", rich_help_panel="Runs")
@@ -64,7 +80,7 @@ def import_(bundle: Path = typer.Argument(..., metavar="BUNDLE", help="A folder,
     """Take a bundle into the store, byte for byte; prints its run id."""
     from labcal import session
 
-    print(session.import_bundle(bundle))
+    say(session.import_bundle(bundle))
 
 
 @app.command(rich_help_panel="Runs")
@@ -72,12 +88,13 @@ def export(
     run: str = RUN,
     format_: Format = typer.Option(..., "--format", help="bundle, csv (its samples), hdf5 or mat."),
     out: Path = typer.Option(..., "--out", metavar="PATH", help="Where to; a bundle is a zip where it ends in .zip."),
+    force: bool = FORCE,
 ) -> None:
     """Write a run for other programs; the same run gives the same bytes."""
     from labcal import session
 
-    session.export_run(run, format_.value, out)
-    print(out)
+    session.export_run(run, format_.value, out, force=force)
+    say(out)
 
 
 def _head(told: Mapping[str, Any]) -> Table:
@@ -101,7 +118,7 @@ def _head(told: Mapping[str, Any]) -> Table:
         lines["instruments"] = "\n".join(" ".join(map(str, one.values())) for one in told["instruments"])
     for name, text in lines.items():
         if text:
-            table.add_row(*_plain(name, text))
+            table.add_row(name, text)
     return table
 
 
@@ -111,14 +128,14 @@ def _segments(told: Mapping[str, Any]) -> Table:
         rate = "" if one["rate_Hz"] is None else f"{one['rate_Hz']:.3g}"
         counts = (str(one["n_samples"]), str(one["missing"] or ""), f"{one['duration_s']:.1f}", rate)
         names = (one["id"], one["kind"], one["offers"], " ".join(one["modes"]))
-        table.add_row(*_plain(*names, *counts, _between(one["magnitude_nT"], ".0f"), one["note"]))
+        table.add_row(*names, *counts, _between(one["magnitude_nT"], ".0f"), one["note"])
     return table
 
 
 def _channels(told: Mapping[str, Any]) -> Table:
     table = Table("channel", "unit", "quantity", "role", "range")
     for one in told["channels"]:
-        table.add_row(*_plain(one["name"], one["unit"], one["quantity"], one["role"], _between(one["range"], ".5g")))
+        table.add_row(one["name"], one["unit"], one["quantity"], one["role"], _between(one["range"], ".5g"))
     return table
 
 
@@ -127,7 +144,7 @@ def _measurements(told: Mapping[str, Any]) -> Table:
     for one in told.get("measurements", ()):
         numbers = ("" if x is None else f"{x:.4g}" for x in (one["value"], one["u"] and 2 * one["u"]))
         limit = "" if one["limit"] is None else f"{one['limit']:g}"
-        table.add_row(*_plain(one["name"], *numbers, one["unit"], limit, one["verdict"]))
+        table.add_row(one["name"], *numbers, one["unit"], limit, one["verdict"])
     return table
 
 
@@ -135,10 +152,6 @@ def _between(ends: tuple[float, float] | None, format_: str) -> str:
     return "" if ends is None else f"{ends[0]:{format_}} … {ends[1]:{format_}}"
 
 
-def _plain(*cells: str) -> list[str]:
-    return [escape(cell) for cell in cells]
-
-
 def _console() -> Console:
-    console = Console()
-    return console if console.is_terminal else Console(width=160)
+    screen = console()
+    return screen if screen.is_terminal else console(width=160)

@@ -9,6 +9,7 @@ import typer
 
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.keys import passphrase
+from labcal.cli.screen import say
 
 if TYPE_CHECKING:
     from labcal.certificate import Verification
@@ -24,7 +25,7 @@ def approve(
     from labcal import session
 
     approvers = session.approve(calibration, name).approvers
-    print(f"{calibration}: approved by {', '.join(approvers)}; their own signature makes it more than a name")
+    say(f"{calibration}: approved by {', '.join(approvers)}; their own signature makes it more than a name")
 
 
 @app.command(rich_help_panel="Certificate")
@@ -32,9 +33,9 @@ def sign(calibration: Path = CALIBRATION, key: str = typer.Option(..., help="The
     """Sign a calibration: the signature goes to CAL.sshsig, a second person's to CAL.2.sshsig."""
     from labcal import session
 
-    print(session.sign(calibration, key, passphrase(f"Passphrase of {key}: ")))
+    say(session.sign(calibration, key, passphrase(f"Passphrase of {key}: ")))
     if not session.load_calibration(calibration).approvers:
-        print("PROVISIONAL: no approver is named, and after a signature none can be.")
+        say("PROVISIONAL: no approver is named, and after a signature none can be.")
 
 
 @app.command(rich_help_panel="Certificate")
@@ -54,6 +55,6 @@ def verify(
 def _show(result: Verification) -> None:
     for check in result.checks:
         signer = f"{check.principal or 'unknown'} {check.fingerprint or ''}".strip()
-        print(f"{check.file.name}: {check.objection or 'good'} ({signer})")
+        say(f"{check.file.name}: {check.objection or 'good'} ({signer})")
     for sentence in result.sentences():
-        print(sentence)
+        say(sentence)

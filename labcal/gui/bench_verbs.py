@@ -36,7 +36,7 @@ def bench_facts(talk: Talk, bench: str) -> dict[str, Any]:
 
 
 def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
-    """Ask every instrument who it is."""
+    """Ask every instrument who it is; where the reference did not see a zero, measure that again and say so in each."""
     from labcal import session
 
     def words(greeting: Any) -> dict[str, Any]:
@@ -44,15 +44,23 @@ def greet(talk: Talk, bench: str) -> list[dict[str, Any]]:
         said = ("name", "role", "link", "identity")
         return {name: getattr(greeting, name) for name in said} | {"fault": fault}
 
-    return [words(greeting) for greeting in session.greetings(Path(bench))]
+    answers = [words(greeting) for greeting in session.greetings(Path(bench))]
+    looked = session.look_again(Path(bench))
+    doubt = None if looked is None else {"words": looked.words, "lifted": looked.lifted}
+    return [answer | {"doubt": doubt} for answer in answers]
 
 
 def off(talk: Talk, bench: str) -> list[dict[str, Any]]:
-    """Every coil to zero and open, one report an axis."""
+    """Every coil to zero and open, one report an axis, with when it was read and the doubt that stands about zero."""
     from labcal import session
+    from labcal.bench.doubt import doubt_of
 
-    ended = session.coils_off(Path(bench))
-    return [{"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None} for a in ended]
+    ended, doubt = session.coils_off(Path(bench)), doubt_of(Path(bench))
+    return [
+        {"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None,
+         "read_s": a.read_s, "doubt": doubt}
+        for a in ended
+    ]  # fmt: skip
 
 
 def run(
@@ -86,7 +94,7 @@ def _on_bench(
     talk.on_bench(simulated)
     try:
         clock = paced(pace, *_from(after)) if simulated else None
-        ended = work(answer=talk.answer, clock=clock, seed=seed, control=talk.control, tell=talk.tell)
+        ended = work(answer=talk.answer, clock=clock, seed=seed, control=talk.control, tell=talk.tell, show=talk.show)
     finally:
         talk.off_bench()
     fault = None
@@ -113,15 +121,16 @@ def plan(talk: Talk, procedure: str, bench: str, given: Mapping[str, str], seed:
 
 
 def procedures(talk: Talk) -> list[dict[str, Any]]:
-    """What there is to run, with what each may be told."""
-    from labcal.runner import procedures as installed
+    """What there is to run, with what each may be told; of one that does not load its name and the fault."""
+    from labcal.runner import catalogue
 
     def words(found: Found) -> dict[str, Any]:
         parameters = [asdict(p) for p in found.parameters]
         said = ("name", "title", "resumable", "needs", "lasts_min")
         return {name: getattr(found, name) for name in said} | {"parameters": parameters}
 
-    return [words(found) for found in installed().values()]
+    found, broken = catalogue()
+    return [words(one) for one in found.values()] + [{"name": name, "fault": str(e)} for name, e in broken.items()]
 
 
 VERBS: dict[str, Callable[..., Any]] = {

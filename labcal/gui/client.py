@@ -9,9 +9,10 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
 
 from labcal.gui.wire import Fault
+from labcal.home import SECRETS
 
 Then = Callable[[Any], None]
 AT_MOST_S = 0.01  # of one turn of the event loop for what the worker said
@@ -22,6 +23,7 @@ class Works(Protocol):
     """What view-models need of a worker."""
 
     items: Any  # Signal(list)
+    states: Any  # Signal(dict)
     progress: Any  # Signal(str)
 
     def ask(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
@@ -41,6 +43,7 @@ class Client(QObject):
     """One worker process, started at the first request, and started again after it died."""
 
     items = Signal(list)  # items as JSON, in order
+    states = Signal(dict)  # of the lab, as JSON, by the computer's monotonic clock
     progress = Signal(str)
 
     def __init__(self, parent: QObject | None = None, command: tuple[str, ...] = ("-m", "labcal.gui.worker")) -> None:
@@ -61,6 +64,7 @@ class Client(QObject):
         process.readyReadStandardError.connect(self._read_errors)
         process.finished.connect(self._ended)
         process.errorOccurred.connect(self._not_started)
+        process.setProcessEnvironment(_environment())
         self._process, self._errors, self._begun = process, "", b""
         process.start(sys.executable, list(self._command))
 
@@ -124,6 +128,8 @@ class Client(QObject):
         kind = said.pop("said")
         if kind == "items":
             self.items.emit(said["items"])
+        elif kind == "state":
+            self.states.emit(said["state"])
         elif kind == "progress":
             self.progress.emit(said["text"])
         elif (waiting := self._open.pop(said.pop("id"), None)) is not None:
@@ -156,3 +162,10 @@ class Client(QObject):
         waiting, self._open = list(self._open.values()), {}
         for _, failed in waiting:
             failed(Fault("crash", text, "", self._errors))
+
+
+def _environment() -> QProcessEnvironment:
+    found = QProcessEnvironment.systemEnvironment()
+    for name in SECRETS:
+        found.remove(name)
+    return found

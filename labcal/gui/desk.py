@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from traceback import format_exception
@@ -13,14 +15,16 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
+from labcal.bench import state
 from labcal.gui.client import Client
 from labcal.gui.lab_vm import LabViewModel, Light
 from labcal.gui.run_vm import Order, RunViewModel
 from labcal.gui.study_vm import StudyViewModel
 from labcal.gui.wire import Fault, fault_of
-from labcal.home import home
+from labcal.home import file_at_home
 
 SILENT_S = 2.0
+AGES_MS = 500  # what was read grows old
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 
 
@@ -39,7 +43,7 @@ class Desk(QObject):
 
     def __init__(self, settings: QSettings | None = None) -> None:
         super().__init__()
-        self.settings = settings or QSettings(str(home() / "window.ini"), QSettings.Format.IniFormat)
+        self.settings = settings or QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
         self.clerk, self.bench_worker, self.study, self.switch = Client(self), Client(self), Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.study_vm = StudyViewModel(self.study)
@@ -50,6 +54,11 @@ class Desk(QObject):
         self.bench = ""
         self._pulse = QTimer(self, interval=200)
         self._pulse.timeout.connect(self._look)
+        self.known: state.LabState | None = None  # the lab as it was last read, by the computer's monotonic clock
+        self._taken: state.LabState | None = None  # from the run
+        self._ages = QTimer(self, interval=AGES_MS)
+        self._ages.timeout.connect(self._say_coils)
+        self._ages.start()
         self._force = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self._force.timeout.connect(self._off_by_force)
         self.run.changed.connect(self._look)
@@ -69,6 +78,7 @@ class Desk(QObject):
         return self.ask("bench", partial(self._bench_known, path), bench=path)
 
     def _bench_known(self, path: str, facts: dict[str, Any]) -> None:
+        self.known = self.known if path == self.bench else None  # what was read on another bench says nothing of this
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts["dut"]["nominal_nT_per_unit"]
@@ -160,27 +170,46 @@ class Desk(QObject):
             self._switch_off()
 
     def _switch_off(self) -> None:
-        self.lab.update(message=self.tr("Coils off: reading them back …"))
+        self.known = None
+        self.lab.update(coil_A=None, message=self.tr("Coils off: reading them back …"))
         self.switch.ask("off", self._off_known, self._off_failed, bench=self.bench)
 
     def _off_known(self, axes: list[dict[str, Any]]) -> None:
-        good = all(axis["ok"] for axis in axes)
+        good = all(axis["ok"] for axis in axes) and not axes[0].get("doubt")
         words = "; ".join(f"{axis['axis']}: {axis['words']}" for axis in axes)
-        first, second, third = (float(axis["current_A"] or 0.0) for axis in axes)
-        self.lab.update(coils_at_zero=good, coil_A=(first, second, third), field_set_nT=None, message=words)
+        currents = tuple(axis["current_A"] for axis in axes)
+        doubt = str(axes[0].get("doubt", ""))
+        witness = state.Witness("disagrees", doubt) if doubt else state.Witness()
+        self.known = state.LabState(tuple(map(_coil, axes)), witness)
+        said = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
+        known = None if None in currents else currents
+        self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=said)
+        self._say_coils()
         if not good:
             self._off_failed(Fault("instrument", words))
 
     def _off_failed(self, fault: Fault) -> None:
-        remedy = self.tr("The coils are NOT confirmed at zero. Switch the supplies off at their mains switches.")
+        remedy = self.tr("Switch the supplies off at their mains switches.")
         self.lab.update(coils_at_zero=None, message=fault.text)
-        self.fault.emit(Fault(fault.kind, fault.text, remedy, fault.details))
+        self.fault.emit(Fault(fault.kind, fault.text, f"{self.coil_words()} {remedy}".strip(), fault.details))
+
+    def coil_words(self) -> str:
+        """What may be said of the coils now."""
+        if self.known is None:
+            return state.NOT_READ
+        return self.known.sentence(time.monotonic())
+
+    def _say_coils(self) -> None:
+        self.lab.update(coil_words="" if self.known is None else self.coil_words())
 
     def _look(self) -> None:
         """What the run knows, for the frame."""
         run = self.run
         if run.state == "idle":
             return
+        if run.lab is not None and run.lab is not self._taken:
+            self.known = self._taken = run.lab
+        self._say_coils()
         rows = run.reference.rows()[-20:]
         now = run.alive and len(rows) > 0  # after a run, what was measured last is not the field now
         measured = tuple(float(v) for v in rows[:, 1:].mean(axis=0)) if now else None
@@ -191,7 +220,7 @@ class Desk(QObject):
             field_set_nT=run.field_set_nT,
             field_measured_nT=measured,
             field_U_nT=self._U(measured),
-            coil_A=run.coil_A,
+            coil_A=run.coil_A if self.known is self._taken else self.lab.state.coil_A,
             coils_at_zero=run.coils_at_zero,
             lights=self._lights(),
             message=run.message,
@@ -209,10 +238,15 @@ class Desk(QObject):
         return 2.0 * float((said["u_offset_nT"] ** 2 + (size * 1e-6 * (said.get("u_scale_ppm") or 0.0)) ** 2) ** 0.5)
 
     def _lights(self) -> tuple[tuple[str, Light, str], ...]:
+        said = self.run.fault.text if self.run.fault else ""
+        failed = "" if said.startswith(state.NOT_BY_REFERENCE) else said  # the witness has not failed
+
         def light(name: str, role: str) -> tuple[str, Light, str]:
-            source = "cage" if role.startswith("coil") or role == "polarity" else name
-            if name in (self.run.fault.text if self.run.fault else ""):
+            source = "cage" if role.startswith("coil") or role in ("polarity", "interlock") else name
+            if name in failed:
                 return name, "fault", self.tr("failed")
+            if name in wrong and self.run.alive:
+                return name, "fault", wrong[name]
             if source not in self.run.heard_s:
                 return name, "waiting", ""
             silent = self.run.silent_s(source)
@@ -220,6 +254,8 @@ class Desk(QObject):
                 return name, "fault", self.tr("silent {0:.0f} s").format(silent)
             return name, "ok", ""
 
+        told = self.run.lab.instruments if self.run.lab is not None else ()
+        wrong = {one.name: one.fault for one in told if one.fault}
         return tuple(light(name, one["role"]) for name, one in self.facts.get("instruments", {}).items())
 
     def broke(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
@@ -230,8 +266,15 @@ class Desk(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self._force, self._pulse):
+        for timer in (self._force, self._pulse, self._ages):
             timer.stop()
         self.bench_worker.hang_up(8000)
         for worker in (self.clerk, self.study, self.switch):
             worker.hang_up(500)
+
+
+def _coil(said: dict[str, Any]) -> state.Coil:
+    """One axis as it was read back when it was switched off."""
+    known, read_s = said["current_A"] is not None, said.get("read_s") or time.monotonic()
+    fault = "" if said["ok"] else str(said["words"])
+    return state.Coil(said["axis"], None, said["current_A"], known, known, read_s if known else None, fault)

@@ -156,7 +156,7 @@ def report(talk: Talk, source: str, out: str) -> str:
     """Write the report of a run or a calibration."""
     from labcal import session
 
-    session.report(source, Path(out))
+    session.report(source, Path(out), force=True)  # the dialogue has asked
     return out
 
 
@@ -164,7 +164,7 @@ def export(talk: Talk, run: str, format: str, out: str) -> str:
     """Write a run as bundle, csv, hdf5 or mat."""
     from labcal import session
 
-    session.export_run(run, format, Path(out))  # type: ignore[arg-type]  # checked by the window's list
+    session.export_run(run, format, Path(out), force=True)  # type: ignore[arg-type]  # checked by the window's list
     return out
 
 
@@ -194,7 +194,7 @@ def apply(talk: Talk, path: str, source: str, out: str, dut: str) -> str:
     """Correct readings by a calibration; says how many rows, and how many of them carry a flag."""
     from labcal import session
 
-    applied = session.apply_calibration(Path(path), Path(source), Path(out), dut or None)
+    applied = session.apply_calibration(Path(path), Path(source), Path(out), dut or None, force=True)
     return f"{len(applied.flags)} rows, {sum(1 for flag in applied.flags if flag)} with a flag: {out}"
 
 

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from labcal.bench.state import AT_ZERO, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.gui.hold import HOLD_MS, KEYS
 from labcal.gui.key_sheet import KeySheet, explained, shortcuts
 from labcal.gui.lab_vm import LabState, LabViewModel
@@ -108,7 +109,7 @@ class SidePanel(Ground):
         self._column.addWidget(self._coils_head)
         self._coils = Numbers(("x", "y", "z"))
         self._column.addWidget(self._coils)
-        self._zero = label("")
+        self._zero = label("", wrap=True)
         self._column.addWidget(self._zero)
         self._column.addSpacing(GRID)
         self._column.addWidget(label(self.tr("INSTRUMENTS"), "caption"))
@@ -128,9 +129,8 @@ class SidePanel(Ground):
         self._show_field(state)
         for row, axis in enumerate(state.coil_A or (None,) * 3):
             self._coils.show_row(row, "–" if axis is None else number(axis, 3))
-        words = {None: ("", ""), True: (self.tr("✓ all at zero"), "good"), False: (self.tr("● energised"), "warning")}
-        text, mark = words[state.coils_at_zero]
-        self._zero.setText(text)
+        shape, mark = mark_of(state.coil_words)
+        self._zero.setText(f"{shape} {state.coil_words}".strip())
         set_state(self._zero, mark)
         self._show_lights(state)
 
@@ -160,6 +160,15 @@ class SidePanel(Ground):
             set_state(row, colour)
         for row in self._rows[len(state.lights) :]:
             row.hide()
+
+
+def mark_of(coil_words: str) -> tuple[str, str]:
+    """Shape and state that go with what is said of the coils: all clear only where a reference has seen it."""
+    if not coil_words:
+        return "", ""
+    if coil_words == AT_ZERO:
+        return "✓", "good"
+    return ("✕", "bad") if coil_words.startswith((NOT_BY_REFERENCE, NOT_CONFIRMED)) else ("●", "warning")
 
 
 class Frame(QMainWindow):

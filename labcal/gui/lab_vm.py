@@ -25,7 +25,8 @@ class LabState:
     field_measured_nT: Triple | None = None
     field_U_nT: float | None = None  # k = 2
     coil_A: Triple | None = None
-    coils_at_zero: bool | None = None
+    coils_at_zero: bool | None = None  # when they were read
+    coil_words: str = ""  # what may be said of them now
     lights: tuple[tuple[str, Light, str], ...] = ()  # instrument, light, words
     unit: FieldUnit = "nT"
     message: str = ""

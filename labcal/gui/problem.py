@@ -14,6 +14,7 @@ from typing import Any
 
 from labcal.files import write_bytes
 from labcal.gui.wire import Fault
+from labcal.outputs import claim
 
 PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
 
@@ -21,7 +22,8 @@ PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
 def save_problem(
     out: Path, fault: Fault | None, bench: str, steps: list[tuple[str, str]], facts: dict[str, Any]
 ) -> None:
-    """Write fault, versions, bench file and steps to `out`."""
+    """Write fault, versions, bench file and steps to `out`, which a dialogue has asked for. Raises InputError."""
+    [output] = claim("problem report", out, inputs=[Path(bench)] if bench else (), force=True)
     about = {
         "fault": asdict(fault) if fault is not None else None,
         "steps": steps,
@@ -35,4 +37,5 @@ def save_problem(
         archive.writestr("problem.json", json.dumps(about, indent=1, default=str))
         if bench and Path(bench).is_file():
             archive.writestr("bench.toml", Path(bench).read_text(encoding="utf-8", errors="replace"))
-    write_bytes(out, packed.getvalue())
+    with output.writing():
+        write_bytes(out, packed.getvalue())

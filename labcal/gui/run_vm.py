@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
+from labcal.bench.state import LabState, from_json
 from labcal.gui.client import Works
 from labcal.gui.numbers import step_words
 from labcal.gui.ring import Ring
@@ -58,6 +60,7 @@ class RunViewModel(QObject):
         super().__init__()
         self._worker = worker
         worker.items.connect(self._take)
+        worker.states.connect(self._take_state)
         self.nominal_nT_per_unit = nominal_nT_per_unit
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: Order | None = None
@@ -79,7 +82,8 @@ class RunViewModel(QObject):
         self._seen_s = 0.0
         self.field_set_nT: Triple | None = None
         self.coil_A: Triple | None = None
-        self.coils_at_zero: bool | None = None
+        self.lab: LabState | None = None  # by the computer's monotonic clock
+        self.coils_at_zero: bool | None = None  # when that was read
         self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
         self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
         self.dut.clear()
@@ -119,7 +123,7 @@ class RunViewModel(QObject):
     def pause(self) -> None:
         """Wait where the next step begins, coils at zero."""
         self._worker.say("pause")
-        self.message = self.tr("Pauses where the next step begins; the coils go to zero there.")
+        self.message = self.tr("Pauses where the next step begins.")
         self.changed.emit()
 
     def go_on(self) -> None:
@@ -128,11 +132,11 @@ class RunViewModel(QObject):
 
     def stop(self) -> None:
         """End in order: the procedure undoes what it did, the coils go to zero."""
-        self._end("stop", self.tr("Stopping: the coils go to zero …"))
+        self._end("stop", self.tr("Stopping …"))
 
     def abort(self) -> None:
         """Coils to zero before anything else; the run ends."""
-        self._end("abort", self.tr("Coils off: the coils go to zero, the run ends …"))
+        self._end("abort", self.tr("Coils off: the run ends …"))
 
     def _end(self, word: str, message: str) -> None:
         if self.alive:
@@ -193,6 +197,13 @@ class RunViewModel(QObject):
         rows = [ring.rows()[:, 1:] for ring in self.locus.values()]
         return np.concatenate(rows) if rows else np.empty((0, 3))
 
+    def _take_state(self, said: dict[str, Any]) -> None:
+        self.lab = lab = from_json(said, 0.0)
+        self.coils_at_zero = lab.at_zero(time.monotonic())
+        x, y, z = (coil.current_A for coil in lab.coils)
+        self.coil_A = None if x is None or y is None or z is None else (x, y, z)
+        self.changed.emit()
+
     def _take(self, said: list[list[Any]]) -> None:
         for one in said:
             self._one(item_from_json(one))
@@ -229,13 +240,14 @@ class RunViewModel(QObject):
     def _event(self, event: Event) -> None:
         if event.kind == "pause":
             paused = event.text != "goes on"
-            self.state, self.message = ("paused" if paused else "running"), event.text
+            self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", event.text)
         elif event.kind == "skip":
             self.skipped.add(str(event.data.get("step", "")))
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
         elif event.kind in ("set-point", "read-back"):
-            self._coils(event)
+            b = event.data.get("field_nT")
+            self.field_set_nT = None if b is None else (b[0], b[1], b[2])
         elif event.kind != "answer":  # the person knows what they answered; what happens next is said next
             self.message = event.text
 
@@ -248,16 +260,6 @@ class RunViewModel(QObject):
         )
         self.measurements = {n: m for n, m in self.measurements.items() if not n.startswith(gone)}
         self.locus = {name: ring for name, ring in self.locus.items() if name not in segments}
-
-    def _coils(self, event: Event) -> None:
-        currents = event.data.get("read_back_A", event.data.get("current_A"))
-        self.coil_A = None if currents is None else (currents[0], currents[1], currents[2])
-        at_zero = event.kind == "read-back"
-        self.coils_at_zero = at_zero and not event.data.get("faults")
-        b = event.data.get("field_nT")
-        self.field_set_nT = None if b is None else (b[0], b[1], b[2])
-        if at_zero:
-            self.message = event.text
 
     def _samples(self, block: Block) -> None:
         if len(block) == 0:
@@ -274,9 +276,6 @@ class RunViewModel(QObject):
             self.reference.push(block.t_s, block.values)
         elif block.stream == "angle" and self.segment is not None:
             self.sectors |= {int(a % 360 // (360 / SECTORS)) for a in block.values[:, 0]}
-        elif block.source == "cage":
-            x, y, z = (float(block.values[-1, block.columns.index(f"i_coil_{axis}")]) for axis in "xyz")
-            self.coil_A = (x, y, z)
 
     def _be(self, state: State) -> None:
         self.state = state

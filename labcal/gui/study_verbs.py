@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from labcal.gui.talk import Talk
 from labcal.gui.wire import pack
-from labcal.home import home
+from labcal.home import home, own_folder
 from labcal.record import Run
 
 if TYPE_CHECKING:
@@ -27,8 +27,7 @@ MOST = 1500  # rows in a picture
 
 def calibration_path(run_id: str) -> Path:
     """Where the draft of a run lies: beside the earlier one where that is signed."""
-    folder = home() / "calibrations"
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = own_folder(own_folder(home()) / "calibrations")
     number = 1
     while True:
         path = folder / (f"{run_id}.json" if number == 1 else f"{run_id}.{number}.json")
@@ -88,7 +87,7 @@ def draft(talk: Talk, run: str, method: str) -> str:
     from labcal import session
 
     path = calibration_path(_run(run).run_id)
-    session.draft(run, _fit(run, method), path)
+    session.draft(run, _fit(run, method), path, force=True)  # a draft of the window's own
     return str(path)
 
 
@@ -99,7 +98,7 @@ def loop(talk: Talk, run: str) -> dict[str, Any]:
 
     measured = _run(run)
     path = calibration_path(measured.run_id)
-    closed = session.close_loop(run, path, lambda text: talk.say("progress", text=text))
+    closed = session.close_loop(run, path, lambda text: talk.say("progress", text=text), force=True)
     document = closed.to_json()
     write_text(path.with_suffix(".loop"), json.dumps(document))
     said = {"loop": document, "remarks": list(closed.remarks), "draft": str(path)}

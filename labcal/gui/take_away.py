@@ -10,8 +10,12 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
 
+from labcal.files import replacing
 from labcal.gui.widgets import button
 from labcal.gui.words import say
+from labcal.outputs import claim
+from labcal.plain import one_line
+from labcal.spreadsheet import shielded
 
 PICTURE = "PNG (*.png)"
 
@@ -33,8 +37,14 @@ def take_away(parent: QWidget, picture: Callable[[], QWidget]) -> tuple[QPushBut
 
 
 def save(picture: QWidget, out: str) -> None:
-    """Write a picture to the .png file `out`."""
-    picture.grab().save(out if out.lower().endswith(".png") else f"{out}.png", "PNG")
+    """Write a picture to the .png file `out`, whole or not at all; a dialogue has asked for just this name.
+
+    Raises InputError where no picture may lie there.
+    """
+    named = out if out.lower().endswith(".png") else f"{out}.png"
+    [output] = claim("picture", Path(named), force=named == out)
+    with output.writing() as file, replacing(file) as part:
+        picture.grab().save(str(part), "PNG")
 
 
 def numbers(picture: QWidget) -> str:
@@ -42,7 +52,7 @@ def numbers(picture: QWidget) -> str:
     columns: list[list[str]] = []
     plots = [picture] if isinstance(picture, pg.PlotWidget) else picture.findChildren(pg.PlotWidget)
     for plot in plots:
-        names = [plot.getPlotItem().getAxis(side).labelText for side in ("bottom", "left")]
+        names = [shielded(one_line(plot.getPlotItem().getAxis(side).labelText)) for side in ("bottom", "left")]
         for item in plot.getPlotItem().items:
             columns += [[name, *texts(values)] for name, values in zip(names, points(item), strict=False)]
     return "\n".join("\t".join(row) for row in zip_longest(*columns, fillvalue=""))

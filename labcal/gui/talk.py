@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator
 from typing import Any, TextIO
 
+from labcal.bench.state import LabState
 from labcal.gui.wire import item_to_json
 from labcal.record.stream import Block, Event, Item, Prompt
 from labcal.runner import Control
@@ -51,7 +52,7 @@ class Talk:
         self._on_bench, self.hold_when_paused, self.control = True, simulated, Control()
 
     def off_bench(self) -> None:
-        """The coils are at zero and the links are closed."""
+        """The run has ended and the links are closed."""
         self.flush()
         self._on_bench = False
 
@@ -62,6 +63,10 @@ class Talk:
             self.flush()
         if self.hold_when_paused and isinstance(item, Event) and item.kind == "pause":
             self._hold()
+
+    def show(self, state: LabState) -> None:
+        """How the lab is now, by the clock that all processes of this computer share."""
+        self.say("state", state=state.as_json(0.0))
 
     def flush(self) -> None:
         """Send what is waiting."""

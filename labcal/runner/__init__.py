@@ -1,6 +1,6 @@
 """Drives procedures: finds them, answers what they ask, writes what they yield, ends with the coils at zero."""
 
-from labcal.runner.catalogue import Found, find, procedures
+from labcal.runner.catalogue import Found, catalogue, find, procedures
 from labcal.runner.control import Control
 from labcal.runner.prompts import Answer, yes_to_all
 from labcal.runner.run import Outcome, resume_run, run_procedure
@@ -10,6 +10,7 @@ __all__ = [
     "Control",
     "Found",
     "Outcome",
+    "catalogue",
     "find",
     "procedures",
     "resume_run",

@@ -13,6 +13,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from labcal import outside
 from labcal.bench.parameters import ParameterSpec, parameters_of
 from labcal.bench.steps import Procedure
 from labcal.errors import InputError
@@ -66,8 +67,20 @@ class Found:
 
 
 def procedures() -> dict[str, Found]:
-    """All installed procedures by name, alphabetically."""
-    return {entry.name: _installed(entry) for entry in sorted(entry_points(group=GROUP), key=lambda e: e.name)}
+    """All installed procedures that load, by name, alphabetically."""
+    return catalogue()[0]
+
+
+def catalogue() -> tuple[dict[str, Found], dict[str, InputError]]:
+    """All installed procedures by name, alphabetically: those that load, and why the others do not."""
+    found: dict[str, Found] = {}
+    broken: dict[str, InputError] = {}
+    for entry in sorted(entry_points(group=GROUP), key=lambda e: e.name):
+        try:
+            found[entry.name] = _installed(entry)
+        except InputError as error:
+            broken[entry.name] = error
+    return found, broken
 
 
 def find(procedure: str) -> Found:
@@ -82,9 +95,12 @@ def find(procedure: str) -> Found:
 
 
 def _installed(entry: EntryPoint) -> Found:
-    function = entry.load()
-    source = inspect.getsourcefile(function)
-    return Found(entry.name, function, parameters_of(function), Path(source or ""))
+    function = outside.load(entry)
+    with outside.blamed(outside.named(entry), "as it is looked at"):
+        source = Path(inspect.getsourcefile(function) or "")
+        found = Found(entry.name, function, parameters_of(function), source)
+        _ = found.title, found.needs, float(found.lasts_min or 0.0), found.separates  # as a list of them asks for
+        return found
 
 
 def _from_file(path: Path) -> Found:
@@ -104,8 +120,11 @@ def _imported(path: Path) -> ModuleType:
         spec.loader.exec_module(module)
     except SyntaxError as error:
         raise InputError(f"is not Python: {error.msg}", file=path, line=error.lineno) from error
-    except Exception as error:
-        raise InputError(f"cannot be loaded: {type(error).__name__}: {error}", file=path) from error
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # it may even exit
+        told = f"cannot be loaded: {outside.said(error)}"
+        raise InputError(told, file=path, line=outside.line_in(error, path)) from error
     return module
 
 

@@ -17,6 +17,14 @@ class Left(Aborted):
     """Whoever ran this is gone: the same way out."""
 
 
+class NotKept(Aborted):
+    """The record cannot be kept, for the reason `fault`: the same way out, and the run may be gone on with."""
+
+    def __init__(self, fault: Exception) -> None:
+        super().__init__(str(fault))
+        self.fault = fault
+
+
 class Control:
     """Pause takes hold where the next step begins; stop and abort at the next sample. All leave the coils at zero."""
 

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import queue
 import threading
+import time
 from collections.abc import Callable, Iterator
-from contextlib import closing, suppress
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from labcal.bench.bench import Bench
+from labcal.bench.cage import Cage
 from labcal.bench.clock import VirtualClock
-from labcal.bench.roles import CoilSupply
-from labcal.bench.steps import Procedure
-from labcal.errors import InstrumentError, Stopped
+from labcal.bench.state import NOT_CONFIRMED, LabState
+from labcal.bench.steps import Procedure, read_back
+from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
-from labcal.runner.control import Aborted, Control, Left
+from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 Tell = Callable[[Item], None]
+Show = Callable[[LabState], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,16 +36,26 @@ class Ending:
 
 @dataclass
 class Drive:
-    """One procedure on one bench into one record. `offset_s` shifts the bench's time onto the run's."""
+    """One procedure on one bench into one record. `offset_s` shifts the bench's time onto the run's.
+
+    `kept` raises as `write` does where what was written does not reach the disk; neither ever waits for it.
+    """
 
     bench: Bench
     write: Callable[[Item], None]
     answer: Answer
     control: Control = field(default_factory=Control)
     tell: Tell = lambda item: None
+    show: Show = lambda state: None  # how the lab is, by the computer's monotonic clock
     offset_s: float = 0.0
+    kept: Callable[[], None] = lambda: None
     _reply: str | None = field(default=None, init=False)
+    state: LabState | None = field(default=None, init=False)  # of the lab, as the run left it, on the bench's clock
+    read_at_s: float = field(default=0.0, init=False)
     _at_zero: bool = field(default=False, init=False)
+    _said: str = field(default="", init=False)
+    _rows_wait: bool = field(default=False, init=False)
+    _told_to_end: bool = field(default=False, init=False)
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -54,6 +67,7 @@ class Drive:
         try:
             with closing(procedure):
                 self.bench.start()
+                self.bench.look = self._look
                 for item in self._items(procedure):
                     self._refuse_mode(item)
                     self._keep(item)
@@ -65,6 +79,8 @@ class Drive:
             return Ending("finished")
         except Left as fault:
             return Ending("interrupted", fault)
+        except NotKept as fault:
+            return Ending("interrupted", fault.fault)
         except Aborted as fault:
             return Ending(f"failed: {fault}", fault)
         except (Stopped, KeyboardInterrupt) as fault:
@@ -97,17 +113,22 @@ class Drive:
 
     def _keep(self, item: Item) -> None:
         item = _later(item, self.offset_s) if self.offset_s else item
-        self.write(item)
+        with self._zero_unless_kept():
+            self.write(item)
         self.tell(item)
         for text, data in self.control.notes():
             self._keep(self._event("note", text, **data))
         for event in self.bench.events():
             self._keep(event)
+        if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
+            self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
 
     def _ask(self, prompt: Prompt) -> str:
+        self.bench.handled(prompt)
         given = checked(prompt, self._answer_while_listening(prompt))
         if self.bench.hands is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
             self.bench.hands.do(prompt)
+        self.bench.handled(prompt)
         self._keep(self._event("answer", given, key=prompt.key))
         return given
 
@@ -130,7 +151,8 @@ class Drive:
         if not self.control.paused():
             return
         self.bench.cage.zero()
-        self._keep(self._event("pause", "paused, coils at zero", current_A=self.bench.cage.currents_A().tolist()))
+        currents = self.bench.cage.currents_A().tolist()
+        self._keep(read_back(self.bench, "pause", "paused, ", current_A=currents))
         while self.control.paused():
             self._check()
             if isinstance(self.bench.clock, VirtualClock):
@@ -148,6 +170,33 @@ class Drive:
                 self.bench.cage.zero()
             raise
 
+    def _look(self) -> None:
+        """While anybody waits. Who wants the end does not wait for the end of a ramp: it stops where it is.
+
+        Told once: what the procedure then undoes is not broken off. Nothing breaks off the way to zero.
+        """
+        with self._zero_unless_kept():
+            self.kept()
+        if self.bench.cage.on and not self._told_to_end:
+            try:
+                self._check()
+            except Stopped:
+                self._told_to_end = True
+                raise
+
+    @contextmanager
+    def _zero_unless_kept(self) -> Iterator[None]:
+        """Where the record is not kept the coils go to zero before anybody hears of it; from then on rows only wait."""
+        try:
+            yield
+        except (InputError, InstrumentError) as fault:
+            if self._rows_wait:
+                return
+            self._rows_wait = True
+            with suppress(Exception):  # tried again, and told, on the way to rest
+                self.bench.cage.zero()
+            raise NotKept(fault) from None
+
     def _listen(self) -> None:
         self._check()
         for block in self.bench.stream_until(self.bench.clock.now() + LISTEN_S):
@@ -159,12 +208,13 @@ class Drive:
             raise InstrumentError(
                 f"the computer's clock was set back by {behind:.1f} s.",
                 fault="clock set back",
-                remedy="The coils are at zero. Set the clock right and start the run again.",
+                remedy="Set the clock right and start the run again.",
             )
 
     def _at_rest(self, ending: Ending) -> Ending:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
         bench, faults = self.bench, list[Exception]()
+        self._rows_wait = True  # whoever writes the last one tells where that cannot be
         for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop):
             try:
                 come_to_rest()
@@ -180,9 +230,9 @@ class Drive:
             self._keep(read_back)
         except Exception as fault:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
+        first = next(iter(faults + lost), None)
         if not self._at_zero:
-            first = (faults + lost)[0]
-            return Ending(f"failed: coils NOT confirmed at zero: {_sentence(first)}", first)
+            return Ending(f"failed: {self._said}: {_sentence(first)}" if first else f"failed: {self._said}", first)
         return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
 
     def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
@@ -191,12 +241,14 @@ class Drive:
         `lost` takes what the supplies still had to tell: a coil that the guardian took to zero says so before it
         measures again.
         """
-        axes = self.bench.cage.supplies
-        currents = {axis: _measured(supply, lost) for axis, supply in axes.items()}
-        self._at_zero = all(i is not None and abs(i) < axes[axis].zero_current_A for axis, i in currents.items())
-        text = "coils at zero" if self._at_zero else "coils NOT confirmed at zero"
-        said = {"current_A": list(currents.values()), "faults": [_sentence(f) for f in faults + lost]}
-        return self._event("read-back", text, **said)
+        currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
+        self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
+        now = self.read_at_s
+        zero = all(coil.zero for coil in self.state.coils)  # however long a slow line took to read the three
+        self._at_zero = zero and self.state.reference.verdict != "disagrees"
+        self._said = NOT_CONFIRMED if None in currents else self.state.sentence(now)
+        told = [_sentence(fault) for fault in faults + lost]
+        return read_back(self.bench, "read-back", current_A=currents, faults=told)
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)
@@ -215,15 +267,15 @@ def _put_answer(answer: Answer, prompt: Prompt, answers: queue.Queue[str | BaseE
         answers.put(fault)
 
 
-def _measured(supply: CoilSupply, lost: list[Exception]) -> float | None:
+def _measured(cage: Cage, axis: str, lost: list[Exception]) -> float | None:
     """The current [A], asked again after an order of zero where the first answer is a fault; None where both are."""
     try:
-        return supply.measure_current()
+        return cage.read(axis)
     except InstrumentError as fault:
         lost.append(fault)
     with suppress(InstrumentError):
-        supply.set_current(0.0)
-        return supply.measure_current()
+        cage.supplies[axis].set_current(0.0)
+        return cage.read(axis)
     return None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+import time
 import tomllib
 import traceback
 from collections.abc import Mapping, Sequence
@@ -14,8 +15,10 @@ import numpy as np
 
 import labcal
 from labcal.bench.bench import Bench
+from labcal.bench.clock import VirtualClock
 from labcal.bench.parameters import settings
 from labcal.bench.roles import Identity
+from labcal.bench.state import NOT_READ, LabState
 from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, Reference, RunHeader
@@ -23,12 +26,13 @@ from labcal.record.header import ChannelSpec
 from labcal.record.stream import Block, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
 from labcal.runner.control import Control
-from labcal.runner.drive import Drive, Ending, Tell
+from labcal.runner.drive import Drive, Ending, Show, Tell
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
 
 RESUMED, INTERRUPTED = "resumed", "interrupted"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
+LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
 
@@ -36,14 +40,19 @@ GAP_S = 1.0  # at least so much time lies between what was recorded before an in
 class Outcome:
     """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met.
 
-    `at_rest` is what was read back of the coils at the end: "coils at zero", or that they are not confirmed there.
+    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far.
     """
 
     run_id: str
     status: str
     fault: BaseException | None
     failed: tuple[Measurement, ...] = ()
-    at_rest: str = ""
+    lab: LabState | None = None
+
+    @property
+    def at_rest(self) -> str:
+        """What may be said of the coils now: "coils at zero" only as long as that was read back just now."""
+        return self.lab.sentence(time.monotonic()) if self.lab is not None else NOT_READ
 
     def raise_fault(self) -> None:
         """Raise what went wrong, or LimitNotMet where a measurement failed; return where all is well."""
@@ -69,12 +78,13 @@ def run_procedure(
     filled: Mapping[str, Any] | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
+    show: Show = lambda state: None,
 ) -> Outcome:
     """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
 
     `filled` are keywords that no text can state, such as a calibration that was read from its file.
     Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
-    wrong later is in the Outcome, and the coils are at zero.
+    wrong later is in the Outcome, and so is how the coils were left.
     """
     values = settings(procedure.parameters, given)
     _refuse_modes(bench, values)
@@ -96,7 +106,8 @@ def run_procedure(
         cage_sha256=cage_sha256,
     )
     writer = store.begin(header)
-    return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, 0.0)
+    _tell_lifted(bench, writer, bench.clock.now())
+    return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
 
 
 def resume_run(
@@ -109,6 +120,7 @@ def resume_run(
     dut_serial: str | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
+    show: Show = lambda state: None,
 ) -> Outcome:
     """Go on with an interrupted run after its last finished step; given up before a coil is energised, it stays so.
 
@@ -123,7 +135,14 @@ def resume_run(
     offset = _last_time(items) + GAP_S - bench.clock.now()
     software = {"software": f"labcal {labcal.__version__}"}
     writer.write(Event(_last_time(items) + GAP_S, RESUMED, "goes on after an interruption", software))
-    return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, offset)
+    _tell_lifted(bench, writer, _last_time(items) + GAP_S)
+    return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, show, offset)
+
+
+def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
+    """Who lifted the doubt that the coils were at zero, and what was measured, into the first record after it."""
+    if (doubt := bench.cage.latch.told()) is not None:
+        writer.write(Event(t_s, "zero-in-doubt", f"{doubt.utc}: {doubt.words}; lifted: {doubt.lifted}", asdict(doubt)))
 
 
 def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
@@ -146,14 +165,18 @@ def _drive(
     answer: Answer,
     control: Control | None,
     tell: Tell,
+    show: Show,
     offset_s: float,
 ) -> Outcome:
     seen = _Seen(tell)
-    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, offset_s)
+    if not isinstance(bench.clock, VirtualClock):
+        writer.late_s = LATE_S
+    drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s, writer.check)
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)
-    return Outcome(writer.run_id, *_written(writer, ending), tuple(seen.failed.values()), seen.at_rest)
+    lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
+    return Outcome(writer.run_id, *_written(writer, ending), tuple(seen.failed.values()), lab)
 
 
 def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
@@ -175,7 +198,6 @@ class _Seen:
     tell: Tell
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
-    at_rest: str = ""
 
     def notice(self, item: Item) -> None:
         if isinstance(item, Measurement):
@@ -184,7 +206,6 @@ class _Seen:
                 self.failed[item.name] = item
         if isinstance(item, Event):
             self.energised |= item.kind == "set-point"
-            self.at_rest = item.text if item.kind == "read-back" else self.at_rest
         self.tell(item)
 
 

@@ -62,6 +62,11 @@ def read_bundle(path: Path) -> Run:
     return load_bundle(path).run()
 
 
+def bundle_files(path: Path) -> list[Path]:
+    """The files that `save_bundle` writes at `path`."""
+    return [path] if path.suffix.lower() == ".zip" else [path / RUN_JSON, path / SAMPLES_CSV]
+
+
 def save_bundle(bundle: Bundle, path: Path) -> None:
     """Write the bundle to `path`: a zip where the name ends in .zip, else a folder."""
     if path.suffix.lower() == ".zip":

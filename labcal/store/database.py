@@ -1,7 +1,8 @@
-"""The store's file: its schema, how it is opened, and plain words for what can go wrong with it."""
+"""The store's file: how it is opened and written, and plain words for what can go wrong with it."""
 
 from __future__ import annotations
 
+import os
 import sqlite3
 import time
 from collections.abc import Iterator
@@ -9,70 +10,59 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from labcal.errors import InputError, InstrumentError
+from labcal.home import home, own_file, own_folder, tightened
+from labcal.store import schema
+from labcal.store.place import BESIDE, Files, files_at, require_same
 
-APPLICATION = 0x6C61_6263  # "labc", in the file's header
-VERSION = 1
 PATIENCE_S = 5.0  # how long another program may hold the file
-
-SCHEMA = """
-CREATE TABLE run (
-    number INTEGER PRIMARY KEY,
-    run_id TEXT NOT NULL UNIQUE,
-    header TEXT NOT NULL  -- JSON: who, with what, by which procedure; of an imported run what its run.json says
-);
-CREATE TABLE status (  -- how a run stands: its last row counts
-    run INTEGER NOT NULL REFERENCES run (number),
-    status TEXT NOT NULL,  -- running, finished, stopped, failed: ..., imported
-    utc TEXT NOT NULL
-);
-CREATE INDEX status_of_run ON status (run);
-CREATE TABLE item (  -- the timeline, in the order of `number`
-    number INTEGER PRIMARY KEY,
-    run INTEGER NOT NULL REFERENCES run (number),
-    kind TEXT NOT NULL,  -- block, segment-opened, segment-closed, mode-changed, step, measurement, event, prompt
-    t_s REAL NOT NULL,  -- seconds of the bench's clock
-    content TEXT NOT NULL,  -- JSON
-    stamps BLOB,  -- of a block: (n,) little-endian float64, s
-    samples BLOB,  -- of a block: (n, columns) little-endian float64, row by row
-    raw BLOB  -- of a block: the frames as they came over the wire
-);
-CREATE INDEX item_of_run ON item (run, number);
-CREATE TABLE bundle (  -- imported runs, byte for byte
-    run INTEGER PRIMARY KEY REFERENCES run (number),
-    run_json BLOB NOT NULL,
-    samples_csv BLOB NOT NULL
-);
-""" + "".join(
-    f"CREATE TRIGGER {table}_{verb.lower()} BEFORE {verb} ON {table}"
-    " BEGIN SELECT RAISE(ABORT, 'what was recorded is never edited'); END;\n"
-    for table in ("run", "status", "item", "bundle")
-    for verb in ("UPDATE", "DELETE")
-)
+CHECKED_BYTES = 32 << 20  # a store up to this size is looked through whenever it is opened (15 ms)
+CHECKED_BEFORE_A_RUN_BYTES = 512 << 20  # and up to this one before a run is recorded into it (0.3 s)
+DAMAGED = "`labcal check-store` looks through all of it; set the file aside and go on with a copy, or with a new store"
 
 
-def connect(path: Path) -> sqlite3.Connection:
+class Connection(sqlite3.Connection):
+    """A connection that knows which files it writes to."""
+
+    files: Files
+
+
+def connect(path: Path) -> Connection:
     """Open the store at `path`, made where it is absent. Raises InputError where the file is no store of ours.
 
-    Every commit is on the disk when it returns (WAL, synchronous FULL); others read meanwhile.
+    Every commit is on the disk when it returns (WAL, synchronous FULL); others read meanwhile. Only this user can.
     """
     with named_faults(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        connection = sqlite3.connect(path, timeout=PATIENCE_S, isolation_level=None, check_same_thread=False)
+        _for_this_user_alone(path)
+        connection = sqlite3.connect(
+            path, timeout=PATIENCE_S, isolation_level=None, check_same_thread=False, factory=Connection
+        )
         try:
             _set_up(connection, path)
+            connection.files = files_at(path)
+            require_sound(connection, path, CHECKED_BYTES)
         except BaseException:
             connection.close()
             raise
     return connection
 
 
+def require_sound(connection: sqlite3.Connection, path: Path, at_most_bytes: int) -> None:
+    """Look through a store of up to this size, page by page. Raises InputError with the first thing that is wrong."""
+    with named_faults(path):
+        if os.stat(path).st_size <= at_most_bytes:
+            (found,) = connection.execute("PRAGMA quick_check(1)").fetchone()
+            if found != "ok":
+                raise InputError(f"the store is damaged: {' '.join(found.split())}; {DAMAGED}", file=path)
+
+
 @contextmanager
-def transaction(connection: sqlite3.Connection, path: Path) -> Iterator[None]:
-    """All that is written within is committed together, or not at all."""
+def transaction(connection: Connection, path: Path) -> Iterator[None]:
+    """All that is written within is committed together into the file at `path`, or not at all."""
     with named_faults(path):
         connection.execute("BEGIN IMMEDIATE")
         try:
             yield
+            require_same(path, connection.files)
             connection.execute("COMMIT")
         except BaseException:
             if connection.in_transaction:
@@ -95,13 +85,27 @@ def _named(error: sqlite3.Error, path: Path) -> InputError | InstrumentError:
         remedy = "What was committed is safe; make room on the disk, then go on with the run."
         return InstrumentError(f"{path}: the disk is full or fails ({error}).", fault="disk full", remedy=remedy)
     if name.startswith(("SQLITE_BUSY", "SQLITE_LOCKED")):
-        remedy = "Close the program that holds it, then try again."
+        remedy = "Close the program that holds it, then try again, or go on with the run."
         return InstrumentError(f"{path}: another program keeps the store locked.", fault="store locked", remedy=remedy)
     if name.startswith(("SQLITE_NOTADB", "SQLITE_CORRUPT")):
-        return InputError(f"the store is damaged, or is no store: {error}", file=path)
+        return InputError(f"the store is damaged, or is no store: {error}; {DAMAGED}", file=path)
     if name.startswith(("SQLITE_CANTOPEN", "SQLITE_READONLY", "SQLITE_PERM", "SQLITE_AUTH")):
-        return InputError(f"the store cannot be opened for writing: {error}", file=path)
+        return InputError(f"the store cannot be opened or written: {error}", file=path)
     return InstrumentError(f"{path}: the store refused: {error}.", fault="store failed")
+
+
+def _for_this_user_alone(path: Path) -> None:
+    """The store, what SQLite keeps beside it, and the folder where it is labcal's own. Raises InputError."""
+    try:
+        if path.parent == home():
+            own_folder(path.parent)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.is_dir():
+            own_file(path)
+    except OSError as error:
+        raise InputError(f"the store cannot be opened or written: {error.strerror}", file=path) from None
+    for end in BESIDE[1:]:
+        tightened(path.with_name(path.name + end))
 
 
 def _set_up(connection: sqlite3.Connection, path: Path) -> None:
@@ -109,10 +113,12 @@ def _set_up(connection: sqlite3.Connection, path: Path) -> None:
     deadline = time.monotonic() + PATIENCE_S
     while True:
         try:
-            if connection.execute("PRAGMA application_id").fetchone()[0] != APPLICATION:
+            if connection.execute("PRAGMA application_id").fetchone()[0] != schema.APPLICATION:
                 _create(connection, path)
-            _check_version(connection, path)
-            for pragma in ("journal_mode = WAL", "synchronous = FULL", "foreign_keys = ON"):
+            schema.require(connection, path)
+            if schema.behind(connection):
+                _bring_up(connection)
+            for pragma in ("journal_mode = WAL", "synchronous = FULL", "foreign_keys = ON", "cell_size_check = ON"):
                 connection.execute(f"PRAGMA {pragma}")
             return
         except sqlite3.OperationalError as error:
@@ -126,27 +132,15 @@ def _set_up(connection: sqlite3.Connection, path: Path) -> None:
 
 def _create(connection: sqlite3.Connection, path: Path) -> None:
     connection.execute("BEGIN IMMEDIATE")  # two programs may open a new store at once: one makes it, one waits
-    if connection.execute("PRAGMA application_id").fetchone()[0] != APPLICATION:
+    if connection.execute("PRAGMA application_id").fetchone()[0] != schema.APPLICATION:
         if connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
             raise InputError("a database of another program, not a store of labcal", file=path)
-        for statement in _statements():
-            connection.execute(statement)
-        connection.execute(f"PRAGMA application_id = {APPLICATION}")
-        connection.execute(f"PRAGMA user_version = {VERSION}")
+        schema.create(connection)
     connection.execute("COMMIT")
 
 
-def _statements() -> Iterator[str]:
-    """The schema's statements one by one, since executescript would commit before it begins."""
-    statement = ""
-    for line in SCHEMA.splitlines(keepends=True):
-        statement += line
-        if sqlite3.complete_statement(statement):
-            yield statement
-            statement = ""
-
-
-def _check_version(connection: sqlite3.Connection, path: Path) -> None:
-    version = connection.execute("PRAGMA user_version").fetchone()[0]
-    if version != VERSION:
-        raise InputError(f"a store of version {version}; this labcal reads version {VERSION}", file=path)
+def _bring_up(connection: sqlite3.Connection) -> None:
+    connection.execute("BEGIN IMMEDIATE")
+    if schema.behind(connection):
+        schema.bring_up(connection)
+    connection.execute("COMMIT")

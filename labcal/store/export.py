@@ -11,10 +11,22 @@ from typing import Any
 
 import numpy as np
 
+from labcal.errors import InputError
 from labcal.record import Run
+from labcal.spreadsheet import first_formula
+from labcal.store.bundle import SAMPLES_CSV, Bundle
 from labcal.store.run_json import write_run_json
 
 MAT_TITLE = b"MATLAB 5.0 MAT-file, a labcal run".ljust(116)  # scipy writes the date there
+
+
+def csv_table(bundle: Bundle) -> bytes:
+    """The samples of `bundle`, byte for byte. Raises InputError where a spreadsheet would run one of the cells."""
+    if found := first_formula(bundle.samples_csv.decode(errors="replace")):
+        line, cell = found
+        told = f"a spreadsheet would take {cell[:40]!r} for a formula; --format bundle writes it as it stands"
+        raise InputError(told, file=bundle.source / SAMPLES_CSV, line=line)
+    return bundle.samples_csv
 
 
 def hdf5(run: Run) -> bytes:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-import sqlite3
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from types import TracebackType
@@ -16,9 +16,17 @@ from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
 from labcal.record.stream import Block, Event, Item
 from labcal.store.bundle import Bundle, bundle_of, load_bundle
-from labcal.store.database import connect, named_faults, transaction
+from labcal.store.database import (
+    CHECKED_BEFORE_A_RUN_BYTES,
+    Connection,
+    connect,
+    named_faults,
+    require_sound,
+    transaction,
+)
 from labcal.store.items import Row, from_row, header_from_json, to_json, to_row
 from labcal.store.liveness import Alive, is_alive
+from labcal.store.place import require_same
 from labcal.store.summary import describe
 from labcal.store.writer import INSERT_ITEM, INSERT_STATUS, RunWriter, utc_now
 
@@ -47,7 +55,7 @@ class RunSummary:
 class Store:
     """One bench's runs. A store object belongs to one thread; any number may be open on the same file."""
 
-    def __init__(self, path: Path, connection: sqlite3.Connection) -> None:
+    def __init__(self, path: Path, connection: Connection) -> None:
         self.path, self._connection = path, connection
 
     @classmethod
@@ -70,13 +78,14 @@ class Store:
         self.close()
 
     def begin(self, header: RunHeader) -> RunWriter:
-        """Begin a run. Raises InputError where its run id is taken."""
+        """Begin a run. Raises InputError where its run id is taken, or the store is damaged."""
         if not header.dut.serial:
             raise InputError("a run needs the serial number of its DUT")
+        require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
         self._require_free(header.run_id)
         alive = Alive(self._lock_file(header.run_id))
         try:
-            with transaction(self._connection, self.path):
+            with self._written():
                 number = self._add(header.run_id, to_json(asdict(header)), "running")
             return RunWriter(self.path, number, header.run_id, alive)
         except BaseException:
@@ -87,9 +96,10 @@ class Store:
         """Go on with an interrupted run. Raises InputError where there is none that was interrupted."""
         if (status := self.status(run_id)) != "interrupted":
             raise InputError(f"run {run_id} was not interrupted: it is {status}")
+        require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
         alive = Alive(self._lock_file(run_id))
         try:
-            with transaction(self._connection, self.path):
+            with self._written():
                 number = self._number(run_id)
                 self._connection.execute(INSERT_STATUS, (number, "running", utc_now()))
             return RunWriter(self.path, number, run_id, alive)
@@ -108,7 +118,7 @@ class Store:
             if self.bundle(run_id).sha256 != bundle.sha256:
                 raise InputError(f"the store has another run called {run_id}", file=path)
             return run_id
-        with transaction(self._connection, self.path):
+        with self._written():
             number = self._add(run_id, bundle.run_json.decode("utf-8-sig"), "imported")
             parts = (number, bundle.run_json, bundle.samples_csv)
             self._connection.execute("INSERT INTO bundle (run, run_json, samples_csv) VALUES (?, ?, ?)", parts)
@@ -147,7 +157,7 @@ class Store:
         data = {"from": header.dut.serial, "to": serial.strip(), "by": who, "utc": utc_now()}
         text = f"DUT serial {data['from']} corrected to {data['to']} by {who}"
         row = to_row(Event(self.end_s(run_id), CORRECTED, text, data))
-        with transaction(self._connection, self.path):
+        with self._written():
             self._connection.execute(INSERT_ITEM, (self._number(run_id), *row))
 
     def cage_sha256(self, run_id: str) -> str | None:
@@ -183,6 +193,13 @@ class Store:
             return describe(imported.run(), status)
         header, items = self.header(run_id), list(self.items(run_id))
         return describe(assemble(header, items), status, header, items)
+
+    @contextmanager
+    def _written(self) -> Iterator[None]:
+        """A transaction whose rows are in the file that lies there when it is over."""
+        with transaction(self._connection, self.path):
+            yield
+        require_same(self.path, self._connection.files)
 
     def _add(self, run_id: str, header: str, status: str) -> int:
         self._require_free(run_id)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from labcal.errors import InputError
 from labcal.files import write_bytes
-from labcal.home import home
+from labcal.home import FILE, home, own_folder
 
 LARGEST_BYTES = 50 * 2**20
 KINDS = {b"\xff\xd8\xff": ".jpg", b"\x89PNG": ".png", b"RIFF": ".webp"}
@@ -30,6 +30,6 @@ def keep_photo(path: Path) -> dict[str, str]:
     digest = sha256(content).hexdigest()
     kept = home() / "photos" / f"{digest}{kind}"
     if not kept.exists():
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        write_bytes(kept, content)
+        own_folder(own_folder(home()) / kept.parent.name)
+        write_bytes(kept, content, FILE)
     return {"photo": kept.name, "sha256": digest, "taken_from": path.name}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Sequence
 from contextlib import suppress
 from datetime import UTC, datetime
@@ -15,8 +16,13 @@ from labcal.record.stream import Block, Item
 from labcal.store.database import connect, transaction
 from labcal.store.items import Row, merged, to_row
 from labcal.store.liveness import Alive
+from labcal.store.place import require_same
 
 COMMIT_EVERY_S = 0.25  # of wall time
+ASK_AGAIN_MS = 100  # while another program holds the store
+LATE_S = 15.0  # a row that waits so long for the disk is told; with real coils on, sooner: see `RunWriter.late_s`
+PATIENCE_S = 10.0  # at the end, with nothing energised any more: by then a lock or a full disk may be gone
+PASSING = ("store locked", "disk full")  # faults that may go away by themselves
 ROWS_BUFFERED = 5_000
 INSERT_ITEM = "INSERT INTO item (run, kind, t_s, content, stamps, samples, raw) VALUES (?, ?, ?, ?, ?, ?, ?)"
 INSERT_STATUS = "INSERT INTO status (run, status, utc) VALUES (?, ?, ?)"
@@ -31,57 +37,83 @@ class RunWriter:
     """Takes a run's items and commits them at least every half second, by a thread of its own.
 
     Use it as a context manager: a run that is left without `finish` ends `finished`, `stopped` or `failed: …` as it
-    was left. A writer that dies without leaving shows as `interrupted`.
+    was left. A writer that dies without leaving shows as `interrupted`. `late_s`: how long a row may wait for the disk
+    before `write` and `check` say that it does; nobody who hands items in ever waits for the disk itself.
     """
 
     def __init__(self, path: Path, run: int, run_id: str, alive: Alive) -> None:
-        self.run_id = run_id
+        self.run_id, self.late_s = run_id, LATE_S
         self._path, self._run, self._alive = path, run, alive
         self._connection = connect(path)
+        self._connection.execute(f"PRAGMA busy_timeout = {ASK_AGAIN_MS}")
         self._pending: list[Row] = []
+        self._since_s: float | None = None  # when the oldest row that is not on the disk was handed in
         self._hand, self._committing = threading.Lock(), threading.Lock()
-        self._fault: Exception | None = None
-        self._closing = threading.Event()
+        self._fault: Exception | None = None  # of the last commit
+        self._closing, self._wanted, self._left = threading.Event(), threading.Event(), threading.Event()
         self._clockwork = threading.Thread(target=self._commit_in_time, name=f"record {run_id}", daemon=True)
         self._clockwork.start()
 
     def write(self, item: Item) -> None:
-        """Take one item. Raises InstrumentError ("disk full", "store locked") when an earlier one cannot be kept."""
-        if self._fault is not None:
-            raise self._fault
+        """Take one item: it goes to the disk as soon as that can be. Then raise as `check` does."""
         if isinstance(item, Block) and not len(item):
             return
         row = to_row(item)
         with self._hand:
             self._pending.append(row)
-        if len(self._pending) >= ROWS_BUFFERED:
-            self.commit()
+            self._since_s = self._since_s or time.monotonic()
+        while len(self._pending) >= ROWS_BUFFERED and not self._closing.is_set():
+            self._wanted.set()
+            self.check()
+            time.sleep(0.01)
+        self.check()
+
+    def check(self) -> None:
+        """Raise InstrumentError ("disk full", "store locked", "store slow", "store gone") where rows are not kept.
+
+        InputError where the store's file is damaged. What was handed in waits in memory and is tried again.
+        """
+        fault, since_s = self._fault, self._since_s
+        late = since_s is not None and time.monotonic() - since_s > self.late_s
+        if fault is not None and (late or getattr(fault, "fault", "") != "store locked"):
+            raise fault
+        if late:
+            raise self._slow()
 
     def commit(self) -> None:
         """Bring everything written so far to the disk now."""
         with self._committing:
             with self._hand:
-                rows = tuple(self._pending)
+                rows, begun_s = tuple(self._pending), time.monotonic()
             if rows:
                 self._insert(rows)
                 with self._hand:
                     del self._pending[: len(rows)]
+                    self._since_s = begun_s if self._pending else None
 
     def finish(self, status: str) -> None:
-        """Commit what is left and state how it ended: `finished`, `stopped`, `failed: why`, `interrupted` as before."""
+        """Commit what is left and state how it ended: `finished`, `stopped`, `failed: why`, `interrupted` as before.
+
+        Where a lock or a full disk is in the way, it is waited for, ten seconds at the most: nothing may be energised.
+        """
         if status not in ("finished", "stopped", "interrupted") and not status.startswith("failed: "):
             raise ValueError(f"a run ends finished, stopped, interrupted or failed: why; not {status!r}")
         if self._closing.is_set():
             return
         self._closing.set()
-        self._clockwork.join()
+        self._wanted.set()
+        deadline = time.monotonic() + PATIENCE_S
+        self._clockwork.join(PATIENCE_S)
+        if self._clockwork.is_alive():
+            self._left.set()  # it lets go when the disk has answered
+            if not self._clockwork.is_alive():
+                self._let_go()
+            raise self._fault or self._slow()
         try:
-            self.commit()
-            with transaction(self._connection, self._path):
-                self._connection.execute(INSERT_STATUS, (self._run, status, utc_now()))
+            while not self._ended(status, deadline):
+                time.sleep(0.05)
         finally:
-            self._connection.close()
-            self._alive.end()
+            self._let_go()
 
     def __enter__(self) -> Self:
         return self
@@ -93,16 +125,46 @@ class RunWriter:
         with suppress(InstrumentError, InputError):  # the first fault is the one to tell
             self.finish(_ending(error))
 
+    def _ended(self, status: str, deadline: float) -> bool:
+        """Whether the rows that are left and `status` are in the file that lies there now; False: try again."""
+        try:
+            self.commit()
+            with transaction(self._connection, self._path):
+                self._connection.execute(INSERT_STATUS, (self._run, status, utc_now()))
+        except InstrumentError as fault:
+            if fault.fault not in PASSING or time.monotonic() > deadline:
+                raise
+            return False
+        require_same(self._path, self._connection.files)
+        return True
+
     def _insert(self, rows: Sequence[Row]) -> None:
         with transaction(self._connection, self._path):
             self._connection.executemany(INSERT_ITEM, ((self._run, *row) for row in merged(rows)))
 
     def _commit_in_time(self) -> None:
-        while not self._closing.wait(COMMIT_EVERY_S):
+        while not self._closing.is_set():
+            self._wanted.wait(COMMIT_EVERY_S)
+            self._wanted.clear()
             try:
                 self.commit()
-            except Exception as error:  # told to whoever writes next
+                require_same(self._path, self._connection.files)
+                self._fault = None
+            except Exception as error:  # told to whoever writes or looks next, and tried again
                 self._fault = error
+        if self._left.is_set():
+            self._let_go()
+
+    def _let_go(self) -> None:
+        self._connection.close()
+        self._alive.end()
+
+    def _slow(self) -> InstrumentError:
+        return InstrumentError(
+            f"{self._path}: the disk takes more than {self.late_s:g} s to keep what is recorded.",
+            fault="store slow",
+            remedy="What was committed is safe; see what keeps the disk busy, then go on with the run.",
+        )
 
 
 def _ending(error: BaseException) -> str:

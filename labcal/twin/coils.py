@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from importlib import import_module
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -59,7 +60,7 @@ def _pair(side_m: float, turns: int, spacing: float, axis: int, tilt_rad: Array,
 
 @dataclass
 class Coil:
-    """One axis: the supply's output through inductance, and the contacts that may reverse it."""
+    """One axis: the supply's output through inductance, the contacts that may reverse it, and what may open it."""
 
     resistance_ohm: float
     tau_s: float
@@ -67,6 +68,8 @@ class Coil:
     current: Relaxing = field(init=False)
     sign: Steps[int] = field(default_factory=lambda: Steps(1))
     hot_switches: list[float] = field(default_factory=list)
+    closed_until_s: dict[str, float] = field(default_factory=dict)  # by whatever opens it by itself when nobody beats
+    _wanted_A: float = field(default=0.0, init=False)
 
     def __post_init__(self) -> None:
         self.current = Relaxing(self.tau_s)
@@ -76,8 +79,16 @@ class Coil:
         reachable = voltage_V / self.resistance_ohm
         wanted = current_A + self.residual_A if on else 0.0
         limited = on and abs(wanted) > reachable
-        self.current.set(t_s, float(np.clip(wanted, -reachable, reachable)))
+        self._wanted_A = float(np.clip(wanted, -reachable, reachable))
+        self._flow(t_s)
         return bool(limited)
+
+    def close(self, t_s: float, by: str, until_s: float) -> None:
+        """What is called `by` lets the current through until `until_s` and opens the circuit then; opens it now where
+        that is past.
+        """
+        self.closed_until_s[by] = until_s
+        self._flow(t_s)
 
     def reverse(self, t_s: float, sign: int) -> None:
         """Move the contacts; under current that is a hot switch and is remembered."""
@@ -85,6 +96,12 @@ class Coil:
             if abs(self.current.now(t_s)) > HOT_SWITCH_A:
                 self.hot_switches.append(t_s)
             self.sign.set(t_s, sign)
+
+    def _flow(self, t_s: float) -> None:
+        end_s = min(self.closed_until_s.values(), default=inf)
+        self.current.set(t_s, self._wanted_A if t_s < end_s else 0.0)
+        if t_s < end_s < inf:
+            self.current.set(end_s, 0.0)
 
     def at(self, t_s: Array) -> Array:
         """Signed current (n,) [A] in the winding."""

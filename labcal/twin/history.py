@@ -46,7 +46,9 @@ class Relaxing:
         return self._to[-1]
 
     def set(self, t_s: float, target: float) -> None:
-        """From `t_s` on it goes to `target`."""
+        """From `t_s` on it goes to `target`; what was to come after that does not come."""
+        while self._t[-1] > t_s:
+            self._drop_last()
         if target != self._to[-1]:
             self._from.append(self.now(t_s))
             self._t.append(t_s)
@@ -54,9 +56,17 @@ class Relaxing:
             self._table = None
 
     def now(self, t_s: float) -> float:
-        """The current at one moment after the last step."""
-        fading = np.exp(-(t_s - self._t[-1]) / self._tau) if len(self._t) > 1 else 0.0
-        return float(self._to[-1] + (self._from[-1] - self._to[-1]) * fading)
+        """The current at one moment after the last step that anybody took; steps to come are none yet."""
+        k = len(self._t) - 1
+        while self._t[k] > t_s:
+            k -= 1
+        fading = np.exp(-(t_s - self._t[k]) / self._tau) if k else 0.0
+        return float(self._to[k] + (self._from[k] - self._to[k]) * fading)
+
+    def _drop_last(self) -> None:
+        for steps in (self._t, self._from, self._to):
+            steps.pop()
+        self._table = None
 
     def at(self, t_s: Array) -> Array:
         """The current (n,) at any times (n,)."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from other_users import common_folder, group_folder
 from served_lab import Served, Sessions, example
 
 
@@ -29,3 +30,16 @@ def session(lab: Served) -> Iterator[Sessions]:
     sessions = Sessions(lab)
     yield sessions
     sessions.end()
+
+
+@pytest.fixture
+def common() -> Iterator[Path]:
+    """A place like /tmp, of its own."""
+    with common_folder() as folder:
+        yield folder
+
+
+@pytest.fixture
+def of_group(common: Path) -> Path:
+    """The folder of a group in it."""
+    return group_folder(common)

@@ -190,7 +190,7 @@ def test_a_welded_contact_is_seen_by_the_reference_at_small_current(
     with pytest.raises(InstrumentError, match=r"coil y.*step of -0\.04 A was seen") as caught:
         bench.cage.set_currents([-0.5, -0.5, 0.5])
     assert caught.value.fault == "polarity not confirmed"
-    assert "zero" in caught.value.remedy
+    assert "welded" in caught.value.remedy
     assert abs(bench.cage.currents_A()).max() < 0.001
     reached = lab_of(bench).coils["y"].current.at(np.arange(0.0, bench.clock.now(), 0.01))
     assert reached.max() < 0.51  # never more than the set-point before

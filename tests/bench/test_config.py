@@ -94,3 +94,30 @@ def test_the_line_found_is_the_nearest_key_that_is_stated() -> None:
     assert line_of(text, ("a", "c", "d", "0")) == 4
     assert line_of(text, ("a", "c", "missing")) == 3
     assert line_of(text, ("z",)) is None
+
+
+def test_the_group_of_safety_and_its_folder_are_read(tmp_path: Path) -> None:
+    stated = '[safety]\ngroup = "magnetics"\nruntime = "/run/labcal"\n'
+    (tmp_path / "bench.toml").write_text(GOOD + stated)
+    safety = read_config(tmp_path / "bench.toml").safety
+    assert (safety.group, safety.runtime) == ("magnetics", "/run/labcal")
+
+
+@pytest.mark.parametrize(
+    ("stated", "said"),
+    [
+        ('group = ""', "safety.group must be the name of a group"),
+        ('group = "a b"', "safety.group must be the name of a group"),
+        ('group = "../x"', "safety.group must be the name of a group"),
+        ('group = "g"\nruntime = "run"', "safety.runtime must be the whole path of a folder"),
+        ('group = "g"\nruntime = "/run/../x"', "safety.runtime must be the whole path"),
+        ('group = "g"\nruntime = "/' + "x" * 60 + '"', "of at most 60"),
+        ('runtime = "/run/labcal"', "runtime is the folder of a group: state group too"),
+        ("team = 1", "safety.team is not a key"),
+    ],
+)
+def test_a_group_or_folder_that_can_be_none_is_refused(tmp_path: Path, stated: str, said: str) -> None:
+    (tmp_path / "bench.toml").write_text(f"{GOOD}\n[safety]\n{stated}\n")
+    with pytest.raises(InputError) as caught:
+        read_config(tmp_path / "bench.toml")
+    assert said in str(caught.value)

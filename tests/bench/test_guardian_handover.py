@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import re
+import signal
+import subprocess
+import sys
 import threading
+import time
 from collections.abc import Iterator
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -14,7 +20,7 @@ from served_lab import three_on_one_pair
 
 from labcal.bench.clock import VirtualClock
 from labcal.bench.config import read_config
-from labcal.bench.guardian.handover import DONE, Handover, Held, handover_of, stand_by
+from labcal.bench.guardian.handover import DONE, Handover, Held, handover_of, stand_by, unknown
 from labcal.bench.guardian.keeper import Guardian
 from labcal.bench.roles import Identity
 
@@ -27,9 +33,9 @@ CURRENT, SERIAL = b"\0\x09", 2  # of a Riden's registers
     ("said", "heard"),
     [
         ([Handover().line(), KNOWN.line()], ("ended", KNOWN)),
-        ([KNOWN.line(), KNOWN.line()[:40]], ("ended", Handover())),
-        ([KNOWN.line(), "[1]", '{"exchanges_s": null}'], ("ended", Handover())),
-        ([], ("ended", Handover())),
+        ([KNOWN.line(), KNOWN.line()[:40]], ("ended", unknown())),
+        ([KNOWN.line(), "[1]", '{"exchanges_s": null}'], ("ended", unknown())),
+        ([], ("ended", unknown())),
         ([KNOWN.line(), DONE, KNOWN.line()], (DONE, Handover())),
     ],
     ids=["killed", "killed in a word", "spoilt", "killed at once", "done"],
@@ -53,6 +59,30 @@ def test_one_that_is_silent_is_replaced_with_what_it_said_last(monkeypatch: pyte
     monkeypatch.setattr(threading.Thread, "start", begun)  # what was said has been heard before the silence is timed
     assert stand_by(said(), hung_s=0.01) == ("silent", KNOWN)
     over.set()
+
+
+LISTENS = """
+import sys
+from labcal.bench.guardian.handover import stand_by
+print("listening", flush=True)
+print(stand_by(sys.stdin, hung_s=5.0)[0])
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGSTOP, which Windows lacks")
+def test_who_was_stopped_itself_replaces_nobody_when_it_wakes() -> None:
+    with subprocess.Popen([sys.executable, "-c", LISTENS], stdin=-1, stdout=-1, text=True, bufsize=1) as standby:
+        assert standby.stdin is not None
+        assert standby.stdout is not None
+        assert standby.stdout.readline() == "listening\n"
+        standby.stdin.write(KNOWN.line() + "\n")
+        os.kill(standby.pid, signal.SIGSTOP)
+        time.sleep(6.0)  # longer than a guardian may be silent, and nothing is said meanwhile
+        os.kill(standby.pid, signal.SIGCONT)
+        time.sleep(1.0)
+        with suppress(BrokenPipeError):
+            standby.stdin.write(DONE + "\n")
+        assert standby.stdout.read() == f"{DONE}\n"
 
 
 class Pair:
@@ -120,7 +150,7 @@ def test_a_step_on_its_way_is_asked_for(pair: Pair, monkeypatch: pytest.MonkeyPa
     assert [frame[0] for frame in pair.sent[:first_write] if frame[2:4] == CURRENT] == [2]
 
 
-def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair) -> None:
+def test_another_supply_than_before_hears_zero_and_off_before_it_is_refused(pair: Pair) -> None:
     handed = handed_over(pair)
     who = handed.coils["y"].who
     assert who is not None
@@ -130,7 +160,9 @@ def test_a_successor_sends_nothing_to_another_instrument_than_before(pair: Pair)
     assert [ended[axis].words for axis in "xz"] == ["zero, open"] * 2
     assert ended["y"].fault is not None
     assert ended["y"].fault.fault == "another instrument"
-    assert all(frame[0] != 2 or frame[1] == 3 for frame in pair.sent)
+    assert {frame[:6] for frame in pair.sent if frame[0] == 2 and frame[1] != 3} == {
+        b"\x02\x06\x00\x09\x00\x00", b"\x02\x06\x00\x12\x00\x00"
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize("end", ["close", "give_back"])

@@ -9,13 +9,16 @@ from __future__ import annotations
 import os
 import re
 import signal
+import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable
 from datetime import datetime
 
 import pytest
 from served_lab import (
+    LABCAL,
     Served,
     Sessions,
     at_zero,
@@ -27,6 +30,8 @@ from served_lab import (
     three_on_one_pair,
     until,
 )
+
+from labcal.bench.guardian.standbys import HOW_MANY
 
 pytestmark = [
     pytest.mark.slow,
@@ -50,12 +55,34 @@ def terminal_lost(lab: Served, session: Sessions) -> Callable[[], object]:
     return lambda: os.close(terminal)
 
 
-def guardian_killed(lab: Served, session: Sessions) -> Callable[[], object]:
+def standing_by(lab: Served, session: Sessions) -> tuple[int, list[int]]:
+    """A guardian of energised coils, and those that stand by it, ready."""
     session("idle", MOST_A)
     (first,) = guardians()
-    until(lambda: bool(children_of(first)))
-    time.sleep(3)  # the standby is up
+    until(lambda: len(children_of(first)) == HOW_MANY)
+    time.sleep(6)
+    return first, children_of(first)
+
+
+def guardian_killed(lab: Served, session: Sessions) -> Callable[[], object]:
+    first, _ = standing_by(lab, session)
     return lambda: os.kill(first, signal.SIGKILL)
+
+
+def guardian_hung(lab: Served, session: Sessions) -> Callable[[], object]:
+    first, _ = standing_by(lab, session)
+    return lambda: os.kill(first, signal.SIGSTOP)
+
+
+def guardian_and_standby_killed(lab: Served, session: Sessions) -> Callable[[], object]:
+    first, standbys = standing_by(lab, session)
+    return lambda: [os.kill(pid, signal.SIGKILL) for pid in (standbys[0], first)]
+
+
+def said_off(lab: Served, session: Sessions) -> Callable[[], object]:
+    session("idle", MOST_A)
+    command = [*LABCAL, "bench", "off", str(lab.file)]
+    return lambda: threading.Thread(target=subprocess.run, args=(command,)).start()
 
 
 def read_back_s() -> float:
@@ -68,7 +95,10 @@ def read_back_s() -> float:
 
 
 @pytest.mark.parametrize("bench_text", [example(), three_on_one_pair()], ids=["tti", "riden-on-one-pair"])
-@pytest.mark.parametrize("deed", [killed, stopped, terminal_lost, guardian_killed])
+@pytest.mark.parametrize(
+    "deed",
+    [killed, stopped, terminal_lost, guardian_killed, guardian_hung, guardian_and_standby_killed, said_off],
+)
 def test_every_coil_is_at_zero_within_two_seconds(
     lab: Served, session: Sessions, deed: Callable[[Served, Sessions], Callable[[], object]]
 ) -> None:

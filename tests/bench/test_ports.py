@@ -11,6 +11,7 @@ import threading
 import tty
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
+from pathlib import Path
 
 import pytest
 import serial
@@ -21,7 +22,7 @@ from drivers.metrolab import Settings as MetrolabSettings
 from labcal.bench.clock import RealClock
 from labcal.bench.links import Link, open_link
 from labcal.bench.links.modbus import ModbusLink
-from labcal.errors import InstrumentError
+from labcal.errors import InputError, InstrumentError
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
 LONG_S = 60.0  # a busy machine answers within it
@@ -188,3 +189,10 @@ def test_the_deny_list_binds_an_instrument_on_usb() -> None:
 
 def test_an_instrument_on_usb_that_is_not_there_is_a_lost_link() -> None:
     assert fault_of_opening("usbtmc:///dev/usbtmc99").fault == "link lost"
+
+
+def test_no_message_is_written_into_a_file(tmp_path: Path) -> None:
+    (tmp_path / "store.sqlite").write_text("a week's work")
+    with pytest.raises(InputError, match="is no device file"):
+        open_link(f"usbtmc://{tmp_path / 'store.sqlite'}", RealClock()).send(b"*IDN?\n")
+    assert (tmp_path / "store.sqlite").read_text() == "a week's work"

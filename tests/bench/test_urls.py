@@ -24,6 +24,12 @@ WRONG = {
     "serial:///dev/ttyUSB0?stopbits=7": "stopbits=7 is none of 1, 1.5, 2",
     "serial:///dev/ttyUSB0?bytesize=": "bytesize= is none of 5, 6, 7, 8",
     "serial:///dev/ttyUSB0?echo=yes": "echo=yes is none of 0, 1",
+    "serial://spy:///dev/ttyUSB0?file=/home/a/store.sqlite": "spy:// is none of socket://",
+    "modbus-rtu://SPY://loop://?file=x": "SPY:// is none of socket://",
+    "serial://alt://COM3?class=PosixPollSerial": "alt:// is none of",
+    "serial://cp2110://0": "cp2110:// is none of",
+    "serial://loop://?file=x": "file is none of baud, ",
+    "serial://socket://host:1?loging=debug": "loging is none of baud, ",
     "modbus-rtu:///dev/ttyUSB0?timeout_ms=0": "timeout_ms=0 is no number of milliseconds",
     "modbus-rtu:///dev/ttyUSB0?gap_ms=-1": "gap_ms=-1 is no number of milliseconds",
 }

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from labcal.bench.watch import FieldLimit, StreamWatch, TemperatureLimit, Windings
+from labcal.bench.watch import FieldLimit, Look, StreamWatch, TemperatureLimit, Windings
 from labcal.errors import InstrumentError, LimitError
 from labcal.record.stream import Block
 
@@ -91,3 +93,59 @@ def test_a_field_seen_beyond_the_limit_is_a_limit_reached() -> None:
         limit.see([reference(np.array([2.0]), np.array([[105_100.0, 0.0, 0.0]]))], 48_000.0)
     assert caught.value.fault == "limit reached"
     FieldLimit(20_000.0).see([reference(np.array([1.0]), np.array([[0.0, 0.0, -48_500.0]]))], 48_000.0)
+
+
+def samples_until(end_s: float, period_s: float = 0.05) -> Block:
+    t = np.arange(0.0, end_s, period_s)
+    return Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.random.default_rng(0).normal(size=(len(t), 3)))
+
+
+def test_a_silence_is_told_at_once_and_so_is_its_end() -> None:
+    watch = StreamWatch("dut", 30.0, 120.0, 0.0)
+    watch.see([samples_until(5.0)], 5.0)
+    watch.see([], 6.5)
+    assert (watch.events(), watch.wrong("dut")) == ([], "")
+    watch.see([], 7.2)
+    (event,) = watch.events()
+    assert (event.kind, event.data["fault"], event.t_s) == ("stream", "silent", 7.2)
+    assert (watch.wrong("dut"), watch.wrong("reference"), watch.events()) == ("silent", "", [])
+    late = samples_until(5.0)
+    watch.see([replace(late, t_s=late.t_s + 9.0)], 14.0)
+    assert [event.data["fault"] for event in watch.events()] == ["heard again"]
+    assert watch.wrong("dut") == ""
+    with pytest.raises(InstrumentError, match="no sample for"):
+        watch.see([], 45.0)
+
+
+def test_a_slow_stream_is_given_its_time() -> None:
+    watch = StreamWatch("dut", 60.0, 120.0, 0.0)
+    watch.see([samples_until(50.0, 10.0)], 50.0)
+    watch.see([], 80.0)
+    assert watch.events() == []
+    watch.see([], 92.0)
+    assert len(watch.events()) == 1
+
+
+def test_what_rests_is_looked_at_every_two_seconds_and_its_loss_is_told_once() -> None:
+    asked, faults = list[str](), [InstrumentError("reversers: gone.", fault="link lost")] * 2
+
+    def ask(name: str) -> None:
+        asked.append(name)
+        if len(asked) > 1 and faults:
+            raise faults.pop()
+
+    look, told = Look(["reversers"], ask), list[tuple[float, str]]()
+    for t in np.arange(0.0, 9.0, 0.5).tolist():
+        look.at(t)
+        told += [(event.t_s, event.data["fault"]) for event in look.events()]
+    assert len(asked) == 5
+    assert told == [(2.0, "link lost"), (6.0, "heard again")]
+    assert look.wrong("reversers") == ""
+
+
+def test_another_instrument_in_its_place_is_refused() -> None:
+    def another(name: str) -> None:
+        raise InstrumentError("reversers: another.", fault="another instrument")
+
+    with pytest.raises(InstrumentError, match="another"):
+        Look(["reversers"], another).at(0.0)

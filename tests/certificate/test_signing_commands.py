@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
@@ -15,7 +17,9 @@ def passphrase(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def run(*words: object) -> int:
-    return _run([str(word) for word in words])
+    """A command as a process runs it: what it does to its environment is its own."""
+    with patch.dict(os.environ):
+        return _run([str(word) for word in words])
 
 
 def test_the_whole_way_of_a_file(draft: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]):

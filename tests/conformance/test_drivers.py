@@ -31,9 +31,12 @@ from labcal.bench.roles import (
     DutStream,
     Identity,
     Instrument,
+    Interlock,
     Magnetometer,
     PolarityRelay,
     RotationPlatform,
+    Unacknowledged,
+    Watched,
 )
 from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
@@ -43,6 +46,7 @@ EMULATORS = {entry.name: entry for entry in entry_points(group="labcal.emulators
 ROLES: dict[str, type] = {
     "coil": CoilSupply,
     "polarity": PolarityRelay,
+    "interlock": Interlock,
     "platform": RotationPlatform,
     "reference": Magnetometer,
     "dut": DutStream,
@@ -59,6 +63,20 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "zaber": [b"/1 1 01 move rel 5\r\n", b"/1 1 01 move vel 5\r\n", b"/1 0 01 system restore\r\n", b"/renumber\r\n"],
     "hmr2300": [b"*00SP\r", b"*99RST\r", b"*99!BR=F\r", b"*99ID=07\r", b"*00T\r", b"*00D\r", b"*00ZN\r"],
     "waveshare-relay": [bytes.fromhex(h) for h in ("010500005500", "010500FFFF00", "010602000007", "010F00000008")],
+    "waveshare-interlock": [
+        bytes.fromhex(h)
+        for h in (
+            "01050000FF00",
+            "010500005500",
+            "010500FF0000",
+            "01050200FF00",
+            "010502000000",
+            "01050400000A",
+            "0105010000FF",
+            "010602000007",
+            "010F00000008",
+        )
+    ],
     "csv-line": [b"x"],
     "pmag": [b"$"],
     "lemi-025": [b"L"],
@@ -90,7 +108,7 @@ LONGER = {
 }
 
 
-class Watched:
+class Foretold:
     """An emulator that is held to what it foresees: who serves it sleeps until then."""
 
     def __init__(self, emulator: Any) -> None:
@@ -105,15 +123,15 @@ class Watched:
 class Rig:
     """One driver on its emulator, and what went over the line."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, **stated: Any) -> None:
         self.name = name
         self.driver_class, emulator = DRIVERS[name].load(), EMULATORS[name].load()
         hints = get_type_hints(self.driver_class.__init__)
-        self.settings = hints["settings"](**SETTINGS.get(name, {}))
+        self.settings = hints["settings"](**SETTINGS.get(name, {}), **stated)
         self.role = self.driver_class.roles[0]
         self.lab, self.clock = open_twin({}, 1), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
         roles = {FIRST.get(self.role, self.role): {}}
-        self.line = EmulatedLink("emulated://rig", Watched(emulator(self.lab, roles, self.settings)), self.clock)
+        self.line = EmulatedLink("emulated://rig", Foretold(emulator(self.lab, roles, self.settings)), self.clock)
         modbus = hints["link"] is ModbusLink
         self.line.never.add(self.driver_class.never, self.settings.address if modbus else None)
         self.sent: list[bytes] = []
@@ -254,6 +272,29 @@ def test_a_supply_sets_reads_back_and_measures(supply: Rig) -> None:
     assert supply.lab.coils["x"].current.now(supply.clock.now()) == pytest.approx(0.5, abs=0.001)
 
 
+def test_a_supply_whose_answers_are_all_lost_hears_zero_and_off_at_once(supply: Rig) -> None:
+    supply.driver.output(True)
+    supply.driver.set_current(0.5)
+    supply.wait(0.5)
+    begun_s, emulator = supply.clock.now(), supply.line._emulator
+    emit, emulator.emit = emulator.emit, lambda until_s: (emit(until_s), [])[1]
+    assert isinstance(supply.driver, Unacknowledged)
+    with pytest.raises(LimitError):
+        supply.driver.write_current(99.0)
+    supply.driver.write_current(0.2)
+    supply.driver.write_current(0.0)
+    took_s = supply.clock.now() - begun_s
+    supply.wait(0.3)
+    assert supply.lab.coils["x"].current.now(supply.clock.now()) == pytest.approx(0.0, abs=0.001)
+    supply.driver.write_off()
+    assert took_s < 0.6
+    emulator.emit = emit
+    supply.wait(1.0)
+    supply.line.flush()
+    assert supply.driver.set_point() == 0.0
+    assert getattr(supply.driver, "enabled", 0) == 0
+
+
 def test_a_supply_refuses_what_is_too_much_and_sends_nothing(supply: Rig) -> None:
     before = len(supply.sent)
     with pytest.raises(LimitError, match=r"99 A.*nothing was sent"):
@@ -280,6 +321,78 @@ def test_a_supply_made_safe_has_no_current_and_no_output_and_its_panel_back(supp
 def test_a_supply_ramps_its_full_current_in_time(supply: Rig) -> None:
     assert supply.settings.max_current_A / supply.driver.ramp_A_per_s <= 1.5
     assert 0 < supply.driver.zero_current_A < 0.1
+
+
+INTERLOCKS = sorted(n for n, e in DRIVERS.items() if "interlock" in e.load().roles)
+
+
+def energised(rig: Rig) -> float:
+    """What 1 A set on coil x would be now [A]."""
+    return abs(rig.lab.coils["x"].current.now(rig.clock.now()))
+
+
+@pytest.fixture(params=INTERLOCKS)
+def interlock(request: pytest.FixtureRequest) -> Rig:
+    rig = Rig(request.param)
+    rig.driver.identify()
+    rig.driver.arm()
+    rig.lab.coils["x"].drive(rig.clock.now(), 1.0, 20.0, True)
+    rig.wait(0.5)
+    return rig
+
+
+def test_an_interlock_that_is_fed_lets_the_current_through_and_no_longer(interlock: Rig) -> None:
+    for _ in range(6):
+        assert energised(interlock) == pytest.approx(1.0, abs=0.01)
+        interlock.wait(interlock.driver.watchdog_s / 3)
+        interlock.driver.feed()
+    interlock.wait(interlock.driver.watchdog_s + 0.5)
+    assert energised(interlock) < 0.001
+
+
+def test_an_interlock_that_has_fallen_open_is_not_closed_again_under_a_set_point(interlock: Rig) -> None:
+    interlock.wait(interlock.driver.watchdog_s + 0.5)
+    before = len(interlock.sent)
+    with pytest.raises(InstrumentError, match="falls open") as caught:
+        interlock.driver.feed()
+    assert (caught.value.fault, len(interlock.sent)) == ("interlock", before)
+    assert energised(interlock) < 0.001
+
+
+def test_an_interlock_that_is_disarmed_or_made_safe_is_open_at_once(interlock: Rig) -> None:
+    interlock.driver.make_safe()
+    interlock.wait(0.3)
+    assert energised(interlock) < 0.001
+
+
+@pytest.mark.parametrize("name", sorted(n for n, e in DRIVERS.items() if "coil" in e.load().roles))
+def test_a_supply_with_a_watchdog_falls_to_zero_when_it_is_not_heard(name: str) -> None:
+    known = {f.name for f in dataclasses.fields(get_type_hints(DRIVERS[name].load().__init__)["settings"])}
+    rig = Rig(name, **({"watchdog_s": 4} if "watchdog_s" in known else {}))
+    assert isinstance(rig.driver, Watched) == ("watchdog_s" in known)
+    if "watchdog_s" not in known:
+        return
+    assert Rig(name).driver.watchdog_s == 0
+    rig.driver.identify()
+    rig.driver.set_current(0.0)
+    rig.driver.output(True)
+    rig.driver.set_current(1.0)
+    for _ in range(6):
+        rig.wait(1.3)
+        assert energised(rig) == pytest.approx(1.0, abs=0.01)
+        rig.driver.feed()
+    rig.wait(4.5)
+    assert energised(rig) < 0.001
+
+
+@pytest.mark.parametrize("name", ["ea-9000", "keysight-e36300"])
+def test_a_supply_that_was_given_back_to_its_panel_is_left_alone(name: str) -> None:
+    rig = Rig(name, watchdog_s=4)
+    rig.driver.output(True)
+    rig.driver.make_safe()
+    before = len(rig.sent)
+    rig.driver.feed()
+    assert len(rig.sent) == before
 
 
 @pytest.mark.parametrize("name", sorted(n for n, e in DRIVERS.items() if {"reference", "dut"} & set(e.load().roles)))

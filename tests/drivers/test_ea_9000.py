@@ -115,11 +115,11 @@ def test_other_registers_cannot_be_written(address: int) -> None:
 
 
 @contextmanager
-def emulated() -> Iterator[tuple[EaSupply, EaEmulator]]:
+def emulated(settings: Settings = Settings()) -> Iterator[tuple[EaSupply, EaEmulator]]:
     clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
-    emulator = EaEmulator(open_twin({}, 1), {"coil-x": {}}, Settings())
+    emulator = EaEmulator(open_twin({}, 1), {"coil-x": {}}, settings)
     link = ModbusLink(EmulatedLink("emulated://x", emulator, clock), clock)
-    yield EaSupply("x", link, clock, Settings()), emulator
+    yield EaSupply("x", link, clock, settings), emulator
 
 
 def test_an_alarm_under_current_is_a_trip_and_bars_the_next_start_but_not_zero() -> None:
@@ -145,6 +145,23 @@ def test_made_safe_it_is_given_back_to_its_panel() -> None:
         emulator.local = True
         with pytest.raises(InstrumentError, match="LOCAL"):
             supply.output(True)
+
+
+def test_interface_monitoring_that_was_not_fed_is_named_and_zero_is_still_obeyed() -> None:
+    with emulated(Settings(watchdog_s=5)) as (supply, emulator):
+        supply.output(True)
+        supply.set_current(1.0)
+        clock = supply.registers._clock
+        for _ in range(4):
+            clock.wait_until(clock.now() + 3.0)
+            supply.feed()
+        clock.wait_until(clock.now() + 6.0)
+        with pytest.raises(InstrumentError, match="has left remote control") as caught:
+            supply.feed()
+        assert caught.value.fault == "tripped"
+        supply.set_current(0.0)
+        assert supply.set_point() == 0.0
+        assert emulator._bits[405] is False
 
 
 def test_what_is_not_seen_off_is_not_given_back_to_its_panel() -> None:

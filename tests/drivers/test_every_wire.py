@@ -134,6 +134,9 @@ WIRES: dict[str, Wire] = {
         always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d.polarity("x")), -1.0, rtu("0101 01 00"),
         settings={"x": 0},
     ),
+    "waveshare-interlock": Wire(
+        always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d._closed()), 1.0, rtu("0101 01 00")
+    ),
     "zaber": Wire(
         zaber, angle, 90.0, zaber(0, 5)[1],
         before=[(b"/1 1 01 get limit.cycle.dist\r\n", b"@01 1 01 OK IDLE -- 1536000\r\n")],

@@ -88,6 +88,46 @@ def test_a_model_with_another_dialect_is_refused(model: bytes) -> None:
     assert caught.value.fault == "another instrument"
 
 
+WATCHED = [
+    *told(b"OUTP:PROT:WDOG:DEL 5", b"OUTP:PROT:WDOG:DEL?", b"5"),
+    *told(b"OUTP:PROT:WDOG 1", b"OUTP:PROT:WDOG?", b"1"),
+]
+
+
+def test_its_watchdog_is_set_and_read_back_before_the_output_goes_on_and_fed_while_it_minds() -> None:
+    with scripted(KeysightSupply, [*FREE, *WATCHED, *ON, (b"OUTP:PROT:WDOG?\n", b"1\n")], watchdog_s=5) as supply:
+        supply.output(True)
+        supply.feed()
+
+
+def test_a_watchdog_that_is_off_again_is_a_fault() -> None:
+    wire = [*FREE, *WATCHED, *ON, (b"OUTP:PROT:WDOG?\n", b"0\n")]
+    with scripted(KeysightSupply, wire, watchdog_s=5) as supply:
+        supply.output(True)
+        with pytest.raises(InstrumentError, match="watchdog is off") as caught:
+            supply.feed()
+    assert caught.value.fault == "tripped"
+
+
+def test_a_model_without_a_watchdog_is_not_energised_where_one_is_stated() -> None:
+    wire = [*FREE, (b"OUTP:PROT:WDOG:DEL 5\n", SILENT), (b"SYST:ERR?\n", b'-113,"Undefined header"\n')]
+    with (
+        scripted(KeysightSupply, wire, watchdog_s=5) as supply,
+        pytest.raises(InstrumentError, match="Leave watchdog_s out") as caught,
+    ):
+        supply.output(True)
+    assert caught.value.fault == "refused"
+
+
+def test_its_watchdog_is_off_before_its_panel_has_it_back() -> None:
+    off = told(b"OUTP:PROT:WDOG 0", b"OUTP:PROT:WDOG?", b"0")
+    zero = told(b"CURR 0.0000,(@1)", b"CURR? (@1)", b"+0.00000000E+00")
+    wire = [*FREE, *WATCHED, *ON, *zero, *OFF, *off, (b"SYST:LOC\n", SILENT)]
+    with scripted(KeysightSupply, wire, watchdog_s=5) as supply:
+        supply.output(True)
+        supply.make_safe()
+
+
 def test_make_safe_opens_the_output_even_when_zeroing_fails() -> None:
     wire = [(b"CURR 0.0000,(@1)\n", SILENT), (b"SYST:ERR?\n", b'-350,"Queue overflow"\n'),
             *told(b"OUTP 0,(@1)", b"OUTP? (@1)", b"0")]  # fmt: skip

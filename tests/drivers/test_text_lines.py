@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -85,6 +86,20 @@ def test_a_file_comes_back_with_its_own_spacing(tmp_path: Path) -> None:
     blocks, _ = heard(Replay, [(0.0, b"\n"), *pieces], file=str(tmp_path / "run.csv"))
     np.testing.assert_array_equal(blocks[0].values, [[1, 2, 3], [4, 5, 6], [7, 8, 9]])
     np.testing.assert_allclose(blocks[0].t_s, [0, 0.5, 2])
+
+
+def test_only_a_file_of_a_recording_s_size_is_replayed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from drivers.emulators.replay import ReplayEmulator
+
+    os.mkfifo(tmp_path / "pipe")
+    for file in ("/dev/zero", str(tmp_path / "pipe"), str(tmp_path), str(tmp_path / "not there")):
+        with pytest.raises(InputError, match="no table of samples is there"):
+            heard(Replay, [], file=file)
+        with pytest.raises(InputError, match="no table of samples is there"):
+            ReplayEmulator(open_twin({}, 1), {}, ReplaySettings(file=file))
+    monkeypatch.setattr("drivers.replay.LARGEST_BYTES", 10)
+    with pytest.raises(InputError, match="is larger than"):
+        replayed(tmp_path, "t,x,y,z\n1,2,3,4\n")
 
 
 @pytest.mark.parametrize(

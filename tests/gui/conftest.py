@@ -19,6 +19,7 @@ class Deaf(QObject):
     """A worker that answers only when it is told to."""
 
     items = Signal(list)
+    states = Signal(dict)
     progress = Signal(str)
 
     def __init__(self):
@@ -102,6 +103,8 @@ def still(deaf_window):
     desk._force.setInterval(3_600_000)  # a test calls it, and no clock does
     desk._force.stop()
     desk.run._forget()
+    desk.known = desk._taken = None
+    desk.lab.update(coils_at_zero=None)
     desk.run.order = None
     desk.study_vm._forget("")
     desk.run.changed.emit()

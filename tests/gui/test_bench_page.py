@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from lab_states import told
 from PySide6.QtCore import Qt
 
 from labcal.gui.run_vm import Order
 from labcal.gui.wire import item_to_json
-from labcal.record.stream import Block, Event
+from labcal.record.stream import Block
 
 T = np.array([1.0])
 CURRENTS = np.array([[0.5, -0.2, 0.1]])
@@ -26,8 +27,8 @@ def test_the_parts_of_the_field_are_those_that_were_recorded_together(still, ben
         Block("reference", "reference", ("ref_x", "ref_y", "ref_z"), T, FIELD),
         Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), T, np.array([[1.0, 2.0, 3.0]])),
     )
-    zero = Event(2.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]})
-    still.desk.bench_worker.items.emit([item_to_json(item) for item in (*blocks, zero)])
+    still.desk.bench_worker.items.emit([item_to_json(item) for item in blocks])
+    told(still)
     bench._show_readings()
     applied = np.asarray(still.desk.facts["cage"]["matrix"]) @ CURRENTS[0]
     (_, first), (_, second), (_, third) = bench.cage._vectors
@@ -58,3 +59,15 @@ def test_reconnect_lets_go_reads_the_file_again_and_asks_everybody(qtbot, still,
     said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
     assert said["supply_x"] == "✕ supply_x does not answer. Switch it on."
     assert said["stage"] == "✓ answers"
+
+
+def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench):
+    answer = {"name": "supply_x", "role": "coil-x", "link": "tcp://x", "identity": "a supply", "fault": None}
+    bench.check_all()
+    still.desk.switch.answer("greet", [answer | {"doubt": {"words": "NOT at zero by the reference", "lifted": False}}])
+    assert bench.fault.isVisible()
+    assert bench.fault.text.text() == "NOT at zero by the reference"
+    assert "--clear-as NAME" in bench.fault.remedy.text()
+    bench.check_all()
+    still.desk.switch.answer("greet", [answer | {"doubt": {"words": "they agree again", "lifted": True}}])
+    assert still.desk.lab.state.message == "they agree again"

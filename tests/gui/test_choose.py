@@ -34,6 +34,13 @@ def test_no_operator_no_run(still, choose):
     assert "operator" in choose.objection.text()
 
 
+def test_a_procedure_that_does_not_load_is_listed_with_its_fault_and_is_not_chosen(choose):
+    choose._known([{"name": "other", "fault": "other.py, line 3: it exits"}])
+    broken = choose.list.item(choose.list.count() - 1)
+    assert (broken.text(), broken.toolTip()) == ("✕ other", "other.py, line 3: it exits")
+    assert not broken.flags() & Qt.ItemFlag.ItemIsSelectable
+
+
 def told_by_the_loop(procedure):
     """A loop's answer that is not sure, as the worker gives it."""
     t = np.linspace(0.0, 100.0, 50)

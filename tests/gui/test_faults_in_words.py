@@ -4,51 +4,64 @@ import errno
 from pathlib import Path
 
 import pytest
+from lab_states import told
 from PySide6.QtCore import Qt
 
 from labcal.errors import InstrumentError
 from labcal.gui.run_vm import Order
 from labcal.gui.wire import Fault, fault_of, item_to_json, with_names
-from labcal.record.stream import Event, Prompt
+from labcal.record.stream import Prompt
 
 LINKS = {"reference": "serial:///dev/ttyUSB9", "supply_x": "modbus-rtu:///dev/ttyUSB1"}
 LOST = Fault("instrument", "serial:///dev/ttyUSB9: the link is lost.", "Plug it in.")
-ON = Event(1.0, "set-point", "on", {"read_back_A": [1.0, 0.0, 0.0]})
-ZERO = Event(2.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]})
-UNSURE = Event(2.0, "read-back", "NOT at zero", {"current_A": [1.0, 0.0, 0.0], "faults": ["x: silent"]})
+ON, ZERO, UNSURE = (1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (None, 0.0, 0.0)
 
 
-def fail(window, fault, *items):
+def fail(window, fault, *items, coils=()):
     run = window.desk.run
     run.start(Order("preflight", "bench.toml"))
     window.desk.bench_worker.items.emit([item_to_json(item) for item in items])
+    for currents in coils:
+        told(window, currents)
     (_, _, failed, _) = window.desk.bench_worker.asked[-1]
     failed(fault)
     return window.page("Run").live.fault
 
 
 @pytest.mark.parametrize(
-    ("items", "words"),
+    ("coils", "words"),
     [
-        ((), "This run energised no coil."),
-        ((ON, ZERO), "All coils are at zero."),
-        ((ON, UNSURE), "The coils are NOT confirmed at zero: press COILS OFF (F12)"),
-        ((ON,), "The coils are NOT confirmed at zero: press COILS OFF (F12)"),
+        ((), "coils not read back in this session"),
+        ((ON, ZERO), "coils at zero"),
+        ((ON, UNSURE), "coils NOT confirmed at zero. Press COILS OFF (F12)"),
+        ((ON,), "coils on: x +1.0000 A. Press COILS OFF (F12)"),
     ],
 )
-def test_a_run_that_fails_says_how_it_left_the_coils(still, items, words):
-    card = fail(still, LOST, *items)
+def test_a_run_that_fails_says_how_it_left_the_coils(still, coils, words):
+    card = fail(still, LOST, coils=coils)
     assert card.coils.isVisible()
-    assert card.coils.text().startswith(words)
+    said = "coils not read back in this session" if "Press" in words else words  # by then they are asked for zero
+    assert card.coils.text().startswith(said)
     asked_for_zero = any(one[0] == "off" for one in still.desk.switch.asked)
-    assert asked_for_zero == ("NOT" in words)  # by another worker, without being told to
+    assert asked_for_zero == ("Press" in words)  # by another worker, without being told to
 
 
 def test_the_card_of_a_run_learns_that_its_coils_were_switched_off_after_it(qtbot, still):
-    card = fail(still, LOST, ON)
+    card = fail(still, LOST, coils=(ON,))
     qtbot.keyClick(still, Qt.Key.Key_F12)
     still.desk.switch.answer("off", [{"axis": a, "current_A": 0.0, "words": "zero", "ok": True} for a in "xyz"])
-    assert card.coils.text() == "All coils are at zero."
+    assert card.coils.text() == "zero by the supply's word only: no reference was asked"
+
+
+def test_what_was_read_grows_old_in_the_window(still):
+    still.desk.run.start(Order("preflight", "bench.toml"))
+    told(still)
+    assert still.desk.lab.state.coil_words == "coils at zero"
+    told(still, age_s=7.0)
+    assert still.desk.lab.state.coil_words == "coils last read back below their zero 7 s ago, not since"
+    told(still, verdict="disagrees")
+    assert still.desk.lab.state.coil_words.startswith("NOT at zero by the reference: it sees 20400")
+    assert still.desk.run.coils_at_zero is False
 
 
 def test_a_fault_names_the_instrument_and_not_its_link_alone(still):

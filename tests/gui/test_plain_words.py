@@ -1,6 +1,7 @@
 """What a person reads while they work: news that is news, names in words, nothing cut where it can be helped."""
 
 import pytest
+from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
@@ -60,11 +61,12 @@ def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
 
 def test_who_stops_a_run_reads_how_it_stands_and_no_alarm(still):
     still.desk.run.start(Order("preflight", "bench.toml"))
-    send(still, Event(5.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]}))
+    told(still)
     stopped = {"kind": "stopped", "text": "stopped by the operator", "remedy": "", "details": "Traceback: …"}
     still.desk.bench_worker.answer("run", {"run_id": "r1", "status": "stopped", "fault": stopped, "failed": []})
     card = still.page("Run").live.fault
-    assert card.text.text().startswith("All coils are at zero. What was measured is kept")
+    assert card.coils.text() == "coils at zero"
+    assert card.text.text().startswith("What was measured is kept")
     assert not card.save.isVisible()
     card.show_fault(Fault("instrument", "The reference is silent."))
     assert card.save.isVisible()

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from lab_states import told
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError, InstrumentError
@@ -84,11 +85,14 @@ def test_the_light_of_an_axis_is_the_worst_of_what_was_measured_about_it(run, wo
 
 def test_currents_and_field_follow_set_points_and_read_backs(run, worker):
     send(worker, Event(1.0, "set-point", "field", {"field_nT": [1.0, 2.0, 3.0], "read_back_A": [0.1, 0.2, 0.3]}))
+    told(worker, (0.1, 0.2, 0.3))
     assert (run.field_set_nT, run.coil_A, run.coils_at_zero) == ((1.0, 2.0, 3.0), (0.1, 0.2, 0.3), False)
-    send(worker, Event(2.0, "read-back", "coils NOT confirmed at zero", {"faults": ["supply_x is silent"]}))
+    told(worker, (None, 0.0, 0.0))
     assert run.coils_at_zero is False
-    send(worker, Event(3.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]}))
+    told(worker)
     assert run.coils_at_zero is True
+    told(worker, verdict="disagrees")
+    assert run.coils_at_zero is False
 
 
 def test_a_failure_ends_the_run_with_its_words(run, worker):

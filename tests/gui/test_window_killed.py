@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 from datetime import UTC, datetime
+from pathlib import Path
 
 import pytest
 from served_lab import Served, at_zero, example, guardians, log, read_back_after, until
@@ -14,37 +15,7 @@ pytestmark = [
     pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL and ptys, which Windows lacks"),
 ]
 IN_TIME_S = 2.0
-WINDOW = """
-import sys
-from PySide6.QtCore import QSettings, QTimer
-from PySide6.QtWidgets import QApplication
-from labcal.gui.desk import Desk
-from labcal.gui.theme import LIGHT
-from labcal.gui.window import Window
-
-app = QApplication([])
-desk = Desk(QSettings(sys.argv[2], QSettings.Format.IniFormat))
-window = Window(desk, LIGHT)
-window.show()
-desk.open_bench(sys.argv[1])
-desk.who(operator="J. Doe")
-begun = []
-
-def look():
-    if desk.facts and not begun:
-        begun.append(True)
-        desk.start("field-hold", {"duration_s": "600"})
-    if desk.run.state == "asking":
-        print(desk.bench_worker.pid, flush=True)
-        desk.run.answer(desk.run.prompt.choices[0])
-    if desk.run.state == "ended":
-        sys.exit(desk.run.status)
-
-timer = QTimer()
-timer.timeout.connect(look)
-timer.start(50)
-app.exec()
-"""
+WINDOW = Path(__file__).parents[1] / "campaign" / "window_at_work.py"
 
 
 @pytest.fixture
@@ -62,7 +33,7 @@ def at_zero_after(begun):
 
 @pytest.mark.parametrize("whom", ["the worker", "the window", "both"])
 def test_whoever_is_killed_the_coils_come_to_zero(lab, tmp_path, whom):
-    command = [sys.executable, "-c", WINDOW, str(lab.file), str(tmp_path / "window.ini")]
+    command = [sys.executable, str(WINDOW), str(lab.file), str(tmp_path / "window.ini")]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as window:
         worker = int(window.stdout.readline())
         until(lambda: max(lab.currents().values()) > 0.5)

@@ -15,6 +15,7 @@ from short_preflight import SHORT
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.bench.steps import Procedure, energise, record
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Step
@@ -97,14 +98,14 @@ def failing_clean_up(lab: Lab) -> None:
     """Stopped, and the procedure's own undo fails the first time."""
     lab.control.stop()
     supply, failures = lab.bench.cage.supplies["x"], iter(range(2))
-    set_current = supply.set_current
+    measure_current = supply.measure_current
 
-    def failing(current_A: float) -> None:
+    def failing() -> float:
         if next(failures, None) is not None:
             raise InstrumentError("coil x: no answer.", fault="silent")
-        set_current(current_A)
+        return measure_current()
 
-    supply.set_current = failing
+    supply.measure_current = failing
 
 
 UNPLUGGED = "failed: ({0}: the link is gone|{0}: no sample for|no samples came from {0})"  # whichever is noticed first
@@ -144,6 +145,32 @@ def test_an_abort_zeroes_the_coils_before_the_procedure_undoes_anything_and_a_st
     assert seen == [pytest.approx(on_the_way_out, abs=0.01)]
 
 
+@pytest.mark.parametrize("say", [Control.stop, Control.abort, Control.leave])
+def test_who_wants_the_end_does_not_wait_for_the_end_of_a_ramp(
+    bench_file: BenchFile, say: Callable[[Control], None]
+) -> None:
+    told, control = list[float](), Control()
+
+    def procedure() -> Procedure:
+        yield from energise(bench, bench.cage.field_nT() + [90_000.0, 0.0, 0.0], confirm_signs=False)
+
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as bench:
+        supply: Any = bench.cage.supplies["x"]
+        set_current = supply.set_current
+
+        def listening(current_A: float) -> None:
+            told.append(current_A)
+            if len(told) == 4:
+                say(control)
+            set_current(current_A)
+
+        supply.set_current = listening
+        drive = Drive(bench, list[Item]().append, yes_to_all(True), control)
+        assert drive.run(procedure()).fault is not None
+        assert np.abs(bench.cage.currents_A()).max() < 0.002
+    assert max(told) == told[3] < 0.8  # of the 1.8 A that were wanted
+
+
 def test_a_supply_that_cannot_be_asked_is_said_to_be_unconfirmed_and_the_other_coils_are_at_zero(
     bench_file: BenchFile,
 ) -> None:
@@ -154,7 +181,8 @@ def test_a_supply_that_cannot_be_asked_is_said_to_be_unconfirmed_and_the_other_c
         assert max(map(abs, lab.true_currents_A()[1:])) < 1e-3
     last = items[-1]
     assert isinstance(last, Event)
-    assert (last.kind, last.text) == ("read-back", "coils NOT confirmed at zero")
+    assert last.kind == "read-back"
+    assert last.text.startswith(f"{NOT_CONFIRMED}; {NOT_BY_REFERENCE}: it sees")  # that coil is on, and is seen
     assert last.data["current_A"][0] is None
     assert max(map(abs, last.data["current_A"][1:])) < 0.002
 
@@ -175,6 +203,8 @@ def test_the_coils_are_at_zero_and_that_is_recorded(
         assert max(map(abs, lab.true_currents_A())) < 1e-3
     last = items[-1]
     assert isinstance(last, Event)
-    assert (last.kind, last.text) == ("read-back", "coils at zero")
+    no_witness = at == STEPS[0] or happens.__name__ == "unplugged-reference"
+    assert last.kind == "read-back"
+    assert last.text == AT_ZERO or (no_witness and last.text.startswith(BY_WORD))
     assert max(map(abs, last.data["current_A"])) < 0.002
     assert [i.name for i in items if isinstance(i, Step)][-1] == at

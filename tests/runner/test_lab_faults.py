@@ -11,9 +11,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from left import left_as
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item, Step
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
@@ -22,6 +24,7 @@ from labcal.store import Store
 BenchFile = Callable[..., Path]
 Break = Callable[[Bench, Any, pytest.MonkeyPatch], None]
 HOLD = {"duration_s": "60"}
+NO_WITNESS = ("silent", "overloaded", "stuck")  # a reference that fails confirms no zero
 
 
 def silent(bench: Bench, lab: Any, patch: pytest.MonkeyPatch) -> None:
@@ -104,8 +107,8 @@ def test_a_fault_has_its_name_and_its_remedy_and_the_coils_are_at_zero(
     assert outcome.fault.fault == fault
     with pytest.raises(InstrumentError, match=says):
         raise outcome.fault
-    assert "oils" in outcome.fault.remedy  # what state the lab is in
-    assert outcome.at_rest == "coils at zero"
+    assert outcome.fault.remedy
+    assert left_as(outcome).startswith(BY_WORD if fault in NO_WITNESS else AT_ZERO)
     assert max(abs(coil.at(np.array([now]))[0]) for coil in lab.coils.values()) < 0.005
 
 
@@ -115,14 +118,14 @@ def test_a_coil_that_comes_to_zero_without_its_ramp_is_an_event_in_the_record(
     def hiccup(bench: Bench, lab: Any, patch: pytest.MonkeyPatch) -> None:
         silent(bench, lab, patch)
         supply: Any = bench.cage.supplies["z"]
-        set_current, once = supply.set_current, iter([InstrumentError("supply_z: no reply.", fault="silent")])
+        write_current, once = supply.write_current, iter([InstrumentError("supply_z: no reply.", fault="silent")])
 
         def fails_once(current_A: float) -> None:
             if (fault := next(once, None)) is not None:
                 raise fault
-            set_current(current_A)
+            write_current(current_A)
 
-        patch.setattr(supply, "set_current", fails_once)
+        patch.setattr(supply, "write_current", fails_once)
 
     held_until(bench_file, monkeypatch, hiccup, "held")
     with Store.open() as store:
@@ -136,7 +139,7 @@ def test_a_supply_whose_link_is_lost_is_named_and_its_coil_is_not_called_safe(
     outcome, lab, now = held_until(bench_file, monkeypatch, unplugged, "held")
     assert isinstance(outcome.fault, InstrumentError)
     assert outcome.fault.fault == "link lost"
-    assert outcome.at_rest == "coils NOT confirmed at zero"
+    assert left_as(outcome).startswith(f"{NOT_CONFIRMED}; {NOT_BY_REFERENCE}")
     currents = {axis: abs(coil.at(np.array([now]))[0]) for axis, coil in lab.coils.items()}
     assert currents["z"] > 0.1
     assert max(currents["x"], currents["y"]) < 0.005

@@ -80,7 +80,8 @@ def test_a_locked_store_is_a_named_fault(monkeypatch: pytest.MonkeyPatch) -> Non
         other.close()
 
 
-def test_a_full_disk_is_a_named_fault_and_loses_nothing_committed() -> None:
+def test_a_full_disk_is_a_named_fault_and_loses_nothing_committed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("labcal.store.writer.PATIENCE_S", 0.1)
     with Store.open() as store:
         writer = store.begin(HEADER)
         writer.write(dut_block(0.0))
@@ -103,7 +104,8 @@ def test_a_full_disk_is_a_named_fault_and_loses_nothing_committed() -> None:
         assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
 
 
-def test_a_fault_of_the_background_commit_reaches_the_next_write(eventually) -> None:
+def test_a_fault_of_the_background_commit_reaches_the_next_write(eventually, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("labcal.store.writer.PATIENCE_S", 0.1)
     with Store.open() as store:
         writer = store.begin(HEADER)
         writer._connection.execute("PRAGMA max_page_count = 1")

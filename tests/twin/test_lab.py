@@ -66,6 +66,23 @@ def test_a_supply_without_the_voltage_cannot_drive_the_current() -> None:
     np.testing.assert_allclose(coil.at(np.array([5.0])), 1.0)
 
 
+def test_a_circuit_that_is_closed_for_a_time_opens_by_itself_whatever_the_supply_does() -> None:
+    coil = Coil(6.0, 0.02)
+    coil.drive(0.0, 1.0, 12.0, True)
+    coil.close(1.0, "interlock", 4.0)
+    coil.drive(2.0, 0.5, 12.0, True)
+    assert coil.current.now(3.9) == pytest.approx(0.5, abs=1e-6)
+    assert coil.at(np.array([1.9, 3.9, 4.0 + 7 * 0.02, 50.0])) == pytest.approx([1.0, 0.5, 0.0, 0.0], abs=0.001)
+    coil.close(3.0, "interlock", 6.0)
+    coil.close(3.5, "watchdog", 5.0)
+    assert coil.at(np.array([4.5, 5.5])) == pytest.approx([0.5, 0.0], abs=1e-6)
+    coil.drive(7.0, 0.7, 12.0, True)
+    assert coil.current.now(8.0) == pytest.approx(0.0, abs=1e-6)
+    coil.close(9.0, "watchdog", np.inf)
+    coil.close(9.0, "interlock", np.inf)
+    assert coil.current.now(10.0) == pytest.approx(0.7, abs=1e-6)
+
+
 def test_contacts_that_move_under_current_are_remembered() -> None:
     coil = Coil(resistance_ohm=6.0, tau_s=0.02)
     coil.reverse(0.5, -1)

@@ -1,14 +1,13 @@
-"""The guardian's process. It begins with zero and ends with zero; a second one stands by and takes over where it dies.
+"""The guardian's process. It begins with zero and ends with zero; two others stand by, one takes over where it dies.
 
-The two hold a pipe (`handover`): silence on it, or its end without the word done, means that the first must be
-replaced. What it needs for that the second has read and loaded before.
+Each holds a pipe to it (`handover`): silence there, or its end without the word done, means that the first must be
+replaced. What they need for that they have read and loaded before; who has the ports first is the next guardian.
 """
 
 from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import sys
 import threading
 import time
@@ -18,11 +17,12 @@ from pathlib import Path
 
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.guardian import wire
-from labcal.bench.guardian.handover import DONE, Handover, stand_by
+from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
 from labcal.bench.guardian.keeper import Guardian
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.guardian.server import Server
-from labcal.bench.guardian.spawn import STANDBY, spawn
+from labcal.bench.guardian.spawn import STANDBY
+from labcal.bench.guardian.standbys import Standbys
 from labcal.bench.links import ports
 from labcal.bench.loading import drivers_of
 from labcal.errors import InputError
@@ -30,10 +30,6 @@ from labcal.errors import InputError
 LOOK_S = 0.02
 RETRY_S = 0.5
 LONELY_S, SUCCEEDED_S = 20.0, 2.0  # without a session so long after its start, it ends; after that of another
-TO_ZERO_S = 2.0  # from the last sign of life to zero
-READ_BACK_S = 0.35  # of that, for the read-back
-PULSE_S = 0.2  # at least so often the standby hears that this one lives
-AGAIN_S = 5.0  # until another one is started, where the standby has ended by itself: the file may be spoilt meanwhile
 FREE_S = 2.0  # until the kernel has freed the ports of a process that died
 
 
@@ -47,9 +43,7 @@ class Watch:
         self._path, self._fingerprint, self._succeeds = path, fingerprint, succeeds
         self._guardian = Guardian(path, config, note, handed)
         self._told_to_end = threading.Event()
-        self._standby: subprocess.Popen[bytes] | None = None
-        self._next_standby_s = 0.0
-        self._one_standby = threading.Lock()
+        self._standbys = Standbys(path, self._guardian)
 
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
@@ -60,12 +54,14 @@ class Watch:
         server.start()
         self._guardian.zero("a guardian was killed, its successor begins" if self._succeeds else "a session begins")
         server.ready.set()
-        threading.Thread(target=self._keep_standby, daemon=True).start()
+        self._standbys.start()
+        self._guardian.heartbeats.start()
         try:
             self._watch(server)
         finally:
             wire.unlisten(listener, card)
-            self._dismiss_standby()
+            self._standbys.dismiss()
+            self._guardian.heartbeats.stop()
             self._guardian.close()
 
     def _watch(self, server: Server) -> None:
@@ -76,10 +72,13 @@ class Watch:
             time.sleep(LOOK_S)
             in_doubt = in_doubt or self._guardian.energised
             self._look_after(server)
+            self._look_at_heartbeats()
             self._guardian.look_at_duty()
             if self._guardian.unresolved and time.monotonic() - retried > RETRY_S:
                 self._guardian.try_again()
                 retried = time.monotonic()
+            if self._guardian.broken is not None:
+                raise self._guardian.broken
             if self._told_to_end.is_set():
                 self._guardian.zero("the guardian was told to end")
                 return
@@ -87,6 +86,13 @@ class Watch:
             needless = server.dismissed.is_set() or (server.session is None and lonely)
             if needless and not (in_doubt and self._guardian.unresolved):
                 return
+
+    def _look_at_heartbeats(self) -> None:
+        """Let them know that this loop lives; zero where one went wrong."""
+        guardian = self._guardian
+        guardian.heartbeats.see(at_rest=not guardian.energised, in_doubt=bool(guardian.unresolved))
+        if (fault := guardian.heartbeats.fault) is not None and guardian.energised:
+            guardian.zero(fault.what, fault=fault)
 
     def _look_after(self, server: Server) -> None:
         """Zero where the session is gone, or silent for longer than the ramp leaves of two seconds."""
@@ -101,40 +107,11 @@ class Watch:
         elif self._guardian.energised and silent_s > patience(self._guardian.way_down_s):
             self._guardian.zero(f"{session.who} has been silent for {silent_s:.2f} s")
 
-    def _keep_standby(self) -> None:
-        """Keep one beside this process, and tell it at once what has changed."""
-        changed = self._guardian.changed
-        while not self._told_to_end.is_set():
-            changed.clear()
-            with self._one_standby:
-                missing = self._standby is None or self._standby.poll() is not None
-                if missing and time.monotonic() > self._next_standby_s:
-                    self._next_standby_s = time.monotonic() + AGAIN_S
-                    self._standby = spawn(self._path, STANDBY, stdin=subprocess.PIPE)
-                self._tell_standby(self._guardian.handover().line())
-            changed.wait(PULSE_S)
-
-    def _tell_standby(self, line: str) -> None:
-        if self._standby is not None and self._standby.stdin is not None:
-            with suppress(OSError, ValueError):
-                self._standby.stdin.write(line.encode() + b"\n")
-                self._standby.stdin.flush()
-
-    def _dismiss_standby(self) -> None:
-        self._told_to_end.set()
-        with self._one_standby:
-            self._tell_standby(DONE)
-
-
-def patience(way_down_s: float) -> float:
-    """How long a session may be silent [s]: what two seconds leave after the way down and the read-back."""
-    return min(0.8, max(0.3, TO_ZERO_S - READ_BACK_S - way_down_s))
-
 
 def take_over(url: str, how: str) -> None:
     """Wait until the port of the guardian before is free; one that hangs is killed."""
     card = ports.holder(url) or {}
-    if how == "silent" and "pid" in card:
+    if how == "silent" and "pid" in card and ports.holding(url) in (None, card["pid"]):  # what a card says is no proof
         note(f"guardian {card['pid']} hangs and is killed")
         with suppress(OSError):
             os.kill(card["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
@@ -149,6 +126,8 @@ def main(path: Path, how: str) -> None:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     config, fingerprint, handed = read_config(path), wire.fingerprint(path), Handover()
+    with suppress(InputError):  # a session has been told; who takes over does so without the group's folder too
+        ports.meet(config.safety.group, config.safety.runtime)
     urls = config.guarded_links
     if how == STANDBY:
         with suppress(InputError):
@@ -157,6 +136,8 @@ def main(path: Path, how: str) -> None:
         if ended == DONE:
             return
         take_over(urls[0], ended)
+    if how and not handed.coils:
+        handed = unknown()
     if ports.hold(urls):
         Watch(path, config, fingerprint, handed, succeeds=how != "").live()
         ports.let_go()
@@ -165,8 +146,10 @@ def main(path: Path, how: str) -> None:
 if __name__ == "__main__":
     try:
         main(Path(sys.argv[1]), "".join(sys.argv[2:]))
-    except Exception:
-        traceback.print_exc()  # into guardian.log; its standby takes the ports, which this process must let go of
-        os._exit(1)
+    except BaseException:
+        try:
+            traceback.print_exc()  # into guardian.log
+        finally:
+            os._exit(1)  # with or without memory for that; its standby takes the ports, which this process lets go of
     written(at_most_s=2.0)
     os._exit(0)  # wait for no thread that still listens to a silent instrument

@@ -8,28 +8,37 @@ import select
 import socket
 import subprocess
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from labcal.bench.clock import Clock
-from labcal.bench.config import BenchConfig
+from labcal.bench.at_zero import AtZero
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
-from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
 
+if TYPE_CHECKING:
+    from labcal.bench.clock import Clock
+    from labcal.bench.config import BenchConfig
+
 BEAT_S = 0.05
+NOBODY_THERE = (FileNotFoundError, ConnectionRefusedError, BlockingIOError, PermissionError, socket.timeout)
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S = 20.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 CLOSE_S = 5.0
 LOST = InstrumentError(
-    "the guardian was killed; its successor takes the coils to zero.",
+    "the guardian was killed, or the connection to it failed; it takes the coils to zero, or its successor does.",
     fault="guardian lost",
-    remedy="See guardian.log; start the run again.",
+    remedy="guardian.log says what was read back; start the run again.",
+)
+
+NOT_OURS = InstrumentError(
+    "another user's process answers as the guardian of this bench; it is not believed.",
+    fault="in use",
+    remedy="See in the folder of [safety] whose it is; `labcal bench off` sets zero.",
 )
 
 
@@ -38,9 +47,10 @@ class Connection:
 
     def __init__(self, card: wire.Card) -> None:
         self._socket = wire.connect(card, 2.0)
+        self.uid = wire.peer(self._socket)  # whose guardian it is
         self._socket.settimeout(None)
         self._received, self._number = b"", 0
-        self._socket.sendall(wire.packed({"token": card["token"]}))
+        self._socket.sendall(wire.packed({"token": card.get("token", "")}))
 
     def beat(self) -> None:
         """Let it be heard; a guardian whose ear is full has heard enough."""
@@ -83,6 +93,7 @@ class GuardianClient:
         self._next_beat_s = 0.0
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
         self._started: subprocess.Popen[bytes] | None = None
+        self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet()
         clock.while_waiting(self._beat)
 
@@ -103,6 +114,11 @@ class GuardianClient:
             self._lost = False
             raise LOST from error
 
+    @property
+    def alive(self) -> bool:
+        """Whether it is connected."""
+        return self._connection is not None
+
     def zero(self, why: str) -> list[AtZero]:
         """Every coil to zero and open."""
         return [wire.zero_of(end) for end in self.ask("zero", why=why)]
@@ -121,6 +137,8 @@ class GuardianClient:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
         while (reply := connection.reply(number, 0.002)) is None:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
+            if order != "zero":
+                self.look()
             if self._connection is None or time.monotonic() > deadline:
                 raise ConnectionError("no reply")
         if "error" in reply:
@@ -157,6 +175,8 @@ class GuardianClient:
         if self._started is not None and self._started.poll() is None:
             return
         if all(ports.holder(url) is None for url in self._urls):
+            if not self._start_after_s:  # a successor asks nobody
+                ports.refuse_connected(self._urls)
             self._started = spawn(self._path, *([SUCCESSOR] if self._start_after_s else []))
 
     def _meet(self) -> dict[str, dict[str, Any]]:
@@ -170,6 +190,8 @@ class GuardianClient:
                 if (connection := found(self._urls)) is not None:
                     self._connection = connection
                     hello = self._replied(connection, "hello", {"who": me, "bench": wire.fingerprint(self._path)})
+                    if wire.another_user(connection.uid):
+                        raise NOT_OURS
                     return dict(hello["facts"])
                 if time.monotonic() > self._start_after_s:
                     self._start_another()
@@ -194,7 +216,12 @@ def ask_once(connection: Connection, order: str, **what: Any) -> Any:
     number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
     while (reply := connection.reply(number, 0.1)) is None:
         if time.monotonic() > deadline:
-            raise LOST
+            raise InstrumentError(
+                f"the guardian has not answered for {REPLY_S:g} s: it hangs, or was stopped; how the coils are is not "
+                "known.",
+                fault="guardian lost",
+                remedy="Switch the supplies off by hand; guardian.log names its process: end it, then say off again.",
+            )
     if "error" in reply:
         raise wire.fault_of(reply["error"])
     return reply["value"]
@@ -204,7 +231,7 @@ def found(urls: Iterable[str]) -> Connection | None:
     """A connection to the guardian that holds any of these ports; None where there is none (yet)."""
     for url in urls:
         if "address" in (card := ports.holder(url) or {}):
-            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
+            with suppress(*NOBODY_THERE):
                 return Connection(card)
     return None
 
@@ -213,6 +240,6 @@ def guarding(bench: Path) -> Connection | None:
     """A connection to the guardian that was started for this bench file, whatever the file says now."""
     for card in ports.announced():
         if card.get("bench") == str(bench.resolve()) and "address" in card:
-            with suppress(FileNotFoundError, ConnectionRefusedError, BlockingIOError, socket.timeout):
+            with suppress(*NOBODY_THERE):
                 return Connection(card)
     return None

@@ -3,65 +3,29 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import replace
 from pathlib import Path
-from threading import Event, RLock
-from typing import Any, cast
+from threading import Barrier, Event, RLock
+from typing import Any
 
 from labcal.bench.config import AXES, BenchConfig
+from labcal.bench.guardian.coil import Coil
+from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.handover import Handover, Held
-from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
-from labcal.bench.guardian.lines import Line, LockedRelay, open_lines, relay_of
+from labcal.bench.guardian.heartbeat import Heartbeats
+from labcal.bench.guardian.limits import TogetherLimit
+from labcal.bench.guardian.lines import Line, open_lines, relay_of
 from labcal.bench.guardian.memory import Memory
 from labcal.bench.polarity import ReversedSupply
 from labcal.bench.roles import CoilSupply, Identity
-from labcal.bench.zero import AtZero, to_zero
+from labcal.bench.zero import AtZero
 from labcal.errors import InstrumentError
 
 Note = Callable[[str], None]
 MODBUS_CALLS = ("read_coils", "read_holding", "read_input", "write_coil", "write_register", "write_registers")
-
-
-@dataclass
-class Coil:
-    """One axis: its supply on its line, its limits, and why it may not be energised (None where it may)."""
-
-    axis: str
-    name: str
-    line: Line
-    relay: LockedRelay | None
-    current_limit_A: float
-    ramp_limit_A_per_s: float
-    energised: bool = False
-    held_A: float | None = None  # by the bare supply; unknown while a set-point is on its way, and after a fault
-    tripped: InstrumentError | None = None  # told to the session until it sets zero itself
-    unresolved: InstrumentError | None = None  # why zero is not confirmed
-
-    @property
-    def bare(self) -> CoilSupply:
-        """The supply without its contacts: zero has no sign. Raises InstrumentError where its link does not open."""
-        return cast(CoilSupply, self.line.instrument(self.name))
-
-    @cached_property
-    def signed(self) -> CoilSupply:
-        """The supply with a sign: bipolar by itself, or behind reversing contacts."""
-        if self.relay is None or not self.relay.reverses(self.axis):
-            return self.bare
-        return ReversedSupply(self.axis, self.bare, self.relay, self.line.clock)
-
-    @cached_property
-    def limit(self) -> CoilLimit:
-        """Current and ramp."""
-        return CoilLimit(self.axis, self.current_limit_A, self.rate_A_per_s)
-
-    @property
-    def rate_A_per_s(self) -> float:
-        """The fastest ramp that cage and supply bear."""
-        return min(self.ramp_limit_A_per_s, self.bare.ramp_A_per_s)
 
 
 class Guardian:
@@ -70,6 +34,7 @@ class Guardian:
     def __init__(self, path: Path, config: BenchConfig, note: Note, handed: Handover | None = None) -> None:
         self._lines = open_lines(path, config)
         self._note = note
+        self.heartbeats = Heartbeats(config, self._lines, note)
         relay = relay_of(config, self._lines)
         names = {str(entry.role): name for name, entry in config.instruments.items()}
         limits = config.cage.limits
@@ -79,8 +44,11 @@ class Guardian:
         }
         self._together = TogetherLimit(config, Memory(config.guarded_links))
         self._zeroing = RLock()
+        self._workers = _ready_threads(len({coil.line.url for coil in self.coils.values()}))
+        self.broken: Exception | None = None  # why this guardian cannot go on; its successor can
         self._exchanges_s = 0.0  # how long zero takes where nothing flows: three supplies on one slow line take longest
         self.changed = Event()  # what is handed over to a successor
+        self.tell: Callable[[], None] = self.changed.set  # it, before anything else is done
         self._inherit(handed or Handover())
 
     def facts(self) -> dict[str, dict[str, float | bool | str]]:
@@ -121,16 +89,19 @@ class Guardian:
         Zero is always accepted, and says that the session knows of the zero before.
         """
         coil = self.coils[axis]
+        if current_A != 0:
+            self.heartbeats.refuse()
         with coil.line.lock:
             if current_A == 0:
                 coil.tripped = None
             self._refuse(coil)
             coil.limit.refuse(current_A, coil.line.clock.now())
             self._together.refuse(self._held_A() | {axis: current_A})
-            self._holds(coil, None, coil.energised or current_A != 0)
-            coil.signed.set_current(current_A)
-            coil.limit.was_set(current_A, coil.line.clock.now())
-            self._holds(coil, current_A if coil.bare.bipolar else abs(current_A), coil.energised)
+            if current_A:
+                coil.release()
+            self.changed.set()
+            coil.set_current(current_A)
+            self.changed.set()
 
     def set_point(self, axis: str) -> float:
         """The signed set-point, read back [A]."""
@@ -143,12 +114,16 @@ class Guardian:
     def output(self, axis: str, on: bool) -> None:
         """Close or open the output, confirmed. Closing is refused while zero is not confirmed."""
         coil = self.coils[axis]
-        with coil.line.lock:
+        if on:
+            self.heartbeats.refuse()
+        with coil.line.lock, coil.doubting():
             if on:
                 self._refuse(coil)
                 if coil.unresolved is not None:
                     raise coil.unresolved
-                self._holds(coil, coil.held_A, True)
+                coil.release()
+                coil.energised = True
+                self.changed.set()
             elif abs(left := coil.bare.measure_current()) >= coil.bare.zero_current_A:
                 raise InstrumentError(
                     f"coil {axis}: {left:.4g} A still flows; its output is not opened under current.",
@@ -157,8 +132,8 @@ class Guardian:
                 )
             coil.signed.output(on)
 
-    def zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> list[AtZero]:
-        """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError.
+    def order_zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> None:
+        """Stop whatever is under way on any line, and let nothing up again; waits for nobody.
 
         Where it was not the session that asked, it is told so, or told `fault`, at its next order.
         """
@@ -168,6 +143,12 @@ class Guardian:
                 fault="taken to zero",
                 remedy="See guardian.log; what was measured since then was measured without this coil.",
             )
+        for coil in self.coils.values():
+            coil.line.gate.close()
+
+    def zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> list[AtZero]:
+        """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError."""
+        self.order_zero(why, by_session=by_session, fault=fault)
         with self._zeroing:
             self._note(f"to zero: {why}")
             begun, at_rest = time.monotonic(), not self.energised
@@ -185,16 +166,15 @@ class Guardian:
             self.zero(hot.what, fault=hot)
 
     def try_again(self) -> None:
-        """Try once more what did not come to zero: the link is opened again and the instrument asked who it is."""
+        """Zero once more to what was not read back there; a lost link is opened again."""
         with self._zeroing:
             for end in self._down([coil for coil in self.coils.values() if coil.unresolved is not None]):
                 if end.current_A is not None:
-                    self._note(f"at last: {_read_back(end)}")
+                    self._note(f"at last: {_read_back(replace(end, fault=None))}")
 
     def handover(self) -> Handover:
         """What a successor must know; waits for no line."""
-        coils = {axis: Held(c.held_A, c.energised, c.line.known(c.name)) for axis, c in self.coils.items()}
-        return Handover(self._exchanges_s, coils)
+        return Handover(self._exchanges_s, {axis: coil.held for axis, coil in self.coils.items()}, self.way_down_s)
 
     def give_back(self) -> None:
         """Give every supply that is at zero back to its panel. Never raises InstrumentError."""
@@ -208,6 +188,7 @@ class Guardian:
         self.give_back()
         for line in self._lines.values():
             line.close()
+        self._workers.shutdown(wait=False)
 
     @property
     def energised(self) -> bool:
@@ -215,9 +196,14 @@ class Guardian:
         return any(coil.energised for coil in self.coils.values())
 
     @property
+    def in_hand(self) -> bool:
+        """Whether any coil may carry current that zero was not ordered for; the others are tried again and again."""
+        return any(coil.energised and coil.unresolved is None for coil in self.coils.values())
+
+    @property
     def way_down_s(self) -> float:
         """How long the way to zero takes from here: the ramp, and the exchanges on the lines as last measured."""
-        ramps = [coil.limit.ramp_down_s for coil in self.coils.values() if coil.energised]
+        ramps = [coil.ramp_down_s for coil in self.coils.values() if coil.energised]
         return max(ramps, default=0.0) + self._exchanges_s
 
     @property
@@ -228,14 +214,7 @@ class Guardian:
     def _inherit(self, handed: Handover) -> None:
         self._exchanges_s = handed.exchanges_s
         for axis, coil in self.coils.items():
-            held = handed.coils.get(axis, Held())
-            coil.held_A, coil.energised = held.held_A, held.energised
-            if held.who is not None:
-                coil.line.expect(coil.name, held.who)
-
-    def _holds(self, coil: Coil, held_A: float | None, energised: bool) -> None:
-        coil.held_A, coil.energised = held_A, energised
-        self.changed.set()
+            coil.inherit(handed.coils.get(axis, Held()))
 
     def _held_A(self) -> dict[str, float]:
         return {axis: coil.limit.level_A if coil.energised else 0.0 for axis, coil in self.coils.items()}
@@ -246,52 +225,33 @@ class Guardian:
 
     def _asked(self, axis: str, ask: Callable[[CoilSupply], float]) -> float:
         coil = self.coils[axis]
-        with coil.line.lock:
+        with coil.line.lock, coil.doubting():
             self._refuse(coil)
             return ask(coil.signed)
 
     def _down(self, coils: Sequence[Coil]) -> list[AtZero]:
+        """Each line its own way, so that a silent instrument delays no other line."""
         lines = {coil.line.url: coil.line for coil in coils}
         on_line = [[coil for coil in coils if coil.line is line] for line in lines.values()]
-        with ThreadPoolExecutor(max(1, len(on_line))) as together:
-            return [end for ended in together.map(_line_down, on_line) for end in ended]
+        try:
+            ended = [end for ended in self._workers.map(self._line_down, on_line) for end in ended]
+        except Exception as error:  # out of memory, of handles, or a fault of our own: another process takes over
+            self.broken = error
+            raise
+        return sorted(ended, key=lambda end: AXES.index(end.axis))
+
+    def _line_down(self, coils: Sequence[Coil]) -> list[AtZero]:
+        others = [coil.name for coil in self.coils.values() if coil not in coils]
+        return line_down(coils, others, self.tell)
+
+
+def _ready_threads(number: int) -> ThreadPoolExecutor:
+    """One thread for each line, begun now: when it counts there may be no memory for a new one."""
+    workers, all_there = ThreadPoolExecutor(number), Barrier(number)
+    list(workers.map(lambda _: all_there.wait(), range(number)))
+    return workers
 
 
 def _read_back(end: AtZero) -> str:
     current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
     return f"coil {end.axis} {current}, {end.words}"
-
-
-def _line_down(coils: Sequence[Coil]) -> list[AtZero]:
-    with coils[0].line.lock:
-        ready, faults = dict[str, Coil](), dict[str, AtZero]()
-        hurry = any(coil.energised for coil in coils)
-        for coil in coils:
-            try:
-                _connect(coil, hurry)
-                ready[coil.axis] = coil
-            except InstrumentError as fault:
-                faults[coil.axis] = AtZero(coil.axis, None, False, fault)
-        supplies = {axis: coil.bare for axis, coil in ready.items()}
-        rates = {axis: coil.rate_A_per_s for axis, coil in ready.items()}
-        known = {axis: coil.held_A for axis, coil in ready.items() if hurry and coil.held_A is not None}
-        ended: Mapping[str, AtZero] = {**faults, **to_zero(supplies, rates, coils[0].line.clock, known_A=known)}
-        for coil in coils:
-            _settle(coil, ended[coil.axis])
-        return list(ended.values())
-
-
-def _connect(coil: Coil, hurry: bool) -> None:
-    """See that the right instrument is at the end of the link, where in doubt; late replies go with the link."""
-    if coil.unresolved is not None:
-        coil.line.reopen()
-    if coil.unresolved is not None or not hurry or not coil.line.greeted(coil.name):
-        coil.line.identify(coil.name)
-
-
-def _settle(coil: Coil, end: AtZero) -> None:
-    coil.unresolved = end.fault if end.current_A is None else None
-    coil.held_A = None
-    if coil.unresolved is None:
-        coil.energised, coil.held_A = False, 0.0
-        coil.limit.at_zero()

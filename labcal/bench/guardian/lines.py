@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import RLock
@@ -10,7 +11,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig
-from labcal.bench.loading import Loader
+from labcal.bench.guardian.gate import Gate, GatedLoader
+from labcal.bench.loading import speaks_modbus
 from labcal.bench.roles import Identity, Instrument, PolarityRelay
 from labcal.errors import InputError, InstrumentError
 
@@ -20,15 +22,20 @@ if TYPE_CHECKING:
 
 @dataclass
 class Line:
-    """One line and the instruments on it. Who talks on it holds `lock`."""
+    """One line and the instruments on it. Who talks on it holds `lock`, and leaves it when its gate closes."""
 
     url: str
-    loader: Loader
+    loader: GatedLoader
     lock: RLock = field(default_factory=RLock)
     _open: dict[str, Instrument] = field(default_factory=dict)
     _known: dict[str, Identity] = field(default_factory=dict)
     _greeted: set[str] = field(default_factory=set)
     _shared: dict[str, ModbusLink] = field(default_factory=dict)
+
+    @property
+    def gate(self) -> Gate:
+        """Closed while the coils on this line are brought to zero."""
+        return self.loader.gate
 
     @property
     def clock(self) -> Clock:
@@ -42,7 +49,8 @@ class Line:
                 try:
                     self._open[name] = self.loader.instrument(name)
                 except InputError as error:  # in the file; a session says so before it starts a guardian
-                    raise InstrumentError(f"{error}.", fault="not reached") from error
+                    remedy = "Correct the file and say off again, or switch this supply off by hand."
+                    raise InstrumentError(f"{error}.", fault="not reached", remedy=remedy) from error
             return self._open[name]
 
     def identify(self, name: str) -> Identity:
@@ -54,10 +62,22 @@ class Line:
             raise InstrumentError(
                 f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
                 fault="another instrument",
-                remedy="Coils stay at zero; plug the instruments in as bench.toml says, and begin again.",
+                remedy="Plug the instruments in as bench.toml says, and begin again.",
             )
         self._greeted.add(name)
         return who
+
+    def strangers(self, names: Iterable[str]) -> list[Instrument]:
+        """Drivers of other instruments on this line, for when cables were swapped; those that speak as it does."""
+        found = list[Instrument]()
+        own = next(iter(self._open), None)
+        for name in names:
+            with suppress(InputError, InstrumentError):
+                driver, hints, settings = self.loader.driver(name)
+                if own is not None and speaks_modbus(hints) == speaks_modbus(self.loader.driver(own)[1]):
+                    link = self.loader.modbus(own) if speaks_modbus(hints) else self.loader.link(own)
+                    found.append(cast(Instrument, driver(name, link, self.clock, settings)))
+        return found
 
     def expect(self, name: str, who: Identity) -> None:
         """It was `who` that answered before this process had the line."""
@@ -87,6 +107,7 @@ class Line:
     def reopen(self) -> None:
         """Open the link again after it was lost. Raises InstrumentError (link lost)."""
         with self.lock:
+            self._greeted.clear()
             for link in self.loader.links.values():
                 link.reopen()
 
@@ -100,7 +121,7 @@ def open_lines(path: Path, config: BenchConfig) -> dict[str, Line]:
     """One Line for every owned instrument by name; those that state the same link share theirs. Opens nothing yet."""
     lines: dict[str, Line] = {}
     for name in config.guarded:
-        url = (loader := Loader(path, config, RealClock(), 0)).line_of(name)
+        url = (loader := GatedLoader(path, config, RealClock(), 0)).line_of(name)
         lines[name] = next((line for line in lines.values() if line.url == url), Line(url, loader))
     return lines
 

@@ -14,14 +14,15 @@ from functools import cache, partial
 from queue import SimpleQueue
 
 from labcal.errors import InputError
-from labcal.home import home
+from labcal.home import file_at_home
+from labcal.plain import one_line
 
 _jobs: SimpleQueue[Callable[[], None]] = SimpleQueue()
 
 
 def note(text: str) -> None:
     """Append a line with the UTC time of now and the process."""
-    later(partial(_append, f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%S.%f}Z [{os.getpid()}] {text}\n"))
+    later(partial(_append, f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%S.%f}Z [{os.getpid()}] {one_line(text)}\n"))
 
 
 def later(write: Callable[[], None]) -> None:
@@ -49,6 +50,5 @@ def _write() -> None:
 
 
 def _append(line: str) -> None:
-    home().mkdir(parents=True, exist_ok=True)
-    with (home() / "guardian.log").open("a", encoding="utf-8") as log:
+    with file_at_home("guardian.log").open("a", encoding="utf-8") as log:
         log.write(line)

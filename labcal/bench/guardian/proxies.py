@@ -39,8 +39,8 @@ class GuardedSupply(GuardedInstrument):
         self.zero_current_A, self.ramp_A_per_s = float(facts["zero_current_A"]), float(facts["ramp_A_per_s"])
 
     def make_safe(self) -> None:
-        """All coils to zero, where any may carry current: they come down together."""
-        if self._guardian.ask("status")["energised"]:
+        """All coils to zero, where any may carry current that was not ordered there: they come down together."""
+        if self._guardian.ask("status")["in_hand"]:
             self._guardian.zero(f"{self.name} was to be made safe")
 
     def set_current(self, current_A: float) -> None:

@@ -12,10 +12,20 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
+from datetime import UTC, datetime
 from typing import Any
 
 from labcal.bench.guardian.keeper import Guardian
-from labcal.bench.guardian.wire import OTHER_BENCH, Message, fault_message, packed, zero_message
+from labcal.bench.guardian.wire import (
+    OTHER_BENCH,
+    Message,
+    another_user,
+    fault_message,
+    packed,
+    peer,
+    zero_message,
+)
+from labcal.bench.links.places import user, user_name
 from labcal.errors import InstrumentError
 
 LINE_BYTES = 65536  # no order is longer
@@ -28,13 +38,20 @@ KINDS: dict[str, tuple[type, ...]] = {"current_A": (float, int), "on": (bool,), 
 
 @dataclass
 class Caller:
-    """Whoever is connected. `heard_s`: when anything last came from it (monotonic clock)."""
+    """Whoever is connected. `heard_s`: when anything last came from it (monotonic clock). `uid`: whose, where told."""
 
     socket: socket.socket
     who: str = "a caller"
     heard_s: float = field(default_factory=time.monotonic)
     gone: bool = False
+    uid: int | None = None
+    since: datetime = field(default_factory=lambda: datetime.now(UTC))
     room: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(ORDERS))
+
+    @property
+    def whose(self) -> str:
+        """' of user bob' where it is another than the guardian's."""
+        return f" of user {user_name(self.uid)}" if self.uid is not None and another_user(self.uid) else ""
 
     def send(self, message: Message) -> None:
         """Answer; a caller that has left, or reads nothing, is not waited for."""
@@ -43,7 +60,10 @@ class Caller:
 
 
 class Server:
-    """Takes orders for a guardian. `session` is the one caller that may energise; others may ask and say off."""
+    """Takes orders for a guardian. `session` is the one caller that may energise; others may ask and say off.
+
+    Only the user whose guardian it is may be the session; whoever else reaches the socket is of the group.
+    """
 
     def __init__(self, guardian: Guardian, listener: socket.socket, token: str, fingerprint: str) -> None:
         self.session: Caller | None = None
@@ -79,7 +99,9 @@ class Server:
             except OSError:
                 return
             if places.acquire(blocking=False):
-                threading.Thread(target=self._serve, args=(Caller(connection), places), daemon=True).start()
+                threading.Thread(
+                    target=self._serve, args=(Caller(connection, uid=peer(connection)), places), daemon=True
+                ).start()
             else:
                 connection.close()
 
@@ -105,12 +127,18 @@ class Server:
                 return
             caller.heard_s = time.monotonic()
             if "order" in message:
+                self._hasten(caller, message)
                 caller.room.acquire()
                 worker.submit(self._answer, caller, message)
 
+    def _hasten(self, caller: Caller, message: Message) -> None:
+        """Zero waits for no order before it: what is under way on the lines ends now."""
+        if message["order"] == "zero" and isinstance(message.get("with", {}), dict) and self.ready.is_set():
+            self._guardian.order_zero(_why(caller, message), by_session=caller is self.session)
+
     def _answer(self, caller: Caller, message: Message) -> None:
         try:
-            reply = {"value": self._obey(caller, message["order"], message.get("with", {}))}
+            reply = {"value": self._obey(caller, message)}
         except InstrumentError as fault:
             reply = {"error": fault_message(fault)}
         except Exception as error:  # whatever it is, the caller hears of it and the guardian lives
@@ -119,15 +147,21 @@ class Server:
         caller.room.release()
         caller.send({"id": message.get("id")} | reply)
 
-    def _obey(self, caller: Caller, order: str, what: Message) -> Any:
+    def _obey(self, caller: Caller, message: Message) -> Any:
+        order, what = message["order"], message.get("with", {})
         self.ready.wait()
         if order == "hello":
             return self._welcome(caller, **what)
         if order == "status":
-            return {"energised": self._guardian.energised, "unresolved": sorted(self._guardian.unresolved)}
+            guardian = self._guardian
+            return {
+                "energised": guardian.energised,
+                "in_hand": guardian.in_hand,
+                "unresolved": sorted(guardian.unresolved),
+            }
         if order == "zero":
             by_session = caller is self.session
-            ended = self._guardian.zero(str(what.get("why", f"{caller.who} said so")), by_session=by_session)
+            ended = self._guardian.zero(_why(caller, message), by_session=by_session)
             if not by_session:  # a person at the bench
                 self._guardian.give_back()
             return [zero_message(end) for end in ended]
@@ -138,20 +172,25 @@ class Server:
         return self._orders[order](**what)
 
     def _welcome(self, caller: Caller, who: str, bench: str) -> Message:
-        """Take the caller as the session. Refused while another one drives, or zero is not confirmed."""
+        """Take the caller as the session. Refused while another one drives, or zero is not confirmed.
+
+        Where it has another bench file or is another user's, it is refused too, and the guardian makes room.
+        """
         self._refuse_second(caller)
-        other_bench = bench != self._fingerprint
+        other_bench = bench != self._fingerprint or bool(caller.whose)
         if other_bench:
             self.dismissed.set()
         for fault in self._guardian.unresolved.values():
             raise InstrumentError(
                 fault.what,
                 fault=OTHER_BENCH if other_bench else fault.fault,
-                remedy=f"{fault.remedy} Guardian {os.getpid()} goes on trying; where it will never answer: "
-                f"kill {os.getpid()}.",
+                remedy=f"{fault.remedy} Guardian {os.getpid()} of user {user_name(user())} goes on trying; "
+                f"where it will never answer: kill {os.getpid()}.",
             )
         if other_bench:
-            raise InstrumentError("the guardian has read another bench file; it makes room.", fault=OTHER_BENCH)
+            raise InstrumentError(
+                "the guardian has read another bench file, or is another user's; it makes room.", fault=OTHER_BENCH
+            )
         for coil in self._guardian.coils.values():
             coil.tripped = None
         caller.who, self.session, self.had_session = who, caller, True
@@ -163,6 +202,13 @@ class Server:
             return
         if time.monotonic() - other.heard_s > STALE_S and not self._guardian.energised:
             return
+        whose = f" of user {user_name(user())}" if caller.whose else ""
         raise InstrumentError(
-            f"{other.who} drives this bench.", fault="in use", remedy="End it first; `labcal bench off` sets zero now."
+            f"{other.who}{whose} drives this bench{f' since {other.since:%Y-%m-%d %H:%M} UTC' if whose else ''}.",
+            fault="in use",
+            remedy=f"{'Ask for it to be ended' if whose else 'End it'} first; `labcal bench off` sets zero now.",
         )
+
+
+def _why(caller: Caller, message: Message) -> str:
+    return str(message.get("with", {}).get("why", f"{caller.who} said so")) + caller.whose

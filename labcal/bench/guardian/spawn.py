@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import IO
 
-from labcal.home import home
+from labcal.home import file_at_home, for_children
 
 STANDBY, SUCCESSOR = "--standby", "--successor"  # beside one that lives; after one that died
 DETACHED = 0x00000208  # DETACHED_PROCESS | CREATE_NEW_PROCESS_GROUP
@@ -20,7 +20,7 @@ def spawn(path: Path, *options: str, stdin: int = subprocess.DEVNULL) -> subproc
     with _log() as log:
         child = subprocess.Popen(
             [sys.executable, "-m", "labcal.bench.guardian", str(path.resolve()), *options],
-            stdin=stdin, stdout=subprocess.DEVNULL, stderr=log,
+            stdin=stdin, stdout=subprocess.DEVNULL, stderr=log, env=for_children(),
             start_new_session=True, creationflags=DETACHED if sys.platform == "win32" else 0,
         )  # fmt: skip
     _started[:] = [started for started in _started if started.poll() is None] + [child]
@@ -30,7 +30,6 @@ def spawn(path: Path, *options: str, stdin: int = subprocess.DEVNULL) -> subproc
 def _log() -> IO[bytes]:
     """Where its last words go; nowhere, if there is no place for a log: coils come to zero without one too."""
     try:
-        home().mkdir(parents=True, exist_ok=True)
-        return (home() / "guardian.log").open("ab")
+        return file_at_home("guardian.log").open("ab")
     except OSError:
         return Path(os.devnull).open("ab")

@@ -1,4 +1,4 @@
-"""How session and guardian speak: JSON lines over a socket that only this user can reach."""
+"""How session and guardian speak: JSON lines over a socket that only this user, or its group, can reach."""
 
 from __future__ import annotations
 
@@ -7,14 +7,15 @@ import json
 import os
 import secrets
 import socket
+import struct
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from labcal.bench.links.ports import runtime_folder
-from labcal.bench.zero import AtZero
+from labcal.bench.at_zero import AtZero
+from labcal.bench.links.places import belongs, runtime_folder, user
 from labcal.errors import InstrumentError, LimitError
 
 Message = dict[str, Any]
@@ -23,26 +24,31 @@ OTHER_BENCH = "another bench"  # a guardian that has read another file makes roo
 
 
 def listen() -> tuple[socket.socket, Card]:
-    """A socket for sessions and the card that says how to reach it: Unix with mode 0600, or loopback with a token."""
+    """A socket for sessions and the card that says how to reach it: Unix, or loopback with a token.
+
+    A Unix socket has the mode 0600, in the folder of a group 0660.
+    """
     card: Card = {"pid": os.getpid(), "token": secrets.token_hex(16)}
     if sys.platform == "win32":
         listener = socket.create_server(("127.0.0.1", 0))
         return listener, card | {"address": listener.getsockname()[1]}
-    path = runtime_folder() / f"guardian-{os.getpid()}.sock"
-    path.unlink(missing_ok=True)
+    path = runtime_folder() / f"guardian-{os.getpid()}-{secrets.token_hex(4)}.sock"  # a dead one's may lie there yet
+    _sweep(path.parent)
     listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-    listener.bind(str(path))
-    path.chmod(0o600)
+    unheard = path.with_suffix(".new")  # until somebody listens it is not found, nor swept away
+    listener.bind(str(unheard))
+    belongs(unheard)
     listener.listen(64)
+    unheard.rename(path)
     return listener, card | {"address": str(path)}
 
 
 def connect(card: Card, timeout_s: float) -> socket.socket:
-    """A connection to the guardian of this card. Raises OSError where it is gone."""
-    if isinstance(card["address"], int):
-        return socket.create_connection(("127.0.0.1", card["address"]), timeout_s)
+    """A connection to the guardian of this card. Raises OSError where it is gone, or the card is none."""
     if sys.platform == "win32":
-        raise OSError("no Unix sockets here")
+        return socket.create_connection(("127.0.0.1", card["address"]), timeout_s)
+    if not isinstance(card["address"], str) or "\0" in card["address"]:  # a group's folder holds what anybody wrote
+        raise FileNotFoundError("no socket of a guardian")
     connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     connection.settimeout(timeout_s)
     try:
@@ -51,6 +57,31 @@ def connect(card: Card, timeout_s: float) -> socket.socket:
         connection.close()
         raise
     return connection
+
+
+def peer(connection: socket.socket) -> int | None:
+    """The number of the user at the other end, by the kernel's word; None where it tells none."""
+    if sys.platform != "linux" or connection.family != socket.AF_UNIX:
+        return None
+    said = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
+    return int(struct.unpack("3i", said)[1])
+
+
+def another_user(uid: int | None) -> bool:
+    """Whether this is somebody else than the user of this process."""
+    return uid is not None and uid != user()
+
+
+def _sweep(folder: Path) -> None:
+    """Take away the sockets on which nobody listens any more; whoever was killed left his."""
+    for path in folder.glob("guardian-*.sock"):
+        try:
+            connect({"address": str(path)}, 0.1).close()
+        except ConnectionRefusedError:
+            with suppress(OSError):
+                path.unlink()
+        except OSError:
+            pass
 
 
 def unlisten(listener: socket.socket, card: Card) -> None:
@@ -88,10 +119,11 @@ def fault_of(message: Message) -> InstrumentError:
 def zero_message(end: AtZero) -> Message:
     """How an axis ended, as it goes over the socket."""
     fault = None if end.fault is None else fault_message(end.fault)
-    return {"axis": end.axis, "current_A": end.current_A, "opened": end.opened, "fault": fault}
+    said = {"axis": end.axis, "current_A": end.current_A, "opened": end.opened}
+    return said | {"fault": fault, "read_s": end.read_s}  # the monotonic clock is one for all processes of a computer
 
 
 def zero_of(message: Message) -> AtZero:
     """How an axis ended, as it came over the socket."""
     fault = None if message["fault"] is None else fault_of(message["fault"])
-    return AtZero(message["axis"], message["current_A"], message["opened"], fault)
+    return AtZero(message["axis"], message["current_A"], message["opened"], fault, message.get("read_s"))

@@ -40,6 +40,10 @@ class Link(Protocol):
         """Drop what has arrived and was not read."""
         ...
 
+    def give_back(self, t_s: float, data: bytes) -> None:
+        """Put bytes that were read too far back at the head of the line."""
+        ...
+
     def close(self) -> None:
         """Let go of the line."""
         ...

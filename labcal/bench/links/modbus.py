@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import logging
+import struct
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 from pymodbus.client.base import ModbusBaseSyncClient
 from pymodbus.exceptions import ModbusException
 from pymodbus.framer import FramerType
+from pymodbus.pdu.bit_message import WriteSingleCoilRequest
 from pymodbus.transport import CommParams, CommType
 
 from labcal.bench.clock import Clock
@@ -18,6 +20,7 @@ from labcal.errors import InstrumentError
 
 logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # all that it would say on stderr is raised as well
 T = TypeVar("T")
+REPLY_S, FRAME_GAP_S = 0.1, 0.005  # by then a healthy device has answered; and its frame has ended
 EXCEPTIONS = {
     1: ": it does not know the function",
     2: ": it does not know the address",
@@ -62,6 +65,12 @@ class ModbusLink:
         """FC 05: on or off, never a toggle."""
         self._ask(5, lambda: self._client.write_coil(address, on, device_id=device), address)
 
+    def pulse(self, device: int, address: int, value: int) -> None:
+        """FC 05 with a number where on or off stands: some boards take a time so."""
+        request = _Pulse(address=address, bits=[True], dev_id=device)
+        request.value = value
+        self._ask(5, lambda: self._client.execute(False, request), address)
+
     def write_register(self, device: int, address: int, value: int) -> None:
         """FC 06."""
         self._ask(6, lambda: self._client.write_register(address, value, device_id=device), address)
@@ -70,9 +79,28 @@ class ModbusLink:
         """FC 16."""
         self._ask(16, lambda: self._client.write_registers(address, list(values), device_id=device), address)
 
+    def write_register_unacknowledged(self, device: int, address: int, value: int) -> None:
+        """FC 06; what comes back within the time of a healthy reply is dropped, and nothing coming is no fault."""
+        self._client.write_register(address, value, device_id=device, no_response_expected=True)
+        self._drop_reply()
+
+    def write_coil_unacknowledged(self, device: int, address: int, on: bool) -> None:
+        """FC 05, likewise."""
+        self._client.write_coil(address, on, device_id=device, no_response_expected=True)
+        self._drop_reply()
+
     def close(self) -> None:
         """Let go of the line."""
         self._line.close()
+
+    def _drop_reply(self) -> None:
+        """On a pair of wires the next request must not collide with the reply to this one."""
+        deadline, came = self._clock.now() + REPLY_S, False
+        while self._clock.now() < deadline:
+            pieces = self._line.receive(min(deadline, self._clock.now() + FRAME_GAP_S))
+            if came and not pieces:
+                return
+            came = came or bool(pieces)
 
     def _ask(self, function: int, request: Callable[[], Any], written: int | None = None) -> Any:
         """The reply, if it is one to this function and, of a write, to this address."""
@@ -106,6 +134,15 @@ class ModbusLink:
 
     def _wait_for_quiet(self) -> None:
         wait_for_quiet(self._line, self._clock, self._quiet_s)
+
+
+class _Pulse(WriteSingleCoilRequest):
+    """A write of one coil with any value, which pymodbus itself turns into on or off."""
+
+    value = 0
+
+    def encode(self) -> bytes:
+        return struct.pack(">HH", self.address, self.value)
 
 
 class _LineClient(ModbusBaseSyncClient):

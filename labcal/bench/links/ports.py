@@ -1,49 +1,66 @@
-"""Who holds a port: one lock file a port, in this user's runtime folder. The lock dies with the process that has it."""
+"""Who holds a port: one lock file a port, and for a device its own lock too. Both die with the process that has them.
+
+The file says how that process is reached, the device's lock is met by every user of the computer.
+"""
 
 from __future__ import annotations
 
 import hashlib
-import json
 import os
-import stat
 import sys
-import tempfile
-import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import IO, Any
 
-from labcal.errors import InstrumentError
+from labcal.bench.links import devices, locks
+from labcal.bench.links.holders import connected, locker, process
+from labcal.bench.links.places import folders, meet, own_folder, runtime_folder, user, user_name
+from labcal.bench.links.urls import place, split
+from labcal.errors import InputError, InstrumentError
 
-PATIENCE_S = 0.3  # who only looks whether a port is held holds it for a moment
-_held: dict[str, IO[str]] = {}
-
-
-def runtime_folder() -> Path:
-    """The folder of sockets and locks: this user's alone. Raises InstrumentError where somebody else made it."""
-    folder = Path(tempfile.gettempdir()) / f"labcal-{_user()}"
-    with suppress(FileExistsError):
-        folder.mkdir(mode=0o700)
-    if not _is_ours(folder.lstat()):  # a link that somebody else laid is not followed
-        raise InstrumentError(
-            f"{folder} is not a folder of this user alone.",
-            fault="forbidden",
-            remedy="Remove it; labcal makes its own.",
-        )
-    return folder
+__all__ = [
+    "announce", "announced", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of", "refuse_connected",
+    "runtime_folder",
+]  # fmt: skip
 
 
-def _user() -> str:
-    if sys.platform == "win32":
-        return os.environ.get("USERNAME", "user")
-    return str(os.getuid())
+@dataclass
+class Lock:
+    """What this process has of a port. `file` is None where no folder has room for one."""
+
+    port: str
+    path: Path
+    file: IO[str] | None
+    device: int | None = None
+
+    def take_device(self, patience_s: float = locks.PATIENCE_S) -> None:
+        """Lock the device, where there is one, and again where it was unplugged. Raises BlockingIOError."""
+        self.drop_device_that_is_gone()
+        if self.device is None:
+            self.device = devices.lock(self.port, patience_s)
+        else:
+            devices.reopen(self.device)
+
+    def drop_device_that_is_gone(self) -> None:
+        """What comes back after it was unplugged gets its name only when nobody has the old one open."""
+        if self.device is not None and not devices.still(self.device, self.port):
+            devices.unlock(self.device)
+            self.device = None
+
+    def release(self) -> None:
+        """Give the port back."""
+        if self.device is not None:
+            devices.unlock(self.device)
+        if self.file is not None:
+            locks.release(self.file, self.path)
+        self.device = self.file = None
 
 
-def _is_ours(stands: os.stat_result) -> bool:
-    if sys.platform == "win32":
-        return stat.S_ISDIR(stands.st_mode)
-    return stat.S_ISDIR(stands.st_mode) and stands.st_uid == os.getuid() and not stands.st_mode & 0o077
+_held: dict[str, Lock] = {}
+_card: dict[str, Any] = {}
 
 
 def port_of(url: str) -> str:
@@ -53,56 +70,86 @@ def port_of(url: str) -> str:
 
 
 def hold(urls: Iterable[str]) -> bool:
-    """Take the locks of all these ports, for as long as this process lives; False, and none, where one is taken."""
-    taken: dict[str, IO[str]] = {}
-    for url in sorted(set(map(port_of, urls)) - set(_held)):
-        file = _lock_file(url).open("a+", encoding="utf-8")
-        if not _locked_in_time(file):
-            for other in (file, *taken.values()):
-                other.close()
+    """Take the locks of all these ports, for as long as this process lives; False, and none, where one is taken.
+
+    A device that another program has locked is not waited for: its link will say so, and the others are reached.
+    """
+    taken: list[Lock] = []
+    for port in sorted(set(map(port_of, urls)) - set(_held)):
+        if (lock := _take(port)) is None:
+            for other in taken:
+                other.release()
             return False
-        taken[url] = file
-    for lock in taken.values():
-        lock.truncate(0)  # what a holder before this one announced
-    _held.update(taken)
+        taken.append(lock)
+    for lock in taken:
+        _say(lock, None)  # not what a holder before this one announced
+        with suppress(OSError):
+            lock.take_device(patience_s=0.0)
+    _held.update({lock.port: lock for lock in taken})
     return True
 
 
 def let_go() -> None:
     """Give all ports of this process back."""
+    _card.clear()
     while _held:
-        _, file = _held.popitem()
-        file.close()
+        _held.popitem()[1].release()
 
 
 def announce(card: dict[str, Any]) -> None:
     """Write into the locks of this process how its owner is reached."""
-    for file in _held.values():
-        _write(file, card)
+    _card.update(card)
+    for lock in _held.values():
+        _say(lock, card)
 
 
 def holder(url: str) -> dict[str, Any] | None:
-    """What the process that holds this port has announced ({} if nothing yet); None where nobody, or this one, does."""
+    """What the process that holds this port has announced ({} if nothing yet); None where nobody, or this one, does.
+
+    It is looked for in every folder that this user may see: a guardian may be older than the group in bench.toml.
+    """
     port = port_of(url)
-    return None if port in _held or not _lock_file(port).exists() else _announced(_lock_file(port))
+    if port in _held:
+        return None
+    cards = (locks.look(path) for path in _lock_files(port))
+    return next((card for card in cards if card is not None), None)
+
+
+def holding(url: str) -> int | None:
+    """The process that holds this port, by the kernel's own word; None where nobody does, or that is not told."""
+    pids = (locker(path) for path in _lock_files(port_of(url)))
+    return next((pid for pid in pids if pid is not None), None)
 
 
 def announced() -> list[dict[str, Any]]:
-    """What all processes that hold ports have announced, whatever the ports."""
-    cards = (_announced(path) for path in sorted(runtime_folder().glob("port-*.lock")))
+    """What all processes that hold ports have announced, whatever the ports, in all folders that this user may see."""
+    cards = [locks.look(path) for folder in folders() for path in sorted(folder.glob("port-*.lock"))]
     return [card for card in cards if card]
 
 
-def _announced(path: Path) -> dict[str, Any] | None:
-    with path.open("a+", encoding="utf-8") as file:
-        if _try_lock(file):
-            return None
-        file.seek(0)
-        try:
-            card = json.loads(file.read())
-        except (ValueError, RecursionError):
-            return {}
-        return card if isinstance(card, dict) else {}
+def refuse_connected(urls: Iterable[str]) -> None:
+    """Raise InstrumentError (in use) where another user's program has a connection to one of these ports.
+
+    Who has no folder in common with that user sees no lock of his. Zero asks for none of this.
+    """
+    for url in urls:
+        for uid in _connected(url) - {user()}:
+            raise InstrumentError(
+                f"{url}: a program of user {user_name(uid)} is connected to it.",
+                fault="in use",
+                remedy=f"Ask user {user_name(uid)} to end it, then begin this step again.",
+            )
+
+
+def _connected(url: str) -> set[int]:
+    try:
+        scheme, address, _ = split(url)
+    except InputError:  # whoever opens it says so, with the line in the file
+        return set()
+    if scheme not in ("tcp", "modbus-tcp") and not address.startswith("socket://"):
+        return set()
+    host, port = place(url, scheme, address.removeprefix("socket://"))
+    return connected(host or "localhost", port)
 
 
 def claim(url: str) -> Callable[[], None]:
@@ -111,55 +158,74 @@ def claim(url: str) -> Callable[[], None]:
     Raises InstrumentError (in use), naming who holds it.
     """
     port = port_of(url)
-    if port in _held:
-        return lambda: None
-    file = _lock_file(port).open("a+", encoding="utf-8")
-    if not _locked_in_time(file):
-        file.close()
+    if (mine := _held.get(port)) is not None:
+        _take_device(url, mine)
+        return mine.drop_device_that_is_gone
+    if (lock := _take(port)) is None:
         raise _in_use(url, holder(url) or {})
-    _write(file, {"pid": os.getpid(), "program": " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])})
-    return file.close
+    try:
+        _take_device(url, lock)
+    except InstrumentError:
+        lock.release()
+        raise
+    _say(lock, _card or {"pid": os.getpid(), "program": " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])})
+    return lock.release
+
+
+def _take(port: str) -> Lock | None:
+    """The lock of a port, by its device alone where no folder has room for a file; None where another has it."""
+    for path in dict.fromkeys((_lock_file(port), own_folder() / _lock_file(port).name)):
+        with suppress(OSError):
+            file = locks.take(path)
+            return None if file is None else Lock(port, path, file)
+    return Lock(port, _lock_file(port), None)
+
+
+def _take_device(url: str, lock: Lock) -> None:
+    try:
+        lock.take_device()
+    except BlockingIOError as error:
+        raise _opened(url, lock.port) from error
+
+
+def _say(lock: Lock, card: dict[str, Any] | None) -> None:
+    if lock.file is not None:
+        locks.write(lock.file, card)
 
 
 def _in_use(url: str, card: dict[str, Any]) -> InstrumentError:
+    """Another labcal has the lock file. What the file says is believed only where the kernel says nothing."""
+    other, path = process(locker(_lock_file(port_of(url)))), _lock_file(port_of(url))
     program = f"{card['program']!r}" if "program" in card else "a guardian"
+    since = ""
+    with suppress(OSError):
+        since = _since(datetime.fromtimestamp(path.stat().st_mtime, UTC))
+    whose, pid = ("", card.get("pid", "unknown")) if other is None else (other.whose, other.pid)
     return InstrumentError(
-        f"{url}: {program} (process {card.get('pid', 'unknown')}) holds this port.",
+        f"{url}: {program}{whose} (process {pid}) holds this port{since}.",
         fault="in use",
         remedy="End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.",
     )
 
 
-def _write(file: IO[str], card: dict[str, Any]) -> None:
-    file.truncate(0)
-    file.write(json.dumps(card))
-    file.flush()
+def _opened(url: str, port: str) -> InstrumentError:
+    """Another program, or a labcal of a user who shares no folder with this one, has the device."""
+    other = process(locker(port))
+    named = "" if other is None else f": {other.program!r}{other.whose} (process {other.pid}){_since(other.begun)}"
+    ask = "End that program" if other is None or not other.whose else f"Ask{other.whose.removeprefix(' of')} to end it"
+    return InstrumentError(
+        f"{url}: another program has opened it{named}.", fault="in use", remedy=f"{ask}, then begin this step again."
+    )
+
+
+def _since(when: datetime) -> str:
+    return f" since {when:%Y-%m-%d %H:%M} UTC"
+
+
+def _lock_files(port: str) -> list[Path]:
+    here = _lock_file(port)
+    return list(dict.fromkeys([here, *(folder / here.name for folder in folders())]))
 
 
 def _lock_file(port: str) -> Path:
     return runtime_folder() / f"port-{hashlib.sha256(port.encode()).hexdigest()[:16]}.lock"
-
-
-def _locked_in_time(file: IO[str]) -> bool:
-    deadline = time.monotonic() + PATIENCE_S
-    while not _try_lock(file):
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(0.01)
-    return True
-
-
-def _try_lock(file: IO[str]) -> bool:
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            file.seek(1 << 20)  # far behind the text, which others must be able to read
-            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
-    return True

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from urllib.parse import parse_qsl, urlsplit
 
 from labcal.errors import InputError
@@ -16,10 +16,12 @@ CHOICES = {
     "rtscts": ("0", "1"), "xonxoff": ("0", "1"), "echo": ("0", "1"),
 }  # fmt: skip
 OPTIONS = (*NUMBERS, *CHOICES)
+BY_URL = ("socket", "rfc2217", "loop", "hwgrep")  # pyserial's others write a file (spy) or load code (alt)
+THEIR_OPTIONS = ("logging", "ign_set_control", "poll_modem", "timeout")
 
 
 def split(url: str) -> tuple[str, str, dict[str, str]]:
-    """Scheme, address and our options of a URL; other options of a port that pyserial opens by URL stay in its address.
+    """Scheme, address and our options of a URL; pyserial's own of a port that it opens by URL stay in its address.
 
     Raises InputError for a scheme, an option or a port that is none.
     """
@@ -31,8 +33,7 @@ def split(url: str) -> tuple[str, str, dict[str, str]]:
     pairs = parse_qsl(query, keep_blank_values=True)
     options = {key: value for key, value in pairs if key in OPTIONS}
     foreign = "&".join(f"{key}={value}" for key, value in pairs if key not in OPTIONS)
-    if foreign and "://" not in address:
-        raise InputError(f"link {url!r}: {foreign.split('=')[0]} is none of {', '.join(OPTIONS)}")
+    _refuse_by_url(url, address, [key for key, _ in pairs if key not in OPTIONS])
     _refuse_values(url, options)
     if scheme in NETWORK:
         place(url, scheme, address)
@@ -49,6 +50,17 @@ def place(url: str, scheme: str, address: str) -> tuple[str, int]:
     if port is None:
         raise InputError(f"link {url!r} states no port")
     return stated.hostname or "", port
+
+
+def _refuse_by_url(url: str, address: str, foreign: Sequence[str]) -> None:
+    """Of the ports that pyserial opens by URL only those that reach an instrument, and nothing else on the way."""
+    by_url = "://" in address
+    if by_url and (kind := address.partition("://")[0]).lower() not in BY_URL:
+        known = ", ".join(f"{known}://" for known in BY_URL)
+        raise InputError(f"link {url!r}: {kind}:// is none of {known}")
+    for key in foreign:
+        if not by_url or key not in THEIR_OPTIONS:
+            raise InputError(f"link {url!r}: {key} is none of {', '.join(OPTIONS)}")
 
 
 def _refuse_values(url: str, options: Mapping[str, str]) -> None:

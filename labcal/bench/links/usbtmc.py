@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 import struct
 import sys
 from contextlib import suppress
@@ -23,7 +24,7 @@ class UsbtmcPort:
     byte_s = 0.0
 
     def __init__(self, path: str) -> None:
-        self._file = os.open(path, os.O_RDWR)
+        self._file = _device(path)
         self._asked = False
         self._control(SET_TIMEOUT, struct.pack("I", round(1000 * TIMEOUT_S)))
 
@@ -57,3 +58,12 @@ class UsbtmcPort:
 
         with suppress(OSError):  # older kernels, and files that stand in for the real one, do not know it
             fcntl.ioctl(self._file, request, argument)
+
+
+def _device(path: str) -> int:
+    """The open device file. Raises ValueError for any other, into which messages would be written."""
+    file = os.open(path, os.O_RDWR)
+    if not stat.S_ISCHR(os.fstat(file).st_mode):
+        os.close(file)
+        raise ValueError(f"{path} is no device file")
+    return file

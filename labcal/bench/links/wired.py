@@ -12,6 +12,7 @@ from typing import Protocol
 import serial
 
 from labcal.bench.clock import Clock
+from labcal.bench.links import devices
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
 from labcal.bench.links.line import read_reply
@@ -165,8 +166,9 @@ class SerialPort:
             rtscts=options.get("rtscts") == "1",
             timeout=0,
             write_timeout=2,
-            **({"exclusive": True} if "://" not in address and sys.platform != "win32" else {}),
         )
+        if "://" not in address and sys.platform != "win32":
+            devices.shut(self._port.fileno(), address)
         self.byte_s = 0.0 if "://" in address else 10 / baud
 
     def read(self) -> bytes:

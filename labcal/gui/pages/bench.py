@@ -21,7 +21,7 @@ from labcal.gui.widgets import Card, button, label
 from labcal.gui.wire import Fault
 
 READINGS_MS = 500
-ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "platform", "reference", "dut")
+ROLES = ("coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut")
 HEADINGS = ("role", "instrument", "link", "who answered", "last reading", "state")
 
 
@@ -124,7 +124,16 @@ class BenchPage(QWidget):
 
     def _greeted(self, answers: list[dict[str, Any]]) -> None:
         self._desk.take_greetings(answers)
+        if doubt := (answers[0].get("doubt") if answers else None):
+            self._tell_doubt(**doubt)
         self._checked()
+
+    def _tell_doubt(self, words: str, lifted: bool) -> None:
+        """A zero that the reference did not see was measured again."""
+        if lifted:
+            return self._desk.lab.update(message=words)
+        remedy = self.tr("Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME")
+        return self.fault.show_fault(Fault("instrument", words, remedy.format(Path(self._desk.bench).name)))
 
     def _not_greeted(self, fault: Fault) -> None:
         self.fault.show_fault(fault)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QScrollArea, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QListWidgetItem, QScrollArea, QWidget
 
 from labcal.gui.desk import Desk
 from labcal.gui.form import Form, spec_of
@@ -138,8 +138,13 @@ class Choose(QWidget):
         self._check()
 
     def _known(self, procedures: list[dict[str, Any]]) -> None:
-        self._procedures = {one["name"]: one for one in procedures}
+        self._procedures = {one["name"]: one for one in procedures if "fault" not in one}
         self.list.addItems(list(self._procedures))
+        for one in procedures:
+            if "fault" in one:
+                broken = QListWidgetItem(f"✕ {one['name']}", self.list)
+                broken.setFlags(Qt.ItemFlag.NoItemFlags)
+                broken.setToolTip(one["fault"])
         self.choose(self._wanted)
         if self._plan_wanted:
             self.rehearse()

@@ -228,27 +228,23 @@ class Live(QWidget):
             return self.fault.hide()
         if fault.kind != "stopped":
             return self.fault.say_coils(self._coils_left(fault))
-        zero = self.tr("All coils are at zero.") if self._run.coils_at_zero else ""
+        self.fault.say_coils(self._coils_left(fault))
         kept = self.tr("What was measured is kept in the History. To measure again: Close, then Start.")
-        return self.fault.text.setText(f"{zero} {kept}".strip())
+        return self.fault.text.setText(kept)
 
     def _coils_known(self) -> None:
         """They were switched off after a run that failed: its card knows."""
-        fault = self._run.fault
-        if fault is not None and fault.kind != "stopped":
+        if (fault := self._run.fault) is not None:
             self.fault.say_coils(self._coils_left(fault))
 
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
-        if self._desk.lab.state.coils_at_zero:
-            return self.tr("All coils are at zero.")
-        if fault.kind == "crash":
-            return self.tr("The coils are switched off by another process; the line at the bottom says how they are.")
-        if self._run.coil_A is None:
-            return self.tr("This run energised no coil.")
-        return self.tr(
-            "The coils are NOT confirmed at zero: press COILS OFF (F12), or switch the supplies off at their mains."
-        )
+        words = self._desk.coil_words()
+        if fault.kind == "crash" and self._desk.known is None:
+            return self.tr("{0}; another process is asked to switch them off.").format(words)
+        if self._desk.lab.state.coils_at_zero is False:
+            return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
+        return words
 
     def _ask(self) -> None:
         prompt = self._run.prompt

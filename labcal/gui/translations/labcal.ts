@@ -48,6 +48,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}, simulated</source>
         <translation type="unfinished"></translation>
     </message>
@@ -419,7 +423,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The coils are NOT confirmed at zero. Switch the supplies off at their mains switches.</source>
+        <source>Read back at {0:%H:%M:%S}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the supplies off at their mains switches.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -838,11 +846,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All coils are at zero.</source>
+        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
+        <source>{0}; another process is asked to switch them off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -895,18 +907,6 @@
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils are switched off by another process; the line at the bottom says how they are.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This run energised no coil.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coils are NOT confirmed at zero: press COILS OFF (F12), or switch the supplies off at their mains.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1161,19 +1161,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pauses where the next step begins; the coils go to zero there.</source>
+        <source>Pauses where the next step begins.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stopping: the coils go to zero …</source>
+        <source>Stopping …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coils off: the coils go to zero, the run ends …</source>
+        <source>Coils off: the run ends …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}: measuring, hands off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1201,14 +1205,6 @@
     </message>
     <message>
         <source>No bench is open.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✓ all at zero</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>● energised</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import wraps
 
@@ -11,6 +10,7 @@ import numpy as np
 
 from labcal.errors import InputError
 from labcal.model.effects.protocol import Array, Family, Kernel, Scene, Term
+from labcal.outside import blamed
 from labcal.record import Run
 
 
@@ -18,17 +18,6 @@ def guarded(family: Family, where: str) -> Family:
     """The same family; its candidates and columns are checked, and a fault names it and `where` it comes from."""
     named = f"the effect {family.id} of another package ({where})"
     return replace(family, kernel=_checked(family.kernel, named), candidates=_candidates(family.candidates, named))
-
-
-@contextmanager
-def blamed(named: str, doing: str) -> Iterator[None]:
-    """Turn any fault into an InputError that begins with `named`."""
-    try:
-        yield
-    except InputError:
-        raise
-    except Exception as error:
-        raise InputError(f"{named} fails {doing}: {type(error).__name__}: {error}") from error
 
 
 def _candidates(candidates: Callable[[Run], Sequence[Term]], named: str) -> Callable[[Run], Sequence[Term]]:

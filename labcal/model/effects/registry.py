@@ -8,9 +8,10 @@ from importlib.metadata import entry_points
 
 import numpy as np
 
+from labcal import outside
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord
-from labcal.model.effects.guard import blamed, guarded
+from labcal.model.effects.guard import guarded
 from labcal.model.effects.protocol import Family, Fitted, Scene
 
 TRIED = 8  # rows that a shipped effect is tried on
@@ -23,9 +24,7 @@ def families() -> tuple[Family, ...]:
     """Every family by name. Raises InputError where there is none, one twice, or an entry point is not a `Family`."""
     found = dict[str, Family]()
     for point in sorted(entry_points(group="labcal.effects"), key=lambda p: p.name):
-        named = f"entry point {point.name!r} of labcal.effects ({point.value})"
-        with blamed(named, "as it is loaded"):
-            loaded = point.load()
+        named, loaded = outside.named(point), outside.load(point)
         if not isinstance(loaded, Family) or loaded.id != point.name:
             raise InputError(f"{named} is not a Family of that id")
         if loaded.id in found:

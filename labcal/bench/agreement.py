@@ -1,0 +1,145 @@
+"""Whether the reference beside the DUT sees the field that the supplies state: zero does not rest on their word.
+
+Expected is b = M I + the ambient field, measured at zero since the DUT was mounted last. Allowed between the two: the
+step that also tells the sign of a coil, what a place wanders since its ambient field was measured, and with current a
+tenth of the coils' own field: coil constants are stated to a few per cent, and the reference stands beside the centre.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.sign import PROBE_NT
+from labcal.bench.state import Vector, Witness
+
+Array = NDArray[np.float64]
+LIMIT_NT = PROBE_NT
+DRIFT_NT_PER_H = 100.0  # Earth's day is a tenth of it; a storm, and a room that warms, are as much
+OF_FIELD = 0.1
+PERSISTS_S = 2.5  # a lift that passes is gone by then or spoils the measurement, a current is still there
+NO_SAMPLE_S = 2.0
+CANDIDATE_S = 60.0
+STUCK = 20  # readings, three axes each: noise and a converter's step leave no live sensor so still
+NO_AMBIENT = "no ambient field was measured since the mounting"
+NOT_YET = "the reference has sent nothing since"
+NOT_STREAMING = "the reference is not streaming"
+
+
+class FieldCheck:
+    """Compares what the reference sees with what it should. `blind`: why this bench has none that may; "" where it has.
+
+    Nothing here waits or raises: `see` takes readings as they come, `witness` says what they show.
+    """
+
+    def __init__(self, matrix_nT_per_A: Array, blind: str = "") -> None:
+        self._matrix, self._blind = matrix_nT_per_A, blind
+        self._ambient: Array | None = None
+        self._ambient_s = 0.0
+        self._candidate: tuple[Array, float] | None = None
+        self._currents_A: Array | None = None
+        self._since_s = self._settled_s = self._mounted_s = 0.0
+        self._bad_s: float | None = None
+        self._last: Array | None = None
+        self._same = 0  # readings in a row
+        self._moved = False  # the reference itself: what it sees of the coils is not known any more
+        self.streaming = False
+        self.witness = Witness(why=blind or NO_AMBIENT)
+
+    def waits_for_more(self, settled_for_s: float) -> bool:
+        """Whether a verdict is still to come, so long after all has settled [s]; one that sends nothing has none."""
+        if self._blind or self._ambient is None or not self.streaming or self.witness.verdict != "not known":
+            return False
+        return settled_for_s < (NO_SAMPLE_S if self._bad_s is None else PERSISTS_S + NO_SAMPLE_S)
+
+    @property
+    def zero_expected(self) -> bool:
+        """Whether the coils are said to be at zero."""
+        return self._currents_A is not None and not self._currents_A.any()
+
+    @property
+    def ambient_nT(self) -> Array | None:
+        """The ambient field (3,) it compares with; None where there is none since the mounting."""
+        return self._ambient
+
+    def take_ambient(self, field_nT: Array, now_s: float) -> None:
+        """The field (3,) [nT, C] that the reference saw with the coils at zero."""
+        self._ambient, self._ambient_s = np.asarray(field_nT, dtype=float), now_s
+        if self.witness.verdict == "not known":
+            self.witness = Witness(why=self._why_not())
+
+    def outdated(self, now_s: float, *, reference_moved: bool = False) -> None:
+        """The DUT is mounted anew, or its surroundings are not what they were: the ambient field is not known."""
+        self._ambient, self._candidate, self._mounted_s, self._bad_s = None, None, now_s, None
+        self._moved |= reference_moved
+        if self.witness.verdict != "disagrees":
+            self.witness = Witness(why=self._why_not())
+
+    def expect(self, currents_A: Array | None, since_s: float, settled_s: float) -> None:
+        """From `since_s` on these currents (3,) ought to flow, settled at `settled_s`; None: they change."""
+        if currents_A is None or (currents_A.any() and self._moved):
+            self._currents_A = None
+        else:
+            self._currents_A = currents_A
+        self._since_s, self._settled_s, self._bad_s = since_s, settled_s, None
+        self.witness = Witness(why=self._why_not())
+
+    def leaves_zero(self, now_s: float) -> None:
+        """The coils are about to be energised: where nothing was measured since the mounting, what was seen last is."""
+        if self._ambient is None and self._candidate is not None and now_s - self._candidate[1] < CANDIDATE_S:
+            self.take_ambient(*self._candidate)
+
+    def see(self, t_s: Array, field_nT: Array) -> None:
+        """Take in readings (n, 3) [nT, C] at `t_s` (n,), in order."""
+        self._count_the_same(field_nT)
+        rows = t_s >= self._since_s
+        if self._blind or self._currents_A is None or not rows.any():
+            return
+        t, field = t_s[rows], field_nT[rows]
+        settled = t >= self._settled_s
+        seen = np.median(field[settled], axis=0) if settled.any() else field[-1]
+        if self._same >= STUCK:
+            self.witness = Witness(why="the reference repeats one reading")
+        elif self._ambient is not None:
+            self._judge(seen, float(t[settled][0]) if settled.any() else None, float(t[-1]))
+        elif self.zero_expected and settled.any() and t[settled][0] >= self._mounted_s:
+            self._candidate = seen, float(t[-1])
+
+    def _why_not(self) -> str:
+        if self._blind or self._ambient is None:
+            return self._blind or NO_AMBIENT
+        return NOT_YET if self.streaming else NOT_STREAMING
+
+    def _count_the_same(self, field_nT: Array) -> None:
+        """A sensor that repeats one reading bit for bit sees nothing any more."""
+        if len(field_nT):
+            before = field_nT[:1] if self._last is None else self._last[None, :]
+            moved = np.flatnonzero(np.any(np.diff(np.vstack([before, field_nT]), axis=0) != 0, axis=1))
+            self._same = len(field_nT) - int(moved[-1]) if len(moved) else self._same + len(field_nT)
+            self._last = field_nT[-1]
+
+    def _judge(self, seen: Array, bad_since_s: float | None, now_s: float) -> None:
+        assert self._ambient is not None
+        assert self._currents_A is not None
+        coils = self._matrix @ self._currents_A
+        expected = coils + self._ambient
+        apart = float(np.linalg.norm(seen - expected))
+        age_h = max(0.0, now_s - self._ambient_s) / 3600
+        limit = LIMIT_NT + DRIFT_NT_PER_H * age_h + OF_FIELD * float(np.linalg.norm(coils))
+        found = Witness("agrees", "", _vector(seen), _vector(expected), apart, limit, now_s)
+        if apart <= limit:
+            self._bad_s, self.witness = None, found
+        elif bad_since_s is not None:  # before it has settled only an agreement counts
+            self._bad_s = bad_since_s if self._bad_s is None else self._bad_s
+            certain = now_s - self._bad_s >= PERSISTS_S or self.witness.verdict == "disagrees"
+            in_doubt = Witness("not known", f"the reference is looked at again: {found.words}", read_s=now_s)
+            self.witness = Witness("disagrees", "", *_known(found)) if certain else in_doubt
+
+
+def _known(found: Witness) -> tuple[Vector | None, Vector | None, float, float, float | None]:
+    return found.seen_nT, found.expected_nT, found.difference_nT, found.limit_nT, found.read_s
+
+
+def _vector(values: Array) -> Vector:
+    x, y, z = (float(v) for v in values)
+    return x, y, z

@@ -1,0 +1,116 @@
+"""That the reference saw a field where the supplies said zero: kept on disk, so that no later session forgets it.
+
+It is lifted where both agree again, or by a person who measured again with the outputs open; the next run's record
+says by whom, and what was measured.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+
+from labcal.bench.config import read_config
+from labcal.bench.links.ports import port_of
+from labcal.bench.state import NOT_BY_REFERENCE, OPEN_THEM, Vector, of_ends
+from labcal.bench.zero import AtZero
+from labcal.errors import InputError, InstrumentError
+from labcal.files import write_text
+from labcal.home import home
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """What was seen, what the ambient field was (3,) [nT, C], and when; `lifted`: by whom or what, with which reading.
+
+    `ambient_nT` is None where the file that kept it can no longer be read.
+    """
+
+    utc: str
+    words: str
+    seen_nT: Vector | None = None
+    ambient_nT: Vector | None = None
+    lifted: str = ""
+
+    def error(self) -> InstrumentError:
+        """The refusal to energise anything."""
+        return InstrumentError(
+            f"{NOT_BY_REFERENCE}, at {self.utc}: {self.words}. Nothing was set.",
+            fault="not zero",
+            remedy=f"{OPEN_THEM}, then measure again: `labcal bench check FILE` lifts this where reference and "
+            "supplies agree, with --clear-as NAME where a person answers for it.",
+        )
+
+
+def doubt_of(path: Path) -> str:
+    """The doubt about the coils of the bench file `path`, in words; "" where there is none, or the file is spoilt."""
+    try:
+        doubt = Latch(read_config(path).guarded_links).doubt
+    except (InputError, OSError):
+        return ""
+    return "" if doubt is None else f"{doubt.utc}, {doubt.words}"
+
+
+def left_so(path: Path, ended: Iterable[AtZero]) -> str:
+    """What may be said now of coils that ended so; no reference was asked, but a doubt that stands is told."""
+    return of_ends(ended, doubt_of(path)).sentence(time.monotonic())
+
+
+class Latch:
+    """The doubt about the coils on these ports; of a simulated bench (no ports) it ends with the session."""
+
+    def __init__(self, urls: Iterable[str]) -> None:
+        ports = sorted(map(port_of, urls))
+        name = hashlib.sha256("\n".join(ports).encode()).hexdigest()[:16]
+        self._path: Path | None = home() / f"not-at-zero-{name}.json" if ports else None
+        self._kept = self._read()
+
+    @property
+    def doubt(self) -> Doubt | None:
+        """What nothing may be energised over; None where all is well."""
+        return self._kept if self._kept is not None and not self._kept.lifted else None
+
+    def set(self, doubt: Doubt) -> None:
+        """From here on nothing is energised."""
+        self._keep(doubt)
+
+    def lift(self, by: str) -> None:
+        """Both agree again, or a person answers for it: `by` says who, and what was measured."""
+        if self._kept is not None:
+            self._keep(replace(self._kept, lifted=by))
+
+    def told(self) -> Doubt | None:
+        """The doubt that was lifted and stands in no record yet; it is forgotten by this."""
+        kept = self._kept
+        if kept is None or not kept.lifted:
+            return None
+        self._kept = None
+        if self._path is not None:
+            self._path.unlink(missing_ok=True)
+        return kept
+
+    def _keep(self, doubt: Doubt) -> None:
+        self._kept = doubt
+        if self._path is not None:
+            with suppress(OSError):  # a disk that is full keeps no coil on: the session itself remembers
+                self._path.parent.mkdir(parents=True, exist_ok=True)
+                write_text(self._path, json.dumps(asdict(doubt)))
+
+    def _read(self) -> Doubt | None:
+        if self._path is None or not self._path.exists():
+            return None
+        try:
+            said = json.loads(self._path.read_text(encoding="utf-8"))
+            seen, ambient = (said[key] and _vector(said[key]) for key in ("seen_nT", "ambient_nT"))
+            return Doubt(str(said["utc"]), str(said["words"]), seen, ambient, str(said["lifted"]))
+        except (OSError, ValueError, KeyError, TypeError):
+            return Doubt("a time unknown", f"{self._path} can no longer be read")
+
+
+def _vector(values: Iterable[float]) -> Vector:
+    x, y, z = (float(v) for v in values)
+    return x, y, z

@@ -1,0 +1,118 @@
+"""How the coils on one line come down: who may not answer is written zero first, the others ramp, all are read back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from typing import cast
+
+from labcal.bench.guardian.coil import Coil
+from labcal.bench.roles import CoilSupply
+from labcal.bench.zero import AtZero, to_zero, write_zero
+from labcal.errors import InstrumentError
+
+ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what it holds
+
+
+def line_down(coils: Sequence[Coil], others: Sequence[str], tell: Callable[[], None]) -> list[AtZero]:
+    """All coils of one line to zero; what is asked there meanwhile is given up. Never raises InstrumentError.
+
+    `others`: supplies on other lines, which may answer here where cables were swapped. `tell`: a successor must know.
+    """
+    line = coils[0].line
+    line.gate.close()
+    with line.lock, line.gate.passing():
+        for coil in coils:
+            coil.latch.engage(coil.held_A if coil.energised else None)
+        tell()
+        for coil in coils:
+            if coil.doubt is None:
+                _greet(coil)
+        doubted = [coil for coil in coils if coil.doubt is not None]
+        for coil in doubted:
+            _write_zero(coil, others)
+        ended = dict(_ramped([coil for coil in coils if coil.doubt is None]))
+        ended |= {coil.axis: _read_back(coil) for coil in doubted}
+        for coil in coils:
+            coil.settle(ended[coil.axis])
+        return list(ended.values())
+
+
+def _greet(coil: Coil) -> None:
+    """See that the right instrument is at the end of the link, where that is not known yet or nothing flows."""
+    line = coil.line
+    hurry_s = line.clock.now() + ANSWER_S if coil.energised else float("inf")
+    try:
+        with line.gate.asking_until(hurry_s):
+            if not coil.energised or not line.greeted(coil.name):
+                line.identify(coil.name)
+            if coil.energised and coil.held_A is None:
+                coil.held_A = coil.bare.set_point()
+    except InstrumentError as fault:
+        coil.doubt = fault
+
+
+def _write_zero(coil: Coil, others: Sequence[str]) -> None:
+    """Zero at once, whatever it may answer; who is there is asked only where the link was opened anew."""
+    for _ in ("as it is", "opened again"):
+        try:
+            if coil.line.greeted(coil.name) or _may_be_written(coil, others):
+                coil.bare.write_current(0.0)
+            return
+        except InstrumentError:
+            with suppress(InstrumentError):
+                coil.line.reopen()
+
+
+def _may_be_written(coil: Coil, others: Sequence[str]) -> bool:
+    """Whether nobody else answers in its place. Its silence is no reason: it may hear."""
+    line = coil.line
+    try:
+        with line.gate.asking_until(line.clock.now() + ANSWER_S):
+            line.identify(coil.name)
+    except InstrumentError as fault:
+        if fault.fault == "another instrument":
+            _quench(coil, others)
+            return False
+    return True
+
+
+def _quench(coil: Coil, others: Sequence[str]) -> None:
+    """Another instrument answers: where it is a supply such as this bench has, it hears zero and off, and no more."""
+    line = coil.line
+    for driver in (line.instrument(coil.name), *line.strangers(others)):
+        with suppress(InstrumentError):
+            driver.identify()
+            supply = cast(CoilSupply, driver)
+            write_zero({coil.axis: supply})
+            supply.set_current(0.0)
+            supply.output(False)
+            return
+
+
+def _ramped(coils: Sequence[Coil]) -> Mapping[str, AtZero]:
+    if not coils:
+        return {}
+    supplies = {coil.axis: coil.bare for coil in coils}
+    rates = {coil.axis: coil.rate_A_per_s for coil in coils}
+    known = {coil.axis: coil.held_A for coil in coils if coil.energised and coil.held_A is not None}
+    return to_zero(supplies, rates, coils[0].line.clock, known_A=known)
+
+
+def _read_back(coil: Coil) -> AtZero:
+    """Who was in doubt says who it is, and then that it is at zero; else its link is opened again for the next try."""
+    assert coil.doubt is not None
+    try:
+        coil.line.identify(coil.name)
+        doubts = {coil.axis: coil.doubt}
+        clock = coil.line.clock
+        end = to_zero({coil.axis: coil.bare}, {coil.axis: coil.rate_A_per_s}, clock, doubts=doubts)[coil.axis]
+    except InstrumentError as fault:
+        end = AtZero(coil.axis, None, False, fault)
+        if fault.fault != "another instrument":
+            with suppress(InstrumentError):
+                coil.bare.write_off()
+    if end.current_A is None and end.fault is not None and end.fault.fault in ("silent", "link lost"):
+        with suppress(InstrumentError):
+            coil.line.reopen()
+    return end

@@ -1,0 +1,116 @@
+"""A gate in every line of the guardian: when zero is ordered, whatever the session has asked there ends at once.
+
+A question that nobody answers would keep the line from who brings its coils down. While the gate is closed only that
+thread passes; what others have under way ends within a hundredth of a second, and they can send nothing more.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+from labcal.bench.clock import Clock
+from labcal.bench.links import Link
+from labcal.bench.links.line import read_reply
+from labcal.bench.loading import Loader
+from labcal.errors import InstrumentError
+
+LOOK_S = 0.01
+
+
+class Gate:
+    """Who may use a line. Closed by anybody who orders zero, passed by the thread that carries it out."""
+
+    def __init__(self) -> None:
+        self._closed = threading.Event()
+        self._owner: int | None = None
+        self.asks_until_s = float("inf")  # on the line's clock: what is asked ends then, answered or not
+
+    def close(self) -> None:
+        """From now on the line belongs to whoever passes."""
+        self._closed.set()
+
+    @contextmanager
+    def passing(self) -> Iterator[None]:
+        """This thread has the line; afterwards the gate is open."""
+        self._owner = threading.get_ident()
+        try:
+            yield
+        finally:
+            self._owner = None
+            self._closed.clear()
+
+    @contextmanager
+    def asking_until(self, t_s: float) -> Iterator[None]:
+        """Within, no question is waited for beyond `t_s` on the line's clock."""
+        self.asks_until_s = t_s
+        try:
+            yield
+        finally:
+            self.asks_until_s = float("inf")
+
+    def check(self, now_s: float) -> None:
+        """Raise InstrumentError (taken to zero) where this thread has to leave the line to another."""
+        if self._closed.is_set() and self._owner != threading.get_ident():
+            raise InstrumentError(
+                "zero was ordered meanwhile; what was asked of this line was given up.", fault="taken to zero"
+            )
+        if now_s > self.asks_until_s:
+            raise InstrumentError("it did not answer in the time that there is on the way to zero.", fault="silent")
+
+
+class GatedLink:
+    """A Link whose waits end when its gate closes."""
+
+    def __init__(self, link: Link, gate: Gate, clock: Clock) -> None:
+        self._link, self._gate, self._clock = link, gate, clock
+        self.url, self.emulated, self.never = link.url, link.emulated, link.never
+
+    def send(self, data: bytes) -> None:
+        """Put bytes on the line."""
+        self._gate.check(self._clock.now())
+        self._link.send(data)
+
+    def receive(self, until_s: float) -> list[tuple[float, bytes]]:
+        """All that arrives up to `until_s`, in pieces stamped at their first byte."""
+        arrived = list[tuple[float, bytes]]()
+        while True:
+            self._gate.check(self._clock.now())
+            arrived += self._link.receive(min(until_s, self._clock.now() + LOOK_S))
+            if self._clock.now() >= until_s:
+                return arrived
+
+    def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
+        """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
+        if request:
+            self.send(request)
+        return read_reply(self, self._clock, end=end, timeout_s=timeout_s)
+
+    def give_back(self, t_s: float, data: bytes) -> None:
+        """Put bytes that were read too far back at the head of the line."""
+        self._link.give_back(t_s, data)
+
+    def reopen(self) -> None:
+        """Open it again."""
+        self._link.reopen()
+
+    def flush(self) -> None:
+        """Drop what has arrived and was not read."""
+        self.receive(self._clock.now())
+
+    def close(self) -> None:
+        """Let go of it."""
+        self._link.close()
+
+
+@dataclass
+class GatedLoader(Loader):
+    """Opens the instruments of one line, with its gate between each driver and the line."""
+
+    gate: Gate = field(default_factory=Gate)
+
+    def link(self, name: str) -> Link:
+        """The link of one instrument, gated."""
+        return GatedLink(super().link(name), self.gate, self.clock)

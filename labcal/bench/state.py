@@ -1,0 +1,163 @@
+"""The state of the lab as one frozen value: coils, reference, guardian, instruments, each with the time it was read.
+
+It is made in one place, `Bench.state`, and what is said of the coils is made here from it, and nowhere else. Times are
+seconds of whatever clock the value was read on; `shifted` carries it to another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any, Literal
+
+from labcal.bench.zero import AtZero
+
+FRESH_S = 2.0  # what was read back longer ago is told as past
+AT_ZERO = "coils at zero"
+BY_WORD = "zero by the supply's word only"
+NOT_CONFIRMED = "coils NOT confirmed at zero"
+NOT_BY_REFERENCE = "NOT at zero by the reference"
+NOT_READ = "coils not read back in this session"
+NOT_ASKED = "no reference was asked"
+OPEN_THEM = "Open the outputs, or switch the supplies off at their mains"
+Verdict = Literal["agrees", "disagrees", "not known"]
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Coil:
+    """One axis as last read: None is not known. `zero`: below what counts as zero; `open`: its output was opened.
+
+    `fault` is why it could not be read.
+    """
+
+    axis: str
+    set_A: float | None = None
+    current_A: float | None = None
+    zero: bool = False
+    open: bool | None = None
+    read_s: float | None = None
+    fault: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Witness:
+    """Whether the reference beside the DUT sees what the supplies say, last looked at `read_s`; `why` it is not known.
+
+    `seen_nT` and `expected_nT` (3,) in C; their distance is judged against `limit_nT`.
+    """
+
+    verdict: Verdict = "not known"
+    why: str = NOT_ASKED
+    seen_nT: Vector | None = None
+    expected_nT: Vector | None = None
+    difference_nT: float = 0.0
+    limit_nT: float = 0.0
+    read_s: float | None = None
+
+    @property
+    def words(self) -> str:
+        """What was seen, what was expected, and how far they are apart."""
+        if self.seen_nT is None or self.expected_nT is None:
+            return self.why
+        seen, expected = (" ".join(f"{v:.0f}" for v in vector) for vector in (self.seen_nT, self.expected_nT))
+        apart = f"{self.difference_nT / 1000:.2f} µT apart, {self.limit_nT / 1000:.2f} µT allowed"
+        return f"it sees {seen} nT, {expected} nT expected: {apart}"
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """When an instrument was last heard (None: not yet), and what is wrong with it now ("": nothing)."""
+
+    name: str
+    heard_s: float | None = None
+    fault: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class LabState:
+    """`guardian`: whether it lives; None where a bench needs none."""
+
+    coils: tuple[Coil, ...]
+    reference: Witness = Witness()
+    guardian: bool | None = None
+    instruments: tuple[Heard, ...] = ()
+
+    def sentence(self, now_s: float) -> str:
+        """What may be said of the coils at `now_s`, and no more than was read back."""
+        contradicted = f"{NOT_BY_REFERENCE}: {self.reference.words}. {OPEN_THEM}"
+        unread = [coil for coil in self.coils if coil.current_A is None]
+        if self.reference.verdict == "disagrees":
+            return f"{NOT_CONFIRMED}; {contradicted}" if unread else contradicted
+        if unread:
+            return NOT_CONFIRMED if any(coil.fault for coil in unread) else NOT_READ
+        age_s = self.age_s(now_s)
+        if flowing := [coil for coil in self.coils if not coil.zero]:
+            said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)
+            return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {age_s:.0f} s ago")
+        if age_s > FRESH_S:
+            return f"coils last read back below their zero {age_s:.0f} s ago, not since"
+        return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self._why(now_s)}"
+
+    def at_zero(self, now_s: float) -> bool | None:
+        """Whether every coil was read back below its zero just now: False where not, None where that is not known."""
+        known = [coil for coil in self.coils if coil.current_A is not None]
+        faulty = any(coil.fault for coil in self.coils if coil.current_A is None)
+        if self.reference.verdict == "disagrees" or faulty or not all(coil.zero for coil in known):
+            return False
+        return True if len(known) == len(self.coils) and self.age_s(now_s) <= FRESH_S else None
+
+    def age_s(self, now_s: float) -> float:
+        """How long ago the coil was read that was read first."""
+        return max((now_s - coil.read_s for coil in self.coils if coil.read_s is not None), default=float("inf"))
+
+    def shifted(self, by_s: float) -> LabState:
+        """The same on a clock that shows `by_s` more."""
+        return replace(
+            self,
+            coils=tuple(replace(coil, read_s=_later(coil.read_s, by_s)) for coil in self.coils),
+            reference=replace(self.reference, read_s=_later(self.reference.read_s, by_s)),
+            instruments=tuple(replace(one, heard_s=_later(one.heard_s, by_s)) for one in self.instruments),
+        )
+
+    def as_json(self, now_s: float) -> dict[str, Any]:
+        """With ages in place of times: for the record, and for another process."""
+        return asdict(self.shifted(-now_s))
+
+    def _seconded(self, now_s: float) -> bool:
+        seen_s = self.reference.read_s
+        return self.reference.verdict == "agrees" and seen_s is not None and now_s - seen_s <= FRESH_S
+
+    def _why(self, now_s: float) -> str:
+        if self.reference.verdict == "agrees" and self.reference.read_s is not None:
+            return f"the reference agreed {now_s - self.reference.read_s:.0f} s ago"
+        return self.reference.why
+
+
+def from_json(said: Mapping[str, Any], now_s: float) -> LabState:
+    """The value that `as_json` wrote, on a clock that shows `now_s`."""
+    reference = dict(said["reference"])
+    for field in ("seen_nT", "expected_nT"):
+        reference[field] = None if reference[field] is None else tuple(reference[field])
+    coils = tuple(Coil(**coil) for coil in said["coils"])
+    instruments = tuple(Heard(**one) for one in said["instruments"])
+    return LabState(coils, Witness(**reference), said["guardian"], instruments).shifted(now_s)
+
+
+def of_ends(ended: Iterable[AtZero], doubt: str = "") -> LabState:
+    """The coils as somebody brought them to zero who asked no reference; times are those of their ends.
+
+    `doubt`: what a reference saw before that, where nobody has answered for it.
+    """
+    witness = Witness("disagrees", doubt) if doubt else Witness(why=NOT_ASKED)
+    return LabState(tuple(_coil(end) for end in ended), witness)
+
+
+def _coil(end: AtZero) -> Coil:
+    """One axis as it ended: what has a current was read back below its zero."""
+    known, fault = end.current_A is not None, "" if end.fault is None else str(end.fault)
+    return Coil(end.axis, 0.0 if known else None, end.current_A, known, end.opened, end.read_s, fault)
+
+
+def _later(t_s: float | None, by_s: float) -> float | None:
+    return None if t_s is None else t_s + by_s

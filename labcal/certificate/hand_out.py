@@ -1,0 +1,29 @@
+"""A calibration for somebody else: its file, its signatures, and the public keys they are checked against."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from labcal.certificate.allowed_signers import Signer
+from labcal.certificate.signing import signature_files
+from labcal.errors import InputError
+from labcal.files import replaceable, write_bytes, write_text
+from labcal.outputs import claim
+
+
+def hand_out(calibration: Path, folder: Path, signers: Sequence[Signer]) -> None:
+    """Copy `calibration` and its signatures to `folder`, and `signers` as its trust list.
+
+    Raises InputError, before anything is copied, where another file of one of these names is there.
+    """
+    [trust] = claim("hand out", folder / "allowed_signers")
+    copies = {folder / file.name: file.read_bytes() for file in (calibration, *signature_files(calibration))}
+    for copy, content in copies.items():
+        replaceable(copy)
+        if copy.exists() and copy.read_bytes() != content:
+            raise InputError("another file of this name is there already", file=copy)
+    for copy, content in copies.items():
+        write_bytes(copy, content)
+    with trust.writing() as file:
+        write_text(file, "".join(f"{signer.line()}\n" for signer in signers))

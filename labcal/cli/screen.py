@@ -1,0 +1,36 @@
+"""What people read on the terminal: nothing that a file, an instrument or a person put into it acts there."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from labcal.plain import one_line, seen
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+def say(*texts: object, err: bool = False, end: str = "\n") -> None:
+    """Print one line to stdout, or to stderr (`err`)."""
+    print(*(one_line(str(text)) for text in texts), end=end, file=sys.stderr if err else sys.stdout, flush=True)
+
+
+def say_lines(lines: Iterable[object], *, err: bool = False) -> None:
+    """Print each on a line of its own."""
+    for line in lines:
+        say(line, err=err)
+
+
+def console(**options: Any) -> Console:
+    """A console whose tables and sentences carry nothing that acts: colours and the bar's movements are its own."""
+    from rich.console import Console, ConsoleOptions, RenderableType
+    from rich.segment import Segment
+
+    class Seen(Console):
+        def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Any:
+            for part in super().render(renderable, options):
+                yield part if part.control else Segment(seen(part.text), part.style)
+
+    return Seen(markup=False, emoji=False, **options)

@@ -1,0 +1,65 @@
+"""What other packages bring by entry points: whatever goes wrong as it is loaded is one sentence with its place."""
+
+from __future__ import annotations
+
+import importlib
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.metadata import EntryPoint
+from pathlib import Path
+from typing import Any
+
+from labcal.errors import InputError
+from labcal.plain import one_line
+
+OURS = (str(Path(__file__).parent), str(Path(importlib.__file__).parent), "<frozen ")
+
+
+def load(entry: EntryPoint) -> Any:
+    """What `entry` names. Raises InputError with the file and line of the fault, an exit too."""
+    with blamed(named(entry), "as it is loaded"):
+        return entry.load()
+
+
+def named(entry: EntryPoint) -> str:
+    """How an entry point is spoken of."""
+    return f"entry point {entry.name!r} of {entry.group} ({entry.value})"
+
+
+@contextmanager
+def blamed(who: str, doing: str) -> Iterator[None]:
+    """Turn any fault of another's code into an InputError that begins with `who`; only Ctrl-C passes."""
+    try:
+        yield
+    except (InputError, KeyboardInterrupt):
+        raise
+    except BaseException as error:
+        file, line = where(error)
+        told = f"{who} fails {doing}: {said(error)}"
+        raise InputError(told, file=file, line=line) from error
+
+
+def said(error: BaseException) -> str:
+    """An error's kind and words on one line, whatever its own text does."""
+    try:
+        words = str(error)
+    except BaseException:
+        words = ""
+    return one_line(f"{type(error).__name__}: {words}" if words else type(error).__name__)
+
+
+def where(error: BaseException) -> tuple[str | None, int | None]:
+    """File and line where the fault came out of another's code; None where there is no such place."""
+    if isinstance(error, SyntaxError):
+        return error.filename, error.lineno
+    frames = traceback.extract_tb(error.__traceback__)
+    theirs = [frame for frame in frames if not frame.filename.startswith(OURS)]
+    return (theirs[0].filename, theirs[0].lineno) if theirs else (None, None)
+
+
+def line_in(error: BaseException, file: Path) -> int | None:
+    """The line of `file` where the fault came from."""
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno for frame in frames if Path(frame.filename).resolve() == file.resolve()]
+    return lines[-1] if lines else None

@@ -1,0 +1,21 @@
+"""States of the lab as a worker tells them: just read, or some time ago."""
+
+from __future__ import annotations
+
+import time
+
+from labcal.bench.state import Coil, LabState, Witness
+
+SEEN = {"seen_nT": (20_400.0, 1_150.0, -43_700.0), "expected_nT": (20_400.0, 1_150.0, -43_700.0)}
+
+
+def told(to, currents=(0.0, 0.0, 0.0), *, verdict="agrees", age_s=0.0):
+    """The worker (of the window) `to` says how the coils are; a current of None was not read back."""
+    worker = to.desk.bench_worker if hasattr(to, "desk") else to
+    read_s = time.monotonic() - age_s
+    coils = tuple(
+        Coil(axis, None, i, i is not None and abs(i) < 0.005, None, read_s, "" if i is not None else f"{axis}: silent")
+        for axis, i in zip("xyz", currents, strict=True)
+    )
+    witness = Witness(verdict, "no ambient field", **SEEN, difference_nT=98_900.0, limit_nT=2_000.0, read_s=read_s)
+    worker.states.emit(LabState(coils, witness).as_json(0.0))

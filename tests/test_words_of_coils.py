@@ -1,0 +1,183 @@
+"""No sentence about the coils that was not read back: each is made in one place, from a reading and its age."""
+
+from __future__ import annotations
+
+import ast
+import itertools
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from labcal.bench.state import AT_ZERO, BY_WORD, FRESH_S, NOT_BY_REFERENCE, Coil, LabState, Witness, from_json, of_ends
+from labcal.bench.zero import AtZero
+from labcal.errors import InstrumentError
+
+ROOT = Path(__file__).parents[1]
+THE_PLACE = "labcal/bench/state.py"
+CLAIM = re.compile(
+    r"\bcoils?\b.*\b(zero|off|on|safe|energis\w*|open\w*)\b|\b(at|to) zero\b|energised|\bsafe\b|^zero, "
+    r"|\boutputs?\b.*\b(open|off|on|closed)\b|\bzero\b.*\b(word|confirmed)",
+    re.IGNORECASE | re.DOTALL,
+)
+ORDER, HELP, ASKED, REFUSED, READ = (
+    "tells a person what to do",
+    "says what a button, a command or a setting does, or names one",
+    "a question, or the name of what is measured",
+    "says what was refused or is going on, not how the coils are",
+    "is made of the read-back that it quotes, where it was read",
+)
+NO_CLAIM = {
+    "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
+    "Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why "
+    "before it is cleared.": ORDER,
+    "Ramp it to zero first; or `labcal bench off`.": ORDER,
+    "Set coils off.": ORDER,
+    "Switch the option 'power-on output' off in its menu.": ORDER,
+    "{0}. Press COILS OFF (F12), or switch the supplies off at their mains.": ORDER,
+    "record at rest with the coils off, then switch what runs at that period off one by one": ORDER,
+    "record at rest with the coils off: the noise that remains is the sensor's own": ORDER,
+    "repeat with the coils at zero, and with the reference turned by 180°": ORDER,
+    "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.": HELP,
+    "Instruments: check, serve emulated ones, coils off.": HELP,
+    "COILS OFF   F12": HELP,
+    "Take every coil to zero now (F12). Works in every state and asks nothing.": HELP,
+    "coils off, at any moment": HELP,
+    "Ask every instrument who it is. Nothing is energised or moved.": HELP,
+    "Asks every instrument who it is, then begins. Nothing is energised before you are asked.": HELP,
+    "Wait where the next step begins, with the coils at zero": HELP,
+    "End this run now, in order. The coils go to zero; what was measured is kept.": HELP,
+    "Control whether the output is on.": HELP,
+    "the cage as it will be used, coils off": HELP,
+    "coils-off zero, first and last": HELP,
+    "coils-off zero before": HELP,
+    "coils off between two turns": HELP,
+    "DUT less reference, coils off": ASKED,
+    "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
+    "Each coil goes to ±{} µT. Hands off?": ASKED,
+    "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
+    "The coils go to {} µT and the platform turns. Hands off?": ASKED,
+    "the guardian was killed, or the connection to it failed; it takes the coils to zero, or its successor does.": (
+        REFUSED
+    ),
+    "to zero: {}": REFUSED,
+    "taken to zero": REFUSED,
+    "coil {} was taken to zero: {}.": REFUSED,
+    "{} was to be made safe": REFUSED,
+    "a field of {} nT of the coils alone is beyond the limit of {} nT, Earth's {} nT taken off; nothing was set.": (
+        REFUSED
+    ),
+    "no guardian drives this bench and no coil was touched. Correct the file and say off again, or switch the supplies "
+    "off by hand": REFUSED,
+    "{}: the coils may be energised again. {}": REFUSED,
+    "Coils off: reading them back …": REFUSED,
+    "coil {}: a guardian was killed while it brought this coil to zero.": REFUSED,
+    "coil {}: zero has not been read back.": REFUSED,
+    "it did not answer in the time that there is on the way to zero.": REFUSED,
+    "{} A was not sent: this coil was ordered to zero, and {} A is the most that it may still hear.": REFUSED,
+    "{}: its output was not closed: this coil was ordered to zero.": REFUSED,
+    "Coils off: the run ends …": REFUSED,
+    "Coils off: no bench is open, this window drives no coil.": REFUSED,
+    "not allowed with the output on": REFUSED,
+    "{}: it would switch its output on by itself when it gets power.": REFUSED,
+    "It closes when every coil is read back at zero; `guardian.log` says which is not.": HELP,
+    "What was committed is safe; see what keeps the disk busy, then go on with the run.": "of a store, not of coils",
+    "What was committed is safe; make room on the disk, then go on with the run.": "of a store, not of coils",
+    "coil {}: {} A still flows; its output is not opened under current.": READ,
+    "coil {}: {} A still flows after zero was set; the contacts were not moved.": READ,
+    "coil {}: {} A still flows {} s after zero was set (zero is below {} A).": READ,
+    "coil {} came to zero without a ramp": READ,
+    "zero, open": READ,
+    "zero, not open": READ,
+}
+
+
+def literals(path: Path) -> Iterator[str]:
+    """Every text of a file that is no docstring; what is filled in stands as {}."""
+    tree, silent = ast.parse(path.read_text(encoding="utf-8")), set[int]()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            silent.add(id(node.value))
+        if isinstance(node, ast.JoinedStr):
+            silent |= {id(part) for part in node.values}
+        if isinstance(node, ast.FormattedValue) and node.format_spec is not None:
+            silent |= {id(part) for part in ast.walk(node.format_spec)}
+    for node in ast.walk(tree):
+        if id(node) in silent:
+            continue
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+        elif isinstance(node, ast.JoinedStr):
+            yield "".join(str(part.value) if isinstance(part, ast.Constant) else "{}" for part in node.values)
+
+
+@cache
+def said_of_coils() -> tuple[tuple[str, str], ...]:
+    """File and text of everything that might claim something."""
+    files = [path for folder in ("labcal", "drivers", "procedures") for path in sorted((ROOT / folder).rglob("*.py"))]
+    said = ((path.relative_to(ROOT).as_posix(), text) for path in files for text in literals(path))
+    return tuple((path, text) for path, text in said if " " in text and CLAIM.search(text))
+
+
+def test_what_is_said_of_the_coils_is_made_from_a_reading() -> None:
+    strays = [f"{path}: {text!r}" for path, text in said_of_coils() if path != THE_PLACE and text not in NO_CLAIM]
+    assert not strays, "make it in labcal/bench/state.py from a reading, or say here why it claims nothing:\n" + (
+        "\n".join(strays)
+    )
+
+
+def test_the_list_of_what_claims_nothing_only_shrinks() -> None:
+    assert set(NO_CLAIM) <= {text for _, text in said_of_coils()}
+
+
+def test_the_net_catches_the_sentences_that_were_there_before() -> None:
+    for text in ("The coils are at zero.", "Coils stay at zero; plug it in.", "Coils go to zero; look.",
+                 "All coils are at zero.", "The output stays open; look at it.", "✓ all at zero"):  # fmt: skip
+        assert CLAIM.search(text), text
+
+
+def state(ages_s: tuple[float, float, float], zero: bool, verdict: str, seen_s: float) -> LabState:
+    current = 0.001 if zero else 0.5
+    coils = tuple(Coil(a, 0.0, current, zero, True, -age) for a, age in zip("xyz", ages_s, strict=True))
+    return LabState(coils, Witness(verdict, "none", (99.0, 0, 0), (0, 0, 0), 99.0, 2.0, -seen_s))  # type: ignore[arg-type]
+
+
+def test_coils_are_at_zero_only_where_all_was_read_just_now_and_the_reference_agrees() -> None:
+    said = set[str]()
+    ages = (0.0, FRESH_S, FRESH_S + 0.01, 60.0)
+    for age, zero, verdict, seen in itertools.product(ages, (True, False), ("agrees", "disagrees", "not known"), ages):
+        sentence = state((0.0, age, 0.0), zero, verdict, seen).sentence(0.0)
+        fresh = age <= FRESH_S and zero
+        assert (sentence == AT_ZERO) == (fresh and verdict == "agrees" and seen <= FRESH_S), sentence
+        assert sentence.startswith(NOT_BY_REFERENCE) == (verdict == "disagrees")
+        if not fresh and verdict != "disagrees":
+            assert not sentence.startswith((AT_ZERO, BY_WORD)), sentence
+        said.add(re.sub(r"\d+", "n", sentence))
+    assert len(said) > 6
+
+
+@pytest.mark.parametrize("unread", ["", "supply_y: silent"])
+def test_an_axis_that_was_not_read_back_is_never_at_zero(unread: str) -> None:
+    coils = (Coil("x", 0.0, 0.0, True, True, 0.0), Coil("y", fault=unread), Coil("z", 0.0, 0.0, True, True, 0.0))
+    found = LabState(coils, Witness("agrees", read_s=0.0))
+    assert found.sentence(0.0) == ("coils NOT confirmed at zero" if unread else "coils not read back in this session")
+    assert found.at_zero(0.0) is (False if unread else None)
+
+
+def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
+    ended = [AtZero(axis, 0.0005, True, None, 100.0) for axis in "xyz"]
+    assert of_ends(ended).sentence(101.0) == f"{BY_WORD}: no reference was asked"
+    assert of_ends(ended).sentence(110.0) == "coils last read back below their zero 10 s ago, not since"
+    lost = [*ended[:2], AtZero("z", None, False, InstrumentError("supply_z: silent."))]
+    assert of_ends(lost).sentence(101.0) == "coils NOT confirmed at zero"
+    assert of_ends(ended, "it saw 99").sentence(101.0).startswith(f"{NOT_BY_REFERENCE}: it saw 99. Open")
+
+
+def test_the_value_goes_to_another_process_with_its_age() -> None:
+    there = state((0.5, 1.0, 1.5), True, "agrees", 0.2)
+    back = from_json(there.as_json(10.0), 110.0)
+    assert back == there.shifted(100.0)
+    assert back.sentence(100.0) == AT_ZERO
+    assert back.age_s(100.0) == 1.5
