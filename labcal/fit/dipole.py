@@ -17,7 +17,7 @@ STEP_M = 1e-4  # of the derivatives by place
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Dwell:
-    """What was seen at `place` for a while in one field; looks of one `session` share the steady field's course."""
+    """What was seen at `place` for a while in one field; dwells of one `session` share the steady field's course."""
 
     session: int
     place: int
@@ -63,12 +63,12 @@ def dipole_field(place_m: ArrayLike) -> Array:
 
 
 def fit_dipole(dwells: Sequence[Dwell], places_m: ArrayLike, u_place_m: float = 0.0) -> DipoleFit:
-    """Least squares of p and X over `looks`, with the steady field of each session and place beside them.
+    """Least squares of p and X over `dwells`, with the steady field of each session and place beside them.
 
     seen = D(place) A (p + X Aᵀ b) + c(session, t) + K(place) b with A = `cage_from_body`, D = `dipole_field`, c a
     quadratic in time, K what the coils make at the place (without the body away, X's isotropic part would hide in it).
     Covariance: Newey and West, Econometrica 55 (1987), eq. 5, over `CORRELATED_S`; beside it, `u_place_m` of each
-    coordinate of `places_m` (k, 3), by derivatives. Raises ValueError where the looks do not determine all nine.
+    coordinate of `places_m` (k, 3), by derivatives. Raises ValueError where the dwells do not determine all nine.
     """
     steady = _span(_steady(dwells))
     seen = _beside(steady, np.vstack([dwell.seen_nT for dwell in dwells])[:, :, None])[:, :, 0]

@@ -1,4 +1,4 @@
-"""The methods by name, and what every one of them is told about itself: time, residuals, held-out residuals."""
+"""The methods by name, and what is added to every estimate: time, residuals, held-out residuals."""
 
 from __future__ import annotations
 

@@ -79,9 +79,9 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
 
 
 def _as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
-    """The held-out error, no smaller than what the map and effects that are shipped leave on the rows of their fit.
+    """The held-out error, no smaller than what the shipped map and effects leave on the rows of their fit.
 
-    Blocks are foretold by straight lines about the last fit; where an effect bends too far for them, the file is worse.
+    Blocks are predicted to first order about the last fit; where an effect is too nonlinear, the file is worse.
     Where nothing was `added`, before is what is after.
     """
     shipped = max(cv_error.after, in_sample)
@@ -199,7 +199,7 @@ def _data_effects(aside: dict[str, int], problem: LinearProblem, verdict: Verdic
 
 
 def _rejected(found: Evidence) -> list[EffectRecord]:
-    """Every cause that was weighed and not taken, at the last step that weighed it."""
+    """Every cause that was scored and not accepted, at the last step that scored it."""
     last = {w.candidate.cause: w for ranking in found.rankings for w in ranking}
     taken = {c.cause for c in found.accepted}
     return [_rejected_record(found, w) for cause, w in last.items() if cause not in taken]

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: ResidualShape | None = None) -> str:
-    """One sentence for the technician, what is left over looks like, and the rows that were set aside."""
+    """One sentence for the technician, the shape of what is left, and the rows that were set aside."""
     names = [c.label for c in found.accepted]
     named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows that lie"
     verb = "explains" if len(names) == 1 else "explain"
@@ -36,7 +36,7 @@ def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Res
 
 
 def _others(found: Evidence) -> str:
-    """Who does as well as what is accepted."""
+    """The equivalents of what is accepted."""
     names = dict.fromkeys(c.scored.candidate.label for rivals in found.equivalents for c in rivals[1:])
     return f"{' and '.join(names)} {'does' if len(names) == 1 else 'do'}"
 
@@ -67,7 +67,7 @@ def why_accepted(step: HeldOutErrors, own: Scored) -> str:
 
 
 def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
-    """Why a cause that was weighed is not named; `step` is its proof where it was taken and refused held out."""
+    """Why a scored cause is not named; `step` is its contribution where held-out data did not support it."""
     if step is not None:
         return _why_refused(step)
     if w.evidence < 0:
@@ -77,11 +77,11 @@ def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
     taken = f"takes {w.drop:.2g} times the noise's square off the residual"
     if w.drop < MATERIAL:
         return f"{taken}: not worth its parameters"
-    return f"{taken} in sample, but other looks of what is accepted take as much"
+    return f"{taken} in sample, but other forms of what is accepted take as much"
 
 
 def why_equivalent(accepted: Candidate, after_nT: float) -> str:
-    """Why a cause that does as well is not named in the place of the accepted one."""
+    """Why an equivalent cause is not named in the place of the accepted one."""
     return f"does as well as {accepted.label} in its place ({after_nT:.1f} nT held out): a rival, neither is sure"
 
 

@@ -28,7 +28,7 @@ class Errors:
 
 @dataclass(frozen=True, slots=True)
 class NextExperiment:
-    """What would tell the rivals apart, or show what the structure is."""
+    """What would separate equivalent explanations, or show what the structure is."""
 
     why: str
     do: str
@@ -60,7 +60,7 @@ class ResidualTest:
 
 @dataclass(frozen=True, slots=True)
 class ResidualShape:
-    """What structure looks like that nothing carries."""
+    """The shape of structure that no known effect explains."""
 
     kind: str  # line | step | telegraph | random-walk | wander | noise
     axis: str
@@ -73,7 +73,7 @@ class ResidualShape:
 
 @dataclass(frozen=True, slots=True)
 class Confounded:
-    """Two explanations of one run that no quality of fit tells apart, and what does."""
+    """Two explanations of one run that no fit can separate, and what does."""
 
     one: str
     other: str

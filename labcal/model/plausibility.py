@@ -1,4 +1,4 @@
-"""Rows of a recording to be wary of, seen in the readings alone: stuck at the end of the range, or out of line."""
+"""Plausibility of a recording's rows, from the readings alone: saturated, or an outlier among its neighbours."""
 
 from __future__ import annotations
 
@@ -65,6 +65,9 @@ def _plateau(reading: Array, axis: int) -> Mask:
 
 def second_difference_outliers(field_nT: Array, segment: NDArray[np.str_] | None, noise_nT: float) -> Mask:
     """Rows (n,) far from the line through their two neighbours, and further than those from theirs.
+
+    Second differences of the field itself: a recording has no reference, so no residual, and its field moves. Where a
+    residual is known, the loop compares with the median of the neighbours instead (`labcal.loop.data.outliers`).
 
     The spread is the recording's own (median), never below the noise. A step of the field makes two rows alike and
     is no outlier; the ends of a segment have one neighbour and are never flagged.

@@ -1,7 +1,7 @@
 """`centered-sequential`: the recursion of the centred estimate (Crassidis, Lai & Harman 2003, (19) to (22)).
 
 As printed, the second terms of (19) carry the new mean's variance σ̄²_{k+1}; they need the old one's, σ̄²_k. For L̃ about
-the new mean the scalar in (22) is σ⁴/(σ² + σ̄²_k); here L is taken from the old mean, with σ² + σ̄²_k. So mended, the
+the new mean the scalar in (22) is σ⁴/(σ² + σ̄²_k); here L is taken from the old mean, with σ² + σ̄²_k. So corrected, the
 recursion equals the batch on the same weights.
 """
 

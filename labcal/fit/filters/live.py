@@ -107,7 +107,7 @@ class LiveFilter:
             self._x, self._P, surprise = type(self).step(
                 self._x, self._P, reading / unit, magnitude / unit, self._noise, self._reference_noise
             )
-        except (ArithmeticError, ValueError):  # a variance below nought: nothing can be expected of it
+        except (ArithmeticError, ValueError):  # a negative variance: nothing can be expected of it
             surprise = np.inf
         self._steps += 1
         self._surprise += surprise

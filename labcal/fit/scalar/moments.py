@@ -43,7 +43,7 @@ class Sums(NamedTuple):
     """Sums over the readings, weighted by 1/σ².
 
     `products` (10, 10) are those of the rows (L, 1) among themselves, `noise` (10, 10) what the readings' noise adds to
-    them, and `pull` (10,) those of the rows with −|H|² − μ, which v would be if (c, I + E) were nought.
+    them, and `pull` (10,) those of the rows with −|H|² − μ, which v would be if (c, I + E) were zero.
     """
 
     products: Array
@@ -116,8 +116,8 @@ def noise_information(L: Array, variance: float, noise: Array) -> Array:
 def determined(signal: Array, noise: Array) -> None:
     """Raise ArithmeticError where the information on some direction is the noise's (p, p) rather than the signal's.
 
-    Readings that lie in one plane, or on one sphere for the centred data, still differ by their noise; what that seems
-    to tell is taken off, and a direction counts where the signal tells as much again.
+    Readings that lie in one plane, or on one sphere for the centred data, still differ by their noise; the
+    information that noise seems to give is subtracted, and a direction counts where the signal gives as much again.
     """
     if dpotrf(signal - noise)[1]:
         raise ArithmeticError(f"the magnitudes do not determine all nine parameters: {MISSING}")

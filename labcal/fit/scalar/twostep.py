@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 STEPS, SETTLED = 50, 1e-5  # steps; their size at the end, in standard uncertainties
 ROUNDING = 1e-10  # of a step, relative to the answer
 NEAR = 1e-4  # of |H|²: what the rough step may leave of |b|²
-RIDGE = 10.0  # of the start, in units of what the noise alone seems to tell
+RIDGE = 10.0  # of the start, in units of the information that noise alone seems to give
 UNSETTLED = f"Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {MISSING}"
 NINE_OF_TEN = np.eye(10, 9)
 
@@ -68,7 +68,7 @@ def estimate(
 def about_mean(reading: Array, magnitude: Array) -> tuple[Array, Array]:
     """The rows (L, 1, |H|²) (11, n) of the readings less their mean, and that mean (3,).
 
-    Products of readings far from nought would lose digits.
+    Products of readings far from zero would lose digits.
     """
     rows = np.empty((11, len(reading)))
     np.multiply(magnitude, magnitude, out=rows[10])

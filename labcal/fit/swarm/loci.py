@@ -72,7 +72,7 @@ def _along(run: Run, segment: Segment, rows: NDArray[np.intp]) -> Array:
 
 
 def _forward(run: Run, rows: NDArray[np.intp]) -> Array:
-    """Sign of the next change of angle (rows,); nought where an angle is missing."""
+    """Sign of the next change of angle (rows,); zero where an angle is missing."""
     if run.angle_deg is None or not np.isfinite(run.angle_deg[rows]).any():
         return np.ones(len(rows))
     change = np.diff(run.angle_deg[rows], append=np.nan)

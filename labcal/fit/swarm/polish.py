@@ -99,11 +99,11 @@ def polish(
 
 
 def singular_values(loci: Loci, theta: Array, basis: Array | None = None) -> Array:
-    """What the run's geometry tells of each combination of parameters, largest first; noise takes no part.
+    """The information of the run's geometry about each combination of parameters, largest first; noise takes no part.
 
     Singular values of d(what a row knows)/d(E, e) for a small change b → E b + e at the points p that `theta` (12,)
     puts in place of the readings, a gain counted by what it does to the mean field, over the root of the number of
-    rows. Unknown heights are parameters too. A nought is a combination that no amount of such data determines.
+    rows. Unknown heights are parameters too. Zero is a combination that no amount of such data determines.
     """
     unknown = _unknown_heights(loci)
     heights = _heights(loci, theta, unknown)

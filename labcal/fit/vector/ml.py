@@ -157,9 +157,9 @@ def _best_start(seen: Observations, noise: Noise, shape: Parameterisation, nomin
         return solve(few, few_noise, shape, start.theta, start.phase, loss, iterations=iterations)
 
     candidates = starts(few, nominal, symmetric=shape.name == "symmetric")
-    looks = [solve(few, few_noise, shape, *start, LEAST_SQUARES, iterations=0) for start in candidates]
-    best = sorted(looks, key=lambda look: typical(few, look))[:POLISHED]
-    rough = [polish(look, LEAST_SQUARES, 6) for look in best]
+    rough = [solve(few, few_noise, shape, *start, LEAST_SQUARES, iterations=0) for start in candidates]
+    best = sorted(rough, key=lambda one: typical(few, one))[:POLISHED]
+    rough = [polish(one, LEAST_SQUARES, 6) for one in best]
     return min((polish(r, Loss(typical(few, r), np.inf), 6) for r in rough), key=lambda end: typical(few, end))
 
 

@@ -32,7 +32,7 @@ CONTRACT_ORDER = np.array([0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11])
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Noise:
-    """Standard deviations that weigh the rows; of reading and reference, that of one axis."""
+    """Standard deviations by which rows are weighted; of reading and reference, that of one axis."""
 
     reading: float  # DUT units
     reference_nT: float = 0.0

@@ -41,7 +41,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Span:
-    """Transformed columns (n, q, few) that stand for some candidates; compared by identity."""
+    """Transformed columns (n, q, few) that span some candidates; compared by identity."""
 
     columns: Array
 

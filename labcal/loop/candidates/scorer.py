@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 LONG_RUN = 5000  # rows: fewer may have more prime factors, so that mostly none is dropped for a fast transform
 PRIMES = 2 * 3 * 5 * 7 * 11 * 13  # of the length of a short run
-CACHE_NUMBERS = 12_000_000  # numbers in all transformed columns: more are transformed anew each time
+CACHE_NUMBERS = 12_000_000  # in all transformed columns: more are not kept
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -44,7 +44,7 @@ def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
 
 
 def _admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:
-    """Which frequencies [Hz] up from nought are neither a drift's, nor a motion's that comes again in each segment."""
+    """Which frequencies [Hz] are neither a drift's nor those of a motion that repeats in each segment."""
     times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
     few = frequency < CYCLES / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
     in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > PHASE_LOCKED

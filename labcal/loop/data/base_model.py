@@ -124,6 +124,6 @@ def determined_by_geometry(found: Estimate) -> Identified:
 
 
 def least_squares(seen: Observations, noise: Noise, near: Estimate) -> Solution:
-    """The base fit without robust weights, once the rows that lie are set aside."""
+    """The base fit without robust weights, once outliers are set aside."""
     start = near.solution
     return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=30)

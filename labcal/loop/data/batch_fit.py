@@ -14,6 +14,7 @@ from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, o
 from labcal.fit.vector.solve import ParameterisationName
 from labcal.fit.vector.system import evaluate
 from labcal.geometry import cross, rotate
+from labcal.loop.noise.nuisance import gram_pinv
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -117,7 +118,7 @@ def _fit_vectors(rows: _Rows) -> tuple[Array, Array]:
     A starting phase turns p = v∥ + c v⊥ − s a × v with c = cos φ, s = sin φ: linear in c and s, which come first
     without c² + s² = 1 and then by turns with K and k.
     """
-    phase, inverse = _linear_phases(rows), _gram_inverse(rows.X)
+    phase, inverse = _linear_phases(rows), gram_pinv(rows.X)
     for _ in range(ALTERNATIONS if phase.shape[1] else 1):
         p = rows.turned(phase)
         theta = inverse @ (np.swapaxes(rows.X, 1, 2) @ p)
@@ -125,14 +126,6 @@ def _fit_vectors(rows: _Rows) -> tuple[Array, Array]:
         phase = phase + _phase_steps(rows, field, p)
     square = np.sum((field - p) ** 2, axis=(1, 2))
     return rows.rms(square), np.swapaxes(theta[:, :3], 1, 2)
-
-
-def _gram_inverse(A: Array) -> Array:
-    """(AᵀA)⁻¹ of A (c, m, k), columns taken at unit length; directions that A does not have are nought."""
-    scale = np.linalg.norm(A, axis=1)
-    scale = np.where(scale > 0, scale, 1.0)
-    both = scale[:, :, None] * scale[:, None, :]
-    return np.asarray(np.linalg.pinv(np.swapaxes(A, 1, 2) @ A / both, rcond=1e-10, hermitian=True) / both)
 
 
 def _linear_phases(rows: _Rows) -> Array:
@@ -147,7 +140,7 @@ def _linear_phases(rows: _Rows) -> Array:
     A = np.concatenate([of_map, of_phase.reshape(tries, 3 * n, 2 * phases)], axis=2)
     turned = rows.turning.sum(axis=2, keepdims=True) > 0
     fixed = np.where(turned, along, rows.target).reshape(tries, 3 * n, 1)
-    found = (_gram_inverse(A) @ (np.swapaxes(A, 1, 2) @ fixed))[:, 12:, 0].reshape(tries, phases, 2)
+    found = (gram_pinv(A) @ (np.swapaxes(A, 1, 2) @ fixed))[:, 12:, 0].reshape(tries, phases, 2)
     return np.asarray(np.arctan2(found[:, :, 1], found[:, :, 0]))
 
 

@@ -1,7 +1,7 @@
 """Does the reference belong to these readings at all: its frame, its axes, the angle's sense and the clocks.
 
 A base model that misses by far more than any effect of a sensor is not explained by an effect. Before any is searched
-the run is fitted again as it would be with one such mistake undone; where one of them mends nearly all, it is named.
+the run is fitted again as it would be without one such fault; where that explains nearly all, the fault is named.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Rows in gaps that nothing tells are left out, for every rival alike, once a cause that rests on them has weight."""
+"""Rows in unresolved gaps of a channel: left out, for every candidate alike, once a cause with evidence rests on it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Mask = NDArray[np.bool_]
 
 
 def unresolved_gaps(run: Run, channels: Collection[str]) -> Mask:
-    """Rows (n,) in gaps of these channels that nothing can tell."""
+    """Rows (n,) in gaps of these channels whose values cannot be inferred."""
     sure = np.ones(len(run), dtype=bool)
     for channel in run.channels:
         if channel.name in channels:

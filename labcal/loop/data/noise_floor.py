@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.vector.system import Noise
 from labcal.loop.data.linear_problem import LinearProblem, linearise
+from labcal.loop.noise.differences import white_level
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
 
@@ -34,7 +35,7 @@ def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
     """The problem whitened by the noise as it is, and its floor: declared, else static stretches, else differences."""
     level, source = _static_noise(problem), "static"
     if level is None:
-        level, source = _differences(problem.y, problem.scene.segment), "differences"
+        level, source = white_level(problem.y, problem.scene.segment), "differences"
     if problem.run.dut.noise_nT:
         ratio = level if source == "static" else None
         return problem, NoiseFloor(_expected_rms(problem), "declared", ratio)
@@ -80,13 +81,6 @@ def _angle_step(problem: LinearProblem) -> float:
     return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / 12)
 
 
-def _differences(y: Array, segment: NDArray[np.intp]) -> float:
-    """Robust white level of successive second differences: a lower bound where noise correlates."""
-    within = (segment[2:] == segment[:-2])[:, None]
-    second = (y[2:] - 2 * y[1:-1] + y[:-2])[np.broadcast_to(within, y[2:].shape)]
-    return float(1.4826 * np.median(np.abs(second)) / np.sqrt(6)) if len(second) else 1.0
-
-
 def _static_noise(problem: LinearProblem) -> float | None:
     """Spread of the residual in segments whose field stands still; None without any.
 
@@ -107,8 +101,8 @@ def _static_noise(problem: LinearProblem) -> float | None:
 
 def _regressors_at_rest(scene: Scene, part: slice) -> Array:
     """What the residual may follow in a stretch (n, columns): a constant, the channels and modes that change there."""
-    told = [values[part] for values in scene.channels.values()]
+    drives = [values[part] for values in scene.channels.values()]
     if scene.mode is not None:
-        told += [(scene.mode[part] == mode).astype(float) for mode in np.unique(scene.mode[part])[1:]]
-    moving = [(x - x.mean()) / x.std() for x in told if x.std() > 0]
+        drives += [(scene.mode[part] == mode).astype(float) for mode in np.unique(scene.mode[part])[1:]]
+    moving = [(x - x.mean()) / x.std() for x in drives if x.std() > 0]
     return np.column_stack([np.ones(part.stop - part.start), *moving])

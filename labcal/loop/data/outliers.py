@@ -21,7 +21,10 @@ LONGEST_OUTLIER = 2  # rows in a row: more is structure, not an outlier
 
 
 def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
-    """Rows (n,) whose whitened residual (n, q) jumps out of its neighbourhood and back.
+    """Rows (n,) whose whitened residual (n, q) is far from the median of its neighbours (Hampel's identifier).
+
+    A residual stands still where the model is right, so the median serves; the field itself, which `apply` has to judge
+    by, moves, and is compared with the line through two neighbours (`labcal.model.plausibility`).
 
     Where the accepted `effects` (n, q) themselves jump, as a switched current does, a row between the levels is none.
     """
@@ -85,7 +88,7 @@ def at_saturation_limit(run: Run) -> Mask:
 
 
 def _chance_of_pile_up(values: Array, extreme: float) -> float:
-    """How often as many rows or more would lie at the extreme if it were as frequented as the readings next to it."""
+    """How often as many rows or more would lie at the extreme if it were as frequent as the readings next to it."""
     from scipy.special import pdtrc
 
     distinct = np.unique(np.abs(values[np.isfinite(values)] - extreme))

@@ -1,7 +1,7 @@
-"""Which experiment tells two explanations apart, foretold on the fitted model.
+"""Which experiment separates two explanations, predicted by the fitted model.
 
 For each experiment the run that it would record is made up on this run's geometry. The separation is the distance of
-what the accepted effect foretells from the nearest thing that the base model and the rival, both refitted to old and
+what the accepted effect predicts from the nearest that the base model and the rival, both refitted to old and
 new rows together, can do: Mahalanobis' distance, in standard deviations, of the new rows' noise.
 """
 
@@ -22,7 +22,7 @@ from labcal.loop.design.experiments import Experiment, experiments, thinned
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-CLEAR = 5.0  # standard deviations: a smaller separation tells nothing apart
+CLEAR = 5.0  # standard deviations: a smaller separation decides nothing
 NEW_ROWS = 1500  # that a typical experiment records: separations are stated for so many
 
 
@@ -57,18 +57,18 @@ def rank_experiments(problem: LinearProblem, chosen: Candidate, rival: Candidate
 def separation(
     parts: Sequence[LinearProblem], chosen: Candidate, rival: Candidate, size: Array, alters: dict[str, float]
 ) -> float:
-    """The distance over old and new rows together; the old ones count as the rivals left them, which is nothing."""
-    foretold, mimic = [], []
+    """The distance over old and new rows together; in the old rows the explanations do not differ."""
+    predicted, mimic = [], []
     for place, part in enumerate(parts):
         own, other = (_columns(part, c, alters if place else {}) for c in (chosen, rival))
-        foretold.append((own @ size).ravel())
+        predicted.append((own @ size).ravel())
         q = part.y.shape[1] * len(part)
         base = part.T.reshape(q, -1)
         common, phases = base[:, : _shared(part)], base[:, _shared(part) :]
         left = sum(p.T.shape[2] - _shared(p) for p in parts[:place])
         right = sum(p.T.shape[2] - _shared(p) for p in parts[place + 1 :])
         mimic.append(np.hstack([common, np.zeros((q, left)), phases, np.zeros((q, right)), other.reshape(q, -1)]))
-    y, A = np.concatenate(foretold), np.vstack(mimic)
+    y, A = np.concatenate(predicted), np.vstack(mimic)
     scale = np.linalg.norm(A, axis=0)
     solution = np.linalg.lstsq(A / np.where(scale > 0, scale, 1.0), y, rcond=1e-9)[0]
     left_over = y - A / np.where(scale > 0, scale, 1.0) @ solution
@@ -85,7 +85,7 @@ def _columns(part: LinearProblem, candidate: Candidate, alters: dict[str, float]
 
 
 def _predicted_readings(problem: LinearProblem, made: Run) -> Run:
-    """The run with the readings that the fitted map foretells where its reference is a vector."""
+    """The run with the readings that the fitted map predicts where its reference is a vector."""
     if made.reference_vector is None:
         return made
     seen = observe(made)

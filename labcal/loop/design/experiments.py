@@ -1,7 +1,7 @@
-"""What could be measured next: twins that no fit resolves, and what the lab can do on a run's own geometry.
+"""What could be measured next: what the lab can do, on a run's own geometry.
 
 A design turns the run at hand into the run that an experiment would record, reading and all, as far as the fitted
-model foretells it. `labcal.loop.discrimination` ranks them.
+model predicts it. `labcal.loop.design.discrimination` ranks them.
 """
 
 from __future__ import annotations
@@ -162,7 +162,7 @@ def _turning(run: Run) -> list[int]:
 
 
 def _as_new(run: Run, t_s: Array) -> Run:
-    """The same rows at other times, mounted anew."""
+    """The same rows at other times, with new mountings."""
     few = thinned(run)
     segments = tuple(
         replace(s, id=f"again-{s.id}", mounting=s.mounting and f"again-{s.mounting}") for s in few.segments

@@ -1,4 +1,4 @@
-"""What to measure next: the experiment that would tell rivals apart, or show what the structure belongs to."""
+"""What to measure next: what would separate equivalent explanations, or show what the structure belongs to."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def next_experiment(
 
 
 def _between_equivalents(found: Evidence, after: JointFit) -> NextExperiment:
-    """Of all rivals, the pair that is hardest to tell apart decides; each experiment by what it does for that pair."""
+    """Each experiment counts by the pair of explanations that it separates least (maximin)."""
     place, equivalents = next((i, r) for i, r in enumerate(found.equivalents) if len(r) > 1)
     chosen = Candidate(found.accepted[place].family, after.terms[place])
     rivals = [equivalent.scored.candidate for equivalent in equivalents[1:]]
@@ -59,7 +59,7 @@ def _between_equivalents(found: Evidence, after: JointFit) -> NextExperiment:
         )
         return NextExperiment(why, chosen.family.experiment or "repeat with another reference", None)
     best = order[0]
-    why = f"{equal}; the experiment would bring them {best.sigma:.0f} standard deviations apart, as the fit foretells"
+    why = f"{equal}; the experiment would bring them {best.sigma:.0f} standard deviations apart, as the fit predicts"
     clear = [s for s in order[:LISTED] if s.sigma >= CLEAR]
     listed = tuple(Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1)) for s in clear)
     return NextExperiment(why, best.experiment.do, best.experiment.procedure, listed)

@@ -1,4 +1,4 @@
-"""Twins: explanations that no fit of this run tells apart, whatever its quality, and what does."""
+"""Confounded explanations: pairs that no fit of this run can separate, and the measurement that does."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ CONFOUNDED: tuple[tuple[frozenset[str], Confounded], ...] = tuple(
     )
 )  # fmt: skip
 Array = NDArray[np.float64]
-LOCKED_SHARE = 0.98  # of a current's variance that the field in the body foretells: it follows the attitude
+LOCKED_SHARE = 0.98  # of a current's variance that the field in the body predicts: it follows the attitude
 ONE_RATE = 0.1  # of the median rate: farther from it the platform turns at several
 
 
@@ -57,7 +57,7 @@ def _by_the_run(problem: LinearProblem) -> Iterator[Confounded]:
 
 
 def _attitude_locked(problem: LinearProblem) -> Iterator[str]:
-    """The device's currents that the field in the body foretells."""
+    """The device's currents that the field in the body predicts."""
     b = reference_field(problem)
     A = np.column_stack([np.ones(len(b)), b / max(float(np.abs(b).max()), 1e-9)])
     for channel in problem.run.channels:

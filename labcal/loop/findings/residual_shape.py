@@ -1,4 +1,4 @@
-"""What structure looks like that no known effect carries: for a person who has to think of one."""
+"""The shape of structure that no known effect explains: for a person who has to think of one."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.autocorrelation import correlation_time_s
+from labcal.loop.noise.nuisance import gram_pinv
 from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.loop.result import ResidualShape
 from labcal.model.effects.regressors import stretches
@@ -17,7 +18,7 @@ from labcal.model.effects.regressors import stretches
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 AXES = "xyz"
-DOMINANT_SHARE = 0.6  # of the square above the noise: an axis with as much carries it alone
+DOMINANT_SHARE = 0.6  # of the square above the noise: an axis with as much is named alone
 MIN_EXPLAINED = 0.5  # of it that a line, a step or two levels have to take off
 CONCENTRATION = 3.0  # times more above the noise in one third of fields, or quarter of a turn, than in the least
 STEEP = -1.2  # slope of log power over log frequency: −2 is a random walk, 0 is white
@@ -79,13 +80,10 @@ def _fitted(y: Array, T: Array, drives: Array) -> tuple[float, Array, Array]:
     n, q = y.shape
     each = np.einsum("np,qr->nqpr", drives, np.eye(q)).reshape(n * q, -1)
     A = np.hstack([T.reshape(n * q, -1), each])
-    scale = np.linalg.norm(A, axis=0)
-    A = A / np.where(scale > 0, scale, 1.0)
-    x = np.linalg.pinv(A.T @ A, rcond=1e-10, hermitian=True) @ (A.T @ y.ravel())
+    x = gram_pinv(A) @ (A.T @ y.ravel())
     share = 1 - float(np.sum((y.ravel() - A @ x) ** 2) / np.sum(y**2))
     base = T.shape[2]
-    bare = y - (A[:, :base] @ x[:base]).reshape(n, q)
-    return share, (x[base:] / np.where(scale[base:] > 0, scale[base:], 1.0)).reshape(-1, q), bare
+    return share, x[base:].reshape(-1, q), y - (A[:, :base] @ x[:base]).reshape(n, q)
 
 
 def _line(t: Array, y: Array, T: Array) -> _Description:
@@ -194,7 +192,7 @@ def _quarter(square: Array, degrees: Array) -> Range:
 
 
 def _concentrated_part(square: Array, inside: list[Mask], edges: Array) -> Range:
-    """The edges of the part that lies far above the emptiest; None where none does, or a part has few rows."""
+    """The edges of the part that lies far above the least; None where none does, or a part has few rows."""
     if min(int(rows.sum()) for rows in inside) < 20:
         return None
     above = [max(float(square[rows].mean()) - 1.0, 0.05) for rows in inside]

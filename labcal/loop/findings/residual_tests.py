@@ -2,7 +2,7 @@
 
 White from row to row (Ljung & Box, Biometrika 65, 1978), independent of every channel, angle, field and of time
 (cross-correlation, its band by Bartlett's formula from both autocorrelations), and no worse than its own repeats.
-Every level is corrected for the number of looks taken (Bonferroni).
+Every significance level is corrected for multiplicity (Bonferroni).
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from labcal.loop.data.checks import turned_axes
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import NoiseFloor
+from labcal.loop.noise.differences import white_level
 from labcal.loop.result import Finding
 from labcal.record import Run
 from labcal.record.run import Channel
@@ -31,10 +32,10 @@ def silent_channels(run: Run) -> list[Finding]:
     values = {c.name: c.values[np.isfinite(c.values)] for c in run.channels if c.role == "dut"}
     empty = [name for name, known in values.items() if not len(known)]
     constant = [name for name, known in values.items() if len(known) and np.ptp(known) == 0]
-    told = ((empty, "no value in this run"), (constant, "one value all through this run"))
+    kinds = ((empty, "no value in this run"), (constant, "one value all through this run"))
     return [
         Finding("silent-channel", "data", f"Channels with {what}: {', '.join(names)}. They can show no cause.")
-        for names, what in told
+        for names, what in kinds
         if names
     ]
 
@@ -67,16 +68,9 @@ def noise_disagreement(problem: LinearProblem, level: NoiseFloor) -> Finding | N
     if level.source != "declared":
         return None
     still = level.measured_over_declared
-    ratio = still or row_to_row(problem.y, problem.scene.segment)
+    ratio = still or white_level(problem.y, problem.scene.segment)
     if 1 / MAX_NOISE_RATIO <= ratio <= MAX_NOISE_RATIO:
         return None
     where = "at rest" if still else "from row to row"
     doubt = f"the floor of {level.nT:.0f} nT that results are compared with may be wrong"
     return Finding("noise-floor", "data", f"The noise measured {where} is {ratio:.2f} times the declared one: {doubt}.")
-
-
-def row_to_row(y: Array, segment: NDArray[np.intp]) -> float:
-    """Standard deviation of a whitened residual (n, q) from its second differences: robust, blind to what is slow."""
-    within = segment[2:] == segment[:-2]
-    second = (y[2:] - 2 * y[1:-1] + y[:-2])[within]
-    return float(1.4826 * np.median(np.abs(second)) / np.sqrt(6)) if len(second) else 1.0

@@ -1,4 +1,4 @@
-"""The honest error: whole blocks of time that neither the fit nor the choice of effects saw, with guard gaps."""
+"""Cross-validation by blocks of time: errors on rows that neither the fit nor the selection saw, with guard gaps."""
 
 from __future__ import annotations
 

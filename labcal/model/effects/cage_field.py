@@ -50,7 +50,7 @@ def candidates(run: Run) -> list[Term]:
 
 
 def _with(channel: Channel) -> Term:
-    """Nothing where the channel says nought: a motor at rest, a current that does not flow."""
+    """Zero where the channel is zero: a motor at rest, a current that does not flow."""
     parameters = tuple((f"q_{a}", f"nT/{channel.unit}") for a in AXES)
     return Term(kernel, parameters, (channel.name,), {channel.name: 0.0})
 

@@ -68,7 +68,7 @@ def responses(term: Term, scene: Scene) -> Array:
 
 
 def has_memory(term: Term) -> bool:
-    """Whether the form looks at other rows."""
+    """Whether a row's effect depends on other rows."""
     return any(s.name == "delay_s" for s in term.shape) or any(time_constants(term))
 
 

@@ -27,8 +27,8 @@ def candidates(run: Run) -> list[Term]:
         unit = f"1/{c.unit}"
         whole = tuple((f"g_{i}{j}", unit) for i in AXES for j in AXES)
         gains, tau = per_axis("g", unit), (Shape("tau_s", 100.0, "s", TAU_S),)
-        looks = ((gains, ()), (gains, tau), (whole, ()))
-        found += [Term(kernel, p, (c.name,), {c.name: middle(c)}, shape) for p, shape in looks]
+        variants = ((gains, ()), (gains, tau), (whole, ()))
+        found += [Term(kernel, p, (c.name,), {c.name: middle(c)}, shape) for p, shape in variants]
     return found
 
 

@@ -100,7 +100,7 @@ SearchStrategy = Literal[
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One way an effect can look: `kernel` is all its physics, the linear parameters are left open.
+    """One form that an effect can take: `kernel` is all its physics, the linear parameters are left open.
 
     `kernel(form, scene)` gives the derivative of e by each linear parameter, (n, 3, p) [nT of B per unit].
     """
@@ -134,7 +134,7 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """All that is known about one effect id: whose it is, how it can look, and what would show it."""
+    """All that is known about one effect id: whose it is, the terms it can take, and what would show it."""
 
     id: str
     belongs_to: Owner
@@ -149,9 +149,9 @@ class Family:
         "grid"  # where to look; what is read off the residual may come again at another place
     )
     harmonics: bool = False  # what is left of it may be its own overtones
-    generic: bool = False  # follows whatever a channel measures: a cause with physics that does as well goes first
-    second_order: bool = False  # of a higher order than a cause that may do as well: that one goes first
-    extends: tuple[str, ...] = ()  # families that it is, where its own part is nought: it has to earn that part
+    generic: bool = False  # follows whatever a channel measures: an equivalent cause with a mechanism goes first
+    second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first
+    extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
 
     def restore(self, record: EffectRecord) -> Term:
