@@ -150,7 +150,7 @@ def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
 
 
 def _correlated(found: Evidence) -> bool:
-    """Whether what the accepted effects leave of the rows that are good still correlates from row to row."""
+    """Whether what the accepted effects leave of the valid rows still correlates from row to row."""
     left = found.pool.residual_everywhere(found.accepted)[0] * found.pool.valid[:, None]
     return serially_correlated(left, found.pool.whole.scene.segment)
 
@@ -206,7 +206,7 @@ def _rejected(found: Evidence) -> list[EffectRecord]:
 
 
 def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
-    """One of them; with its held-out error where it stood in an accepted one's place, or was taken and given up."""
+    """Its record; with the held-out error where it is equivalent to an accepted one, or was selected and refused."""
     term, step = w.candidate.term, found.refused.get(w.candidate.cause)
     before, after, said = (step.before, step.after, why_rejected(w, step)) if step else (None, None, why_rejected(w))
     gain = step.improvement() if step else None

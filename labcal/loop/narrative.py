@@ -1,4 +1,4 @@
-"""The words of the verdict: for the technician in one sentence, for each cause why or why not, and what to do next."""
+"""The result in words: one sentence for the technician, and why each cause was accepted or rejected."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: ResidualShape | None = None) -> str:
     """One sentence for the technician, the shape of what is left, and the rows that were set aside."""
     names = [c.label for c in found.accepted]
-    named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows that lie"
+    named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows set aside"
     verb = "explains" if len(names) == 1 else "explain"
     change = (
         f"{found.cv_error.before:.0f} to {found.cv_error.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"

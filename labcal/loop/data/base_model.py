@@ -18,11 +18,11 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 MAX_FIELD_UNCERTAINTY = 0.02  # a base whose field is uncertain by more than this part of the largest is not determined
-MIN_ROWS = 30  # fewer usable rows than this say nothing
+MIN_ROWS = 30  # fewer usable rows than this are refused
 
 
 def select_rows(run: Run) -> tuple[Run, Observations]:
-    """The rows that the loop works on: vectors where most rows offer them, else what lies along an axis, or magnitudes.
+    """The rows that the loop works on: vectors where most rows offer them, else axes, or magnitudes.
 
     Raises InputError where there are too few.
     """

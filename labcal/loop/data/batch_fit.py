@@ -1,4 +1,4 @@
-"""A base fit by linear algebra alone, for trying a run many times over: what is left, and the map."""
+"""Base fits of many variants of a run at once, by linear algebra alone: residual rms and map of each."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 ALTERNATIONS = 5
-SLACK = 1.1  # times what a magnitude leaves: so much its polynomial may leave at most
+SLACK = 1.1  # times the rms of magnitudes: at most so much their polynomial may leave
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BatchFit:
-    """Runs with the same segments, and what the base model leaves of each [rms, nT]; infinite where none can be fitted.
+    """Variants of a run with the same segments, and the base model's residual rms [nT]; infinite where none is fitted.
 
     Vectors are fitted by a whole affine map, all runs at once. Other rows are fitted by the form `allowed`, one run
     after the other and only when asked for: `lowest` says what is left at least, but for SLACK.
@@ -38,7 +38,7 @@ class BatchFit:
 
     @classmethod
     def of(cls, runs: Sequence[Run], parameterisation: ParameterisationName, *, as_scalar: bool) -> BatchFit:
-        """All that linear algebra says."""
+        """Of these runs, as far as linear algebra goes."""
         part = np.repeat(np.arange(len(runs)), [len(run) for run in runs])
         try:
             seen = observe(_stacked(runs), as_scalar=as_scalar)
@@ -51,7 +51,7 @@ class BatchFit:
         return cls(runs, parameterisation, as_scalar, left, dict(enumerate(zip(left.tolist(), K, strict=True))))
 
     def fitted(self, i: int, worth: float = np.inf) -> tuple[float, Array]:
-        """What is left of a run, and its K (3, 3); infinite where more than is `worth` a fit must be left."""
+        """Residual rms and K (3, 3) of a run; infinite where its lower bound exceeds `worth`."""
         if self.lower_bound[i] > SLACK * worth or np.isinf(self.lower_bound[i]):
             return np.inf, np.eye(3)
         if i not in self.found:
@@ -59,7 +59,7 @@ class BatchFit:
         return self.found[i]
 
     def least(self) -> float:
-        """The least that is left of any."""
+        """The least residual rms of any."""
         least = np.inf
         for i in np.argsort(self.lower_bound).tolist():
             least = min(least, self.fitted(i, least)[0])
@@ -67,7 +67,7 @@ class BatchFit:
 
 
 def _stacked(tries: Sequence[Run]) -> Run:
-    """The rows of all tries, one after the other."""
+    """The rows of all variants, one after the other."""
     names = ("t_s", "segment_index", "reading", "reference_vector", "reference_magnitude", "angle_deg")
     there = [name for name in names if getattr(tries[0], name) is not None]
     joined: dict[str, Any] = {name: np.concatenate([getattr(run, name) for run in tries]) for name in there}
@@ -76,7 +76,7 @@ def _stacked(tries: Sequence[Run]) -> Run:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Rows:
-    """The rows of c tries side by side, n each; zeros where a try has fewer."""
+    """The rows of c variants side by side, n each; zeros where a variant has fewer."""
 
     X: Array  # (c, n, 4) readings, and −1
     target: Array  # (c, n, 3) nT
@@ -88,7 +88,7 @@ class _Rows:
 
     @classmethod
     def of(cls, seen: Observations, part: NDArray[np.intp], tries: int) -> _Rows:
-        """For rows that belong to the tries `part`, in their order."""
+        """For rows that belong to the variants `part`, in their order."""
         count = np.bincount(part, minlength=tries)
         place = np.arange(len(part)) - (np.cumsum(count) - count)[part]
 
@@ -104,7 +104,7 @@ class _Rows:
         return cls(*vectors, numbers[:, :, 0], numbers[:, :, 1], laid(turning), count)
 
     def rms(self, square: Array) -> Array:
-        """The root of the mean of sums of squares (c,) over the rows of each try; infinite where there is none."""
+        """The root of the mean of sums of squares (c,) over the rows of each variant; infinite where there is none."""
         return np.where(self.count > 0, np.sqrt(square / np.maximum(self.count, 1)), np.inf)
 
     def turned(self, phase: Array) -> Array:
@@ -153,7 +153,7 @@ def _phase_steps(rows: _Rows, field: Array, p: Array) -> Array:
 
 
 def _lower_bounds(rows: _Rows) -> Array:
-    """What any map leaves of axes and magnitudes (c,) [rms, nT], or a little less: two problems that are linear.
+    """Lower bounds of what any map leaves of axes and magnitudes (c,) [rms, nT]: two linear problems.
 
     axis · (K m − k) = along has no more than K and k; |K m − k|² = F² is a polynomial of the second degree in m, whose
     misfit over 2 F is that of |K m − k| as long as it is far less than F.

@@ -1,4 +1,4 @@
-"""Does the reference belong to these readings at all: its frame, its axes, the angle's sense and the clocks.
+"""Data checks before any search: the reference's frame and axes, the angle's sense, clocks, units, excitation.
 
 A base model that misses by far more than any effect of a sensor is not explained by an effect. Before any is searched
 the run is fitted again as it would be without one such fault; where that explains nearly all, the fault is named.
@@ -25,18 +25,18 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 AXES = "xyz"
-QUICK_FIT_ROWS = 160  # rows that the quick fits are about
+QUICK_FIT_ROWS = 160  # rows of a run in the batch fits
 GROSS_MISFIT = 5.0  # times the noise floor, and
-GROSS_SHARE_OF_FIELD = 0.015  # of the field: a base that leaves less than one of them is not doubted
-INCOHERENT = 0.2  # of the field: what no sensor's effect leaves
+GROSS_SHARE_OF_FIELD = 0.015  # of the field: a base that leaves less than one of them is not checked further
+INCOHERENT = 0.2  # of the field: more than any effect of a sensor leaves
 UNIT_FACTOR = 100.0  # times larger or smaller than the field: readings of another unit
 MIN_FIELD_nT = 1.0  # of a field: less is none
-MIN_IMPROVEMENT = 5.0  # times less has to be left with a mistake undone
+MIN_IMPROVEMENT = 5.0  # times less has to be left without a fault
 MIN_CLOCK_IMPROVEMENT = 3.0
 AT_FLOOR = 1.15  # times the noise floor: a base that leaves no more needs no larger one
 MIN_MAP_IMPROVEMENT = 1.5  # times less has to be left by a whole map before its lack is the cause
 MIN_GAIN_RATIO = 0.2  # of the largest gain: a smaller one is no axis of a magnetometer
-AS_GOOD = 1.1  # times the best that is left: no choice between them
+AS_GOOD = 1.1  # times the least residual: faults within it are equivalent
 MAX_ANGLE_RAD = 100.0  # of an angle that may be in radians
 MIN_CLOCK_OFFSET_S = 1.0  # of a clock's offset: less is a lag, and the effect of that name explains it
 OFFSETS_S = np.concatenate([np.arange(0.5, 10.1, 0.5), np.arange(12.0, 61.0, 2.0)])
@@ -44,7 +44,7 @@ OFFSETS_S = np.concatenate([np.arange(0.5, 10.1, 0.5), np.arange(12.0, 61.0, 2.0
 
 @dataclass(frozen=True, slots=True)
 class DataFault:
-    """One thing that may be wrong with a run, the run without it, and how much was changed for that."""
+    """A possible fault of a run, the run corrected for it, and how many changes that takes."""
 
     says: str
     corrected: Run
@@ -53,7 +53,7 @@ class DataFault:
 
 
 def check_data(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
-    """What is wrong with the data where a mistake in them explains a gross misfit; else None."""
+    """The fault that explains a gross misfit of the base model; else None."""
     field = float(np.sqrt(np.mean(problem.observations.magnitude**2)))
     if (finding := _dead_axis(problem) or _units(problem, field)) is not None:
         return finding
@@ -69,7 +69,7 @@ def check_data(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
 
 
 def _dead_axis(problem: LinearProblem) -> Finding | None:
-    """Axes of the device that say the same in every row."""
+    """Axes of the device with the same reading in every row."""
     dead = [axis for axis, values in zip(AXES, problem.observations.reading.T, strict=True) if np.ptp(values) == 0]
     if not dead:
         return None
@@ -77,7 +77,7 @@ def _dead_axis(problem: LinearProblem) -> Finding | None:
 
 
 def _units(problem: LinearProblem, field: float) -> Finding | None:
-    """Readings of another size than the field altogether: no gain and no offset makes such."""
+    """Readings of another order of magnitude than the field: no gain and no offset explains them."""
     readings = problem.observations.reading * problem.observations.scale * problem.run.dut.nominal_nT_per_unit
     size, spread = (float(np.sqrt(np.mean(np.sum(v**2, axis=1)))) for v in (readings, readings - readings.mean(axis=0)))
     if not (size * UNIT_FACTOR < field or spread > UNIT_FACTOR * max(field, MIN_FIELD_nT)):
@@ -188,7 +188,7 @@ def _is_full_rank(K: Array) -> bool:
 
 
 def _prefer_unmirrored(mistake: DataFault, K: Array) -> DataFault:
-    """The mirror image where that is the one in which the device itself is not mirrored."""
+    """The mirror image where that is the one that leaves the device itself unmirrored."""
     if mistake.axes is None or np.linalg.det(K) > 0:
         return mistake
     return DataFault(_describe(-mistake.axes), mistake.corrected, _changes(-mistake.axes), -mistake.axes)

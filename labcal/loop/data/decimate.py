@@ -1,4 +1,4 @@
-"""Fewer rows for the search: means of consecutive rows of one segment, times the root of their number.
+"""Decimation for the search: means of consecutive rows of one segment, times the root of their number.
 
 Everything in the search is linear in rows, so that a bin's y, T and columns fit together as those of a row do, and
 white noise keeps its variance. What is reported (held-out and in-sample errors, the final fit) is about all rows.
@@ -16,14 +16,14 @@ from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
-TARGET_ROWS = 6000  # about so many bins
+TARGET_ROWS = 6000  # rows after decimation, about
 MAX_TURN_RAD = 0.35  # rad that the field may turn within a bin
-LINE_CONTRAST = 15.0  # times its neighbourhood: a line in the spectrum that chance does not give,
+LINE_CONTRAST = 15.0  # times its neighbourhood: a line in the spectrum that is not chance,
 MIN_LINE_SHARE = 0.02  # of the noise's square: a smaller one, as a switched load has many, would not be named
 
 
 def decimate(problem: LinearProblem) -> LinearProblem:
-    """The problem with about `KEPT` rows; itself where it has hardly more, or where what is fast would be lost."""
+    """The problem with about TARGET_ROWS rows; itself where it has hardly more, or where what is fast would be lost."""
     m = rows_per_bin(problem)
     if m == 1:
         return problem

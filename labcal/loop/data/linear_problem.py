@@ -1,4 +1,4 @@
-"""The base model fitted, and what is left of it as one whitened linear problem.
+"""The residual about the fitted base model, as one whitened linear problem.
 
 Near the base fit, with r = a − Σ e − p and W'W the inverse noise covariance, W r = y + T δ − X β: T are the directions
 that the base can still move in (map and phases), X the columns of effects. Everything else in this room is about y, T
@@ -85,7 +85,7 @@ class LinearProblem:
     def columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p)."""
         if self.bins is not None and self.whole is not None:
-            if not self.whole.whiten.strides[0]:  # one W for all rows: it can wait
+            if not self.whole.whiten.strides[0]:  # one W for all rows commutes with the mean
                 return np.asarray(self.whole.whiten[0] @ self.bins.averaged(candidate.columns(self.whole.scene)))
             return self.bins.averaged(self.whole.columns(candidate))
         return np.asarray(self.whiten @ candidate.columns(self.scene))
@@ -109,9 +109,10 @@ def linearise(
     effects_nT: Array | float = 0.0,
     slope: Array | None = None,
 ) -> LinearProblem:
-    """The problem about `theta`, `phase` and the effects' sum e (n, 3), with `slope` ∂e/∂a (n, 3, 3) where e bends.
+    """The problem about `theta`, `phase` and the effects' sum e (n, 3).
 
-    Curves of the field act on a at the estimated true readings, where the map's columns stand too.
+    `slope` ∂e/∂a (n, 3, 3) is needed where e depends on the field: its curves act on a at the estimated true readings,
+    where the map's columns are taken too.
     """
     at = evaluate(seen, noise, theta, phase, effects_nT)
     whiten = _whitener(seen, at.information, at.field)
@@ -156,7 +157,7 @@ def _whitener(seen: Observations, information: Array, field: Array) -> Array:
 
 
 def scene_of(run: Run, seen: Observations, theta: Array, phase: Array, field: Array, prediction: Array) -> Scene:
-    """What effects may look at; rows and prediction as in the fit, gaps of channels bridged by what they are."""
+    """What effects may depend on; rows and prediction as in the fit, gaps of channels bridged by what they are."""
     K, _ = map_of(theta, seen.scale)
     channels = {c.name: bridged(run.t_s, c.values)[0] for c in run.channels if np.isfinite(c.values).any()}
     rig = None

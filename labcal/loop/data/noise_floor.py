@@ -1,4 +1,4 @@
-"""The rms that noise alone would leave, and where that is known from."""
+"""The noise floor: the rms that noise alone would leave, and where it is known from."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 Source = Literal["declared", "static", "differences"]
 MIN_STEPS_PER_ROW = 3.0  # steps of the encoder between two rows
 STEP_TOLERANCE = 0.1  # of a step, that a change may be off a multiple of it
-STILL = 0.002  # of the field: a static stretch moves no more than this
+STILL = 0.002  # of the field: the field of a static stretch varies no more than this
 ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
 
@@ -32,7 +32,7 @@ class NoiseFloor:
 
 
 def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
-    """The problem whitened by the noise as it is, and its floor: declared, else static stretches, else differences."""
+    """The problem whitened by the actual noise, and its floor: declared, else static stretches, else differences."""
     level, source = _static_noise(problem), "static"
     if level is None:
         level, source = white_level(problem.y, problem.scene.segment), "differences"
@@ -100,7 +100,7 @@ def _static_noise(problem: LinearProblem) -> float | None:
 
 
 def _regressors_at_rest(scene: Scene, part: slice) -> Array:
-    """What the residual may follow in a stretch (n, columns): a constant, the channels and modes that change there."""
+    """Regressors of the residual in a stretch at rest (n, columns): a constant, and channels and modes that change."""
     drives = [values[part] for values in scene.channels.values()]
     if scene.mode is not None:
         drives += [(scene.mode[part] == mode).astype(float) for mode in np.unique(scene.mode[part])[1:]]

@@ -1,4 +1,4 @@
-"""Rows that say nothing of the sensor: readings at a rail, and single readings far from their neighbours."""
+"""Rows without information about the sensor: saturated readings, and single readings far from their neighbours."""
 
 from __future__ import annotations
 
@@ -10,11 +10,9 @@ from labcal.record import Run
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-SATURATION_SIGNIFICANCE, OTHER_LIMIT_SIGNIFICANCE = (
-    1e-6,
-    0.05,
-)  # of the rows at an extreme by chance: a rail of the device, and at another axis or end
-NEIGHBOUR_READINGS = 10  # readings next to an extreme
+SATURATION_SIGNIFICANCE = 1e-6  # chance of so many rows at an extreme, below which the device saturates there
+OTHER_LIMIT_SIGNIFICANCE = 0.05  # the same for other axes and ends of a device that saturates somewhere
+NEIGHBOUR_READINGS = 10  # distinct readings next to an extreme that it is compared with
 OUTLIER_SIGMAS = 6.0  # robust standard deviations from the neighbours
 WINDOW = 4  # neighbours on either side
 LONGEST_OUTLIER = 2  # rows in a row: more is structure, not an outlier
@@ -67,7 +65,7 @@ def _neighbourhood(residual: Array, segment: NDArray[np.intp]) -> tuple[Array, A
 
 
 def _in_long_runs(mask: Mask) -> Mask:
-    """Members of stretches longer than LONGEST rows."""
+    """Members of stretches longer than LONGEST_OUTLIER rows."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
     out = np.zeros_like(mask)
     for start, stop in zip(edges[::2], edges[1::2], strict=True):
@@ -76,7 +74,7 @@ def _in_long_runs(mask: Mask) -> Mask:
 
 
 def at_saturation_limit(run: Run) -> Mask:
-    """Rows (n,) with an axis at a reading that the axis often stops at and never passes.
+    """Rows (n,) with an axis at its saturation limit: a reading that it reaches often and never exceeds.
 
     Where chance piles up no extreme of the run as high, the others of the same device may be low.
     """

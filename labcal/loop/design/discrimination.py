@@ -97,7 +97,7 @@ def _predicted_readings(problem: LinearProblem, made: Run) -> Run:
 
 
 def _linearised(problem: LinearProblem, made: Run) -> LinearProblem | None:
-    """The linear problem of a made-up run about the fitted map; None where it offers nothing of the old one's kind."""
+    """The linear problem of a simulated run about the fitted map; None where it offers no rows of the same kind."""
     scalar = bool((problem.observations.kind == SCALAR).all())
     try:
         seen = observe(made, as_scalar=scalar)

@@ -37,7 +37,7 @@ ONE_RATE = 0.1  # of the median rate: farther from it the platform turns at seve
 
 
 def confounded(problem: LinearProblem, named: Collection[str]) -> tuple[Confounded, ...]:
-    """Of the effects that are `named`, accepted or as rivals, and of the run as it was recorded."""
+    """Of the effects that are `named`, accepted or equivalent, and of the run as it was recorded."""
     return (*(pair for effects, pair in CONFOUNDED if effects & set(named)), *_by_the_run(problem))
 
 

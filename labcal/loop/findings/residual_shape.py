@@ -31,7 +31,7 @@ MOST_STEPS = 20  # moments that are listed
 
 @dataclass(frozen=True, slots=True)
 class _Description:
-    """A way to describe the structure, and the share of its square that it takes off."""
+    """One description of the structure, and the share of its square that it explains."""
 
     kind: str
     share: float
@@ -141,7 +141,7 @@ def _running_median(x: Array) -> Array:
 
 
 def _broadband(t: Array, x: Array, segment: NDArray[np.intp]) -> _Description:
-    """By how the spectrum falls within segments: a random walk, a wander with a memory, or noise larger than stated."""
+    """By how the spectrum falls within segments: a random walk, a correlated wander, or noise larger than stated."""
     slope, memory = _slope(x, segment), correlation_time_s(t, x[:, None])
     if slope < STEEP:
         return _Description("random-walk", 0.0, "a wander like a random walk")

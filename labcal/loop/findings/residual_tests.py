@@ -1,4 +1,4 @@
-"""Is there anything to explain: the residual's tests, each a number with its limit and a sentence.
+"""Tests of a residual for structure, each a statistic with its significance and a sentence.
 
 White from row to row (Ljung & Box, Biometrika 65, 1978), independent of every channel, angle, field and of time
 (cross-correlation, its band by Bartlett's formula from both autocorrelations), and no worse than its own repeats.
@@ -23,14 +23,14 @@ from labcal.model.gaps import bridged
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-MIN_ROWS = 3 * LAGS  # rows of a segment that say something about its correlation
+MIN_ROWS = 3 * LAGS  # rows of a segment that an autocorrelation needs
 CELLS = 24  # directions that count as one condition each,
 SIZES = 1.3  # with the magnitudes within this factor
 MIN_VISITS = 2  # visits of a condition before it is a repeat
 
 
 def residual_tests(problem: LinearProblem, good: Mask) -> tuple[ResidualTest, ...]:
-    """The tests of a whitened residual over the rows that are `good`."""
+    """The tests of a whitened residual over the valid rows `good`."""
     y = np.where(good[:, None], problem.y, 0.0)
     return (whiteness_test(problem, y), *independence_tests(problem, y), *lack_of_fit_test(problem, good))
 
@@ -80,7 +80,7 @@ def independence_tests(problem: LinearProblem, y: Array) -> Iterator[ResidualTes
 
 
 def covariates(problem: LinearProblem) -> Mapping[str, Array]:
-    """What a residual may go with, by name: (n,) each, over the problem's rows."""
+    """Covariates of a residual, by name: (n,) each, over the problem's rows."""
     scene = problem.scene
     found = {"time": scene.t_s - scene.t_s.mean()}
     for axis, values in zip("xyz", reference_field(problem).T, strict=True):

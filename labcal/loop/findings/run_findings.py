@@ -1,4 +1,4 @@
-"""What the loop notices beside effects: channels that are one signal, axes that are not as declared, a wrong noise."""
+"""Findings about the run: channels that are one signal or silent, undeclared axes, a noise other than declared."""
 
 from __future__ import annotations
 

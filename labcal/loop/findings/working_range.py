@@ -1,4 +1,4 @@
-"""How far what was found holds: the uncertainty of an effect over the whole working range, and what pins it down.
+"""The uncertainty of each effect over the whole working range, and which excitation is missing.
 
 The run's own range of field, temperature and current is the range that its calibration claims. A correction whose
 uncertainty somewhere in it exceeds the correction itself is no correction: the run did not excite it there.
@@ -20,7 +20,7 @@ from labcal.model.effects import Scene, Term
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-SETTLED_S = 1e5  # a corner of the range is looked at after so long
+SETTLED_S = 1e5  # after which a slow response has settled
 DIRECTIONS = np.vstack([np.eye(3), -np.eye(3), np.array(list(itertools.product((-1, 1), repeat=3))) / np.sqrt(3)])
 
 
@@ -35,7 +35,7 @@ class RangeUncertainty:
 
     @property
     def supported(self) -> bool:
-        """Whether the correction is larger than what is not known of it."""
+        """Whether the correction is larger than its uncertainty."""
         return self.u_rms_nT < self.rms_nT
 
 
@@ -57,7 +57,7 @@ def range_uncertainty(run: Run, after: JointFit, place: int) -> RangeUncertainty
 
 
 def _corners(run: Run, after: JointFit, term: Term) -> tuple[Scene, list[str]]:
-    """Every end of every channel of the form with fields of the largest magnitude all around, two rows a corner."""
+    """Every end of every channel of the term with fields of the largest magnitude all around, two rows a corner."""
     ends = [_ends(run, name) for name in term.channels]
     largest = float(np.nanmax(run.magnitude_nT))
     corners = list(itertools.product(itertools.product(*ends), DIRECTIONS))
@@ -82,7 +82,7 @@ def _describe_corner(term: Term, values: Sequence[float], direction: Array, larg
 
 
 def findings(run: Run, accepted: Sequence[Candidate], after: JointFit) -> list[Finding]:
-    """What is less certain in the working range than it is large, and parameters that the run does not pin down."""
+    """Corrections that are uncertain in the working range, and parameters that the run does not determine."""
     found = []
     for place, (chosen, parameters) in enumerate(zip(accepted, after.parameters(), strict=True)):
         of = range_uncertainty(run, after, place) if chosen.family.belongs_to == "sensor" else None

@@ -1,4 +1,4 @@
-"""Everything at once: map, phases and all effects, by Gauss-Newton on the full residual."""
+"""The joint fit of map, phases and all effects, by Gauss-Newton on the full residual."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from labcal.model.effects.protocol import Shape
 
 Array = NDArray[np.float64]
 STEPS = 8
-HALVINGS = 6
-ROUNDS = 30  # of an effect of the field, which acts on what it adds to the field itself
-SETTLED_nT = 0.1
+HALVINGS = 6  # of a step that does not lower the sum of squares
+ROUNDS = 30  # of fixed-point iteration: an effect of the field acts on the field that contains the effect
+SETTLED_nT = 0.1  # change that ends it
 SLOPE_STEP_nT = 5.0  # over which the slope of an effect in the field is taken
 Point = tuple[LinearProblem, tuple[Term, ...], tuple[Array, ...]]
 
@@ -31,10 +31,8 @@ class JointFit:
 
     problem: LinearProblem  # about the solution, effects subtracted
     terms: tuple[Term, ...]
-    beta: tuple[Array, ...]  # of each form
-    covariance: (
-        Array  # of the base's coordinates, the phases, the betas and the searched shapes, correlated noise included
-    )
+    beta: tuple[Array, ...]  # of each term
+    covariance: Array  # of the base's coordinates, phases, betas and searched parameters, coloured noise included
 
     def effects(self, scene: Scene) -> Array | float:
         """Σ e (n, 3) [nT]."""
@@ -43,8 +41,8 @@ class JointFit:
     def uncorrected(self) -> LinearProblem:
         """The problem about the same map and phases with the effects still in its residual.
 
-        Where vectors show them the base's columns stay clear of them: readings that hold the effects, less a reference
-        that does not, would give an effect of the rig all their shapes.
+        With vectors the base's columns do not contain them: readings with the effects, less a reference without, would
+        let an effect of the rig imitate all of them.
         """
         p = self.problem
         if p.kind == "vector":
@@ -73,7 +71,7 @@ class JointFit:
         return tuple(out)
 
     def _uncertain(self, shape: Shape, by_slope: Iterator[float]) -> float:
-        """The standard uncertainty of a searched shape: a step may lie anywhere between two rows (uniform)."""
+        """The standard uncertainty of a searched parameter: a step may lie anywhere between two rows (uniform)."""
         u, t = next(by_slope), self.problem.scene.t_s
         if shape.name != "t_step_s":
             return u
