@@ -26,7 +26,6 @@ from labcal.fit import Fit
 from labcal.home import home
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
-from labcal.model.apply import Applied
 from labcal.outputs import claim, writing
 from labcal.record import Run
 from labcal.record.stream import Item
@@ -115,7 +114,7 @@ def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> Cage
     """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
     [output] = claim("bench cage", out, force=force)
     with Store.open() as kept:
-        found = approved_cage(kept.header(run), kept.status(run), kept.items(run), name)
+        found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
     with output.writing():
         write_cage(found, out)
     return found
@@ -339,7 +338,7 @@ def _proposing(closed: ClosedLoop) -> ClosedLoop:
 
 def apply_calibration(
     calibration: Path, source: Path, out: Path, dut: str | None = None, *, force: bool = False
-) -> Applied:
+) -> certificate.AppliedFile:
     """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
     [output] = claim("apply", out, inputs=(calibration, source), force=force)
     found = load_calibration(calibration)

@@ -11,15 +11,19 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
 from labcal.bench.roles import Paced
+from labcal.bench.running import Running
 from labcal.bench.samples import Samples, samples
-from labcal.bench.steps import Procedure, Work, coils_off, measured, note, record, rest
-from labcal.record.stream import Event, Stream
+from labcal.bench.steps import Procedure, Work, coils_off, listen, measured, note, record, recorded
+from labcal.errors import InstrumentError
+from labcal.record.run import Segment
+from labcal.record.stream import Block, Event, Measurement, Stream
 
 NEEDS, LASTS_MIN = "the cage as it will be used, coils off", 1
 
 Array = NDArray[np.float64]
 MAINS_OFF_HZ = 0.1  # how far the mains may be from its nominal frequency
 ROTATION_HARMONICS = (1, 2, 3, 4)  # nonlinearity and hysteresis show up to here
+FEWEST = 3  # samples that a trend is told from
 BLIND_HZ = 0.05  # an alias nearer to zero than this looks like a field
 
 
@@ -38,17 +42,33 @@ def ambient(
     """Measure mean, drift, noise and mains of the room, and say whether it is fit for the job."""
     yield from coils_off(bench)
     faults = yield from _mains(bench, mains_hz, harmonics, mains_s, mains_nT)
-    blocks = yield from rest(bench, "room", duration_s)
-    reference = samples(blocks, "reference")
-    for axis, name in enumerate(reference.columns):
-        faults += yield from _one_component(bench, reference, axis, name, drift_nT_per_min, noise_nT)
-    streams: tuple[Stream, ...] = ("reference", "dut")
-    for stream in streams:
-        rate = 1 / samples(blocks, stream).period_s
+    room = yield from _heard(bench, duration_s)
+    faults += yield from _components(bench, room["reference"], drift_nT_per_min, noise_nT)
+    for stream, seen in room.items():
         for n in range(1, harmonics + 1):
-            faults += yield from _alias(bench, stream, rate, n * mains_hz, rate_deg_per_s / 360)
+            faults += yield from _alias(bench, stream, 1 / seen.period_s, n * mains_hz, rate_deg_per_s / 360)
     verdict = "the room is not fit for the job: " + "; ".join(faults) if faults else "the room is fit for the job"
     yield Event(bench.clock.now(), "ambient", verdict, {"faults": faults})
+
+
+def _heard(bench: Bench, seconds: float) -> Work[dict[Stream, Running]]:
+    """Record the room as a segment; returns what reference and DUT told. Raises InstrumentError for too few samples."""
+    streams: tuple[Stream, ...] = ("reference", "dut")
+    room = {stream: Running(stream) for stream in streams}
+
+    def see(block: Block) -> None:
+        for seen in room.values():
+            seen.take(block)
+
+    yield from recorded(bench, Segment("room", "static"), listen(bench, seconds, see))
+    for stream, seen in room.items():
+        if len(seen) < FEWEST:
+            raise InstrumentError(
+                f"{stream}: {len(seen)} samples came in {seconds:g} s, too few to say anything.",
+                fault="silent",
+                remedy="The coils are at zero; look at its power and its cable, or listen for longer.",
+            )
+    return room
 
 
 def _mains(bench: Bench, mains_hz: float, harmonics: int, seconds: float, limit_nT: float) -> Work[list[str]]:
@@ -86,21 +106,22 @@ def tone(seen: Samples, frequency_hz: float, off_hz: float) -> tuple[float, floa
     columns = np.column_stack([np.ones(len(seen)), seen.t_s - seen.t_s.mean()])
     left = seen.values - columns @ np.linalg.lstsq(columns, seen.values, rcond=None)[0]
     tried = np.arange(folded - off_hz, folded + off_hz + 0.25 / span_s, 0.25 / span_s)
-    spectrum = 2 / len(seen) * np.exp(-2j * np.pi * np.outer(tried, seen.t_s)) @ left
+    spectrum = np.array([2 / len(seen) * np.exp(-2j * np.pi * f * seen.t_s) @ left for f in tried])
     return float(np.linalg.norm(spectrum, axis=1).max()), float(left.std() * np.sqrt(2 / len(seen)))
 
 
-def _one_component(
-    bench: Bench, reference: Samples, axis: int, name: str, drift_nT_per_min: float, noise_nT: float
-) -> Work[list[str]]:
-    slope, u_slope = trend(reference.t_s, reference.values[:, axis])
-    sigma = noise(reference.values[:, axis])
-    density = sigma * np.sqrt(2 * reference.period_s)
-    yield from measured(bench, f"mean {name}", reference.mean[axis], reference.u_mean[axis], "nT")
-    drift = yield from measured(bench, f"drift {name}", 60 * slope, 60 * u_slope, "nT/min", drift_nT_per_min)
-    quiet = yield from measured(bench, f"noise {name}", sigma, sigma / np.sqrt(2 * len(reference)), "nT", noise_nT)
-    yield from measured(bench, f"noise density {name}", density, density / np.sqrt(2 * len(reference)), "nT/√Hz")
-    return [f"{m.name} {m.value:.3g} {m.unit}" for m in (drift, quiet) if m.verdict == "FAIL"]
+def _components(bench: Bench, room: Running, drift_nT_per_min: float, noise_nT: float) -> Work[list[str]]:
+    """Mean, drift and noise of each component of the reference; returns what is beyond its limit, in words."""
+    beyond, root = list[Measurement](), np.sqrt(2 * len(room))
+    density = room.noise * np.sqrt(2 * room.period_s)
+    told = zip(room.columns, room.mean, room.u_mean, *room.trend(), room.noise, density, strict=True)
+    for name, mean, u, slope, u_slope, sigma, per_root_Hz in told:
+        yield from measured(bench, f"mean {name}", mean, u, "nT")
+        drift = yield from measured(bench, f"drift {name}", 60 * slope, 60 * u_slope, "nT/min", drift_nT_per_min)
+        quiet = yield from measured(bench, f"noise {name}", sigma, sigma / root, "nT", noise_nT)
+        yield from measured(bench, f"noise density {name}", per_root_Hz, per_root_Hz / root, "nT/√Hz")
+        beyond += [m for m in (drift, quiet) if m.verdict == "FAIL"]
+    return [f"{m.name} {m.value:.3g} {m.unit}" for m in beyond]
 
 
 def _alias(bench: Bench, stream: str, rate_hz: float, mains_hz: float, turn_hz: float) -> Work[list[str]]:
@@ -117,16 +138,3 @@ def _alias(bench: Bench, stream: str, rate_hz: float, mains_hz: float, turn_hz: 
 def alias(frequency_hz: float, rate_hz: float) -> float:
     """The frequency at which a tone appears when it is sampled at `rate_hz`: |f − round(f / rate) rate|."""
     return abs(frequency_hz - round(frequency_hz / rate_hz) * rate_hz)
-
-
-def trend(t_s: Array, values: Array) -> tuple[float, float]:
-    """Slope [1/s] of a straight line and its standard uncertainty, by least squares with white residuals."""
-    t = t_s - t_s.mean()
-    slope = float(t @ values / (t @ t))
-    left = values - values.mean() - slope * t
-    return slope, float(np.sqrt(left @ left / (len(t) - 2) / (t @ t)))
-
-
-def noise(values: Array) -> float:
-    """Standard deviation of one sample from successive differences (von Neumann): drift does not enter."""
-    return float(np.sqrt(np.mean(np.diff(values) ** 2) / 2))

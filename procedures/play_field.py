@@ -28,6 +28,7 @@ from labcal.bench.steps import (
     recorded,
 )
 from labcal.errors import InputError
+from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Segment
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage; a table of the field, or an orbit", 10
@@ -106,7 +107,9 @@ def _number(text: str | None, path: Path, line: int, column: str) -> float:
     except ValueError:
         value = np.nan
     if not np.isfinite(value):
-        raise InputError(f"{text!r} is no finite number", file=path, line=line, column=column)
+        raise InputError(f"{(text or '')[:40]!r} is no finite number", file=path, line=line, column=column)
+    if abs(value) > LARGEST_FIELD_nT:
+        raise InputError(f"{value:g} is beyond {LARGEST_FIELD_nT:g}", file=path, line=line, column=column)
     return value
 
 

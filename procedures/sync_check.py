@@ -133,10 +133,11 @@ def behind(dut: Samples, angle: Samples, axis: Array) -> tuple[float, float]:
     Least squares of the reading on 1, cos θ and sin θ of the angle and on their derivatives in time (first order
     in the delay): m(t) = a + b·c(t − τ) gives τ as the part along −dc/dt.
     """
-    unwrapped = np.radians(np.unwrap(angle.values[:, 0], period=360.0))
-    inside = dut.between(angle.t_s[0], angle.t_s[-1])
-    theta = np.interp(inside.t_s, angle.t_s, unwrapped)
-    rate = np.interp(inside.t_s, angle.t_s, np.gradient(unwrapped, angle.t_s))
+    moments, first = np.unique(angle.t_s, return_index=True)  # at one moment there is no rate
+    unwrapped = np.radians(np.unwrap(angle.values[first, 0], period=360.0))
+    inside = dut.between(moments[0], moments[-1])
+    theta = np.interp(inside.t_s, moments, unwrapped)
+    rate = np.interp(inside.t_s, moments, np.gradient(unwrapped, moments))
     flat = np.column_stack([np.ones_like(theta), np.cos(theta), np.sin(theta)])
     plane = inside.values @ _across(axis)
     fixed = np.linalg.lstsq(flat, plane, rcond=None)[0]

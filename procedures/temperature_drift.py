@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import attitude, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.samples import Samples, samples
+from labcal.bench.samples import Samples, samples, thinned
 from labcal.bench.steps import Blocks, Plan, Procedure, coils_off, dut_nT, energise, measured, rest, switch_mode
 from labcal.errors import InputError
 from labcal.record.stream import Prompt
@@ -19,6 +19,7 @@ from labcal.record.stream import Prompt
 NEEDS, LASTS_MIN = "the DUT with its thermometer, a means to warm it", 21
 
 Array = NDArray[np.float64]
+EVERY_S = 1.0  # a mean is kept: a DUT warms slowly, and a thousand rounds of an hour must fit in
 SEPARATES = (("offset-temperature", "offset-drift"), ("offset-temperature", "gain-temperature"))
 
 
@@ -48,7 +49,8 @@ def temperature_drift(
             for field_nT in fields_nT:
                 yield from energise(bench, field_nT * np.asarray(bench.config.platform.axis_cage))
                 segment = f"{field_nT / 1000:+g}uT-{number + 1}"
-                kept[field_nT] += yield from rest(bench, segment, dwell_s, mode=mode, body_from_cage=at_zero)
+                visit = yield from rest(bench, segment, dwell_s, mode=mode, body_from_cage=at_zero)
+                kept[field_nT] += thinned(visit, EVERY_S)
         yield from coils_off(bench)
     for field_nT, blocks in kept.items():
         slopes, u = against(

@@ -29,7 +29,8 @@ from labcal.bench.steps import (
 )
 from labcal.geometry import rotate, shortest_rotation
 from labcal.model import Calibration
-from labcal.model.apply import Readings, apply
+from labcal.model.apply import apply
+from labcal.model.readings import Readings
 from labcal.record.stream import Block
 
 NEEDS, LASTS_MIN = "the DUT on the platform, its calibration file", 8

@@ -12,12 +12,16 @@ from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
+from labcal.record.physical import LARGEST_CURRENT_A, LARGEST_FIELD_nT
 from labcal.toml_file import read_toml
 
 AXES = ("x", "y", "z")
 RUNTIME_LONGEST = 60  # of the 107 bytes that the name of a socket may have
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
 Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
+Field_nT = Annotated[float, Field(gt=0, le=LARGEST_FIELD_nT, allow_inf_nan=False, strict=True)]
+Current_A = Annotated[float, Field(gt=0, le=LARGEST_CURRENT_A, allow_inf_nan=False, strict=True)]
+PerAmpere = Annotated[float, Field(ge=-LARGEST_FIELD_nT, le=LARGEST_FIELD_nT, allow_inf_nan=False, strict=True)]
 Vector = tuple[Finite, Finite, Finite]
 Matrix = tuple[Vector, Vector, Vector]
 RoleName = Literal["coil-x", "coil-y", "coil-z", "polarity", "interlock", "platform", "reference", "dut"]
@@ -58,6 +62,9 @@ def _of_length_one(value: Vector) -> Vector:
 
 
 PerAxis = Annotated[tuple[Positive, Positive, Positive], BeforeValidator(_each_axis)]  # one number, or one an axis
+Currents = Annotated[tuple[Current_A, Current_A, Current_A], BeforeValidator(_each_axis)]
+Constants = Annotated[tuple[Field_nT, Field_nT, Field_nT], BeforeValidator(_each_axis)]
+Three_nT = tuple[PerAmpere, PerAmpere, PerAmpere]
 Text = Annotated[str, AfterValidator(_for_people)]
 Unit = Annotated[Vector, AfterValidator(_of_length_one)]
 
@@ -69,10 +76,10 @@ class _Table(BaseModel):
 class CageLimits(_Table):
     """What the coils may do. A set-point beyond a limit is refused."""
 
-    current_A: PerAxis
+    current_A: Currents
     ramp_A_per_s: PerAxis
-    field_nT: Positive  # of the field at the centre
-    rms_current_A: PerAxis | None = None  # root mean square over `rms_window_s`: what the wire bears for ever
+    field_nT: Field_nT  # of the field at the centre
+    rms_current_A: Currents | None = None  # root mean square over `rms_window_s`: what the wire bears for ever
     rms_window_s: Positive = 600.0
     temperature_C: Finite | None = None  # of the windings, where a channel tells it
 
@@ -80,8 +87,8 @@ class CageLimits(_Table):
 class CageConfig(_Table):
     """The coils: the measured current-to-field matrix, here or in a file of its own, or constants; and their limits."""
 
-    constants_nT_per_A: PerAxis | None = None
-    matrix_nT_per_A: Matrix | None = None  # columns are the coil axes in C
+    constants_nT_per_A: Constants | None = None
+    matrix_nT_per_A: tuple[Three_nT, Three_nT, Three_nT] | None = None  # columns are the coil axes in C
     calibration: str | None = None  # a cage calibration file, from the folder of bench.toml
     limits: CageLimits
     settle_s: Annotated[float, Field(ge=0, le=60, strict=True)] = 0.2  # after a ramp, before the field is believed
@@ -121,12 +128,12 @@ class ReferenceConfig(_Table):
 
     kind: Literal["vector", "scalar"] = "vector"
     cage_from_sensor: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    offset_nT: Vector = (0.0, 0.0, 0.0)  # in the sensor's axes, subtracted first
-    noise_nT: Positive | None = None
+    offset_nT: Three_nT = (0.0, 0.0, 0.0)  # in the sensor's axes, subtracted first
+    noise_nT: Field_nT | None = None
     place: Literal["dut", "remote", "computed"] | None = None
     position_m: Vector | None = None
     u_scale_ppm: Positive | None = None
-    u_offset_nT: Positive | None = None
+    u_offset_nT: Field_nT | None = None
     u_align_deg: Positive | None = None
     u_time_s: Positive | None = None
     calibration: str | None = None
@@ -137,7 +144,7 @@ class ReferenceConfig(_Table):
 class DutLimits(_Table):
     """What the device under test may be put through; binds every procedure."""
 
-    field_nT: Positive | None = None
+    field_nT: Field_nT | None = None
     rate_deg_per_s: Positive | None = None
     temperature_C: tuple[Finite, Finite] | None = None
     modes: tuple[str, ...] = ()
@@ -160,8 +167,8 @@ class DutConfig(_Table):
     serial: Text = Field(min_length=1)
     model: Text = ""
     unit: Literal["nT", "count"] = "nT"
-    nominal_nT_per_unit: Positive = 1.0
-    noise_nT: Positive | None = None  # of one axis of one sample
+    nominal_nT_per_unit: Field_nT = 1.0
+    noise_nT: Field_nT | None = None  # of one axis of one sample
     silent_s: Positive = 30.0
     stuck_s: Positive = 120.0
     limits: DutLimits = DutLimits()

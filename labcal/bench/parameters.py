@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from labcal.errors import InputError
+from labcal.record.physical import largest
 
 Value = Any  # float, int, bool, str, Path, a tuple of one of these, or None
 Kind = Literal["number", "integer", "switch", "choice", "text", "file"]
@@ -90,6 +91,9 @@ class ParameterSpec:
     def _checked(self, value: Any) -> Any:
         for one in value if self.many else (value,):
             outside = self.limits and not (math.isfinite(one) and self.limits.lo <= one <= self.limits.hi)
+            if not self.limits and self.kind in ("number", "integer") and not abs(one) <= largest(self.name):
+                most = f"{largest(self.name):g} {self.unit}".rstrip()
+                raise InputError(f"{self.name} = {shown(one)} is refused: no {self.kind} beyond {most} is meant")
             if outside or (self.choices and one not in self.choices):
                 raise InputError(f"{self.name} = {one} is refused: expected {self.expected}")
         if self.many and not value and not self.optional:
@@ -117,6 +121,12 @@ def parameters_of(procedure: Callable[..., Any]) -> tuple[ParameterSpec, ...]:
     hints = get_type_hints(procedure, include_extras=True)
     keywords = (p for p in inspect.signature(procedure).parameters.values() if p.kind is p.KEYWORD_ONLY)
     return tuple(_spec(p, hints[p.name]) for p in keywords if p.name in hints and p.name not in RUNNER_GIVES)
+
+
+def shown(number: float) -> str:
+    """A number in a sentence, however many digits it has."""
+    text = str(number)
+    return text if len(text) <= 40 else f"{text[:20]}… ({len(text)} digits)"
 
 
 RUNNER_GIVES = ("resume", "calibration")  # keywords that are filled for the procedure: what was done, a file read

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.errors import InstrumentError
+from labcal.record.sampling import period_s
 from labcal.record.stream import Block, Stream
 
 Array = NDArray[np.float64]
@@ -33,23 +34,21 @@ class Samples:
 
     @property
     def u_mean(self) -> Array:
-        """Standard uncertainty (k,) of the mean, from successive differences and the samples' own correlation.
-
-        sigma² / n times (1 + r) / (1 − r), with r the lag-one correlation where it is positive.
-        """
-        n = len(self.t_s)
-        if n < 3:
-            return np.full(self.values.shape[1], np.inf)
+        """Standard uncertainty (k,) of the mean, with the samples' own correlation (see `correlated_u`)."""
         d = self.values - self.values.mean(axis=0)
-        variance = np.sum(d**2, axis=0) / (n - 1)
-        covariance = np.sum(d[1:] * d[:-1], axis=0) / (n - 1)
-        r = np.clip(covariance / np.where(variance > 0, variance, 1.0), 0.0, 0.99)
-        return np.asarray(np.sqrt(variance / n * (1 + r) / (1 - r)))
+        return correlated_u(len(self), np.sum(d**2, axis=0), np.sum(d[1:] * d[:-1], axis=0))
 
     @property
     def period_s(self) -> float:
-        """The median time between two samples."""
-        return float(np.median(np.diff(self.t_s))) if len(self) > 1 else np.nan
+        """The time between two samples, as `labcal.record.period_s`. Raises InstrumentError where none can be told."""
+        period = period_s(self.t_s)
+        if np.isnan(period):
+            raise InstrumentError(
+                f"{self.stream}: {len(self)} samples came, all at one moment: how often it samples cannot be told.",
+                fault="silent",
+                remedy="Coils go to zero; look at its power and its cable, or record for longer.",
+            )
+        return period
 
     def between(self, start_s: float, end_s: float) -> Samples:
         """The samples stamped from `start_s` up to `end_s`."""
@@ -83,12 +82,37 @@ def samples(blocks: Iterable[Block], stream: Stream, column: str | None = None) 
     return Samples(stream, columns, t[order], values[order])
 
 
+def correlated_u(n: int, squares: Array, products: Array) -> Array:
+    """Standard uncertainty (k,) of a mean of n: sigma² / n times (1 + r) / (1 − r), r the lag-one correlation, if > 0.
+
+    `squares` (k,): the sum of squared deviations from the mean; `products` (k,): that of each with the one before it.
+    """
+    if n < 3:
+        return np.full(len(squares), np.inf)
+    variance, covariance = squares / (n - 1), products / (n - 1)
+    r = np.clip(covariance / np.where(variance > 0, variance, 1.0), 0.0, 0.99)
+    return np.asarray(np.sqrt(variance / n * (1 + r) / (1 - r)))
+
+
 def merged(blocks: Iterable[Block]) -> list[Block]:
     """The same samples in one block for each stream, source and set of columns; their order in time stays."""
     groups: dict[tuple[Stream, str, tuple[str, ...]], list[Block]] = {}
     for block in blocks:
         groups.setdefault((block.stream, block.source, block.columns), []).append(block)
     return [_one_block(group) for group in groups.values()]
+
+
+def thinned(blocks: Iterable[Block], every_s: float) -> list[Block]:
+    """The means over intervals of `every_s`, at their mean stamps: what moves slowly, of a recording of hours."""
+    return [_means(block, every_s) for block in merged(blocks) if len(block)]
+
+
+def _means(block: Block, every_s: float) -> Block:
+    _, where, count = np.unique(np.floor(block.t_s / every_s), return_inverse=True, return_counts=True)
+    sums = np.zeros((len(count), 1 + block.values.shape[1]))
+    np.add.at(sums, where, np.column_stack([block.t_s, block.values]))
+    means = sums / count[:, None]
+    return replace(block, t_s=means[:, 0], values=means[:, 1:], raw=b"")
 
 
 def _one_block(group: list[Block]) -> Block:

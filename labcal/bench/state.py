@@ -6,6 +6,7 @@ seconds of whatever clock the value was read on; `shifted` carries it to another
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
@@ -122,7 +123,8 @@ class LabState:
 
     def as_json(self, now_s: float) -> dict[str, Any]:
         """With ages in place of times: for the record, and for another process."""
-        return asdict(self.shifted(-now_s))
+        plain: dict[str, Any] = json.loads(json.dumps(asdict(self.shifted(-now_s))))  # lists, as whoever reads it has
+        return plain
 
     def _seconded(self, now_s: float) -> bool:
         seen_s = self.reference.read_s

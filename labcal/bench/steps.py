@@ -68,14 +68,23 @@ class Resume:
 
 
 def record(bench: Bench, seconds: float, *, from_s: float | None = None) -> Work[Blocks]:
-    """Hand on what the streams send for `seconds`; return what is stamped from now, or from `from_s` on."""
+    """Hand on what the streams send for `seconds`; return what is stamped from now, or from `from_s` on.
+
+    The frames as they came over the wire are for the record alone: what is returned goes without.
+    """
     kept: Blocks = []
+    yield from listen(bench, seconds, lambda block: kept.append(replace(block, raw=b"")), from_s=from_s)
+    return kept
+
+
+def listen(bench: Bench, seconds: float, see: Callable[[Block], None], *, from_s: float | None = None) -> Work[None]:
+    """As `record`, for hours: what comes is shown to `see` and not kept."""
     begun, tick_s = bench.clock.now(), VIRTUAL_TICK_S if np.isinf(bench.clock.listen_s) else TICK_S
     while (now := bench.clock.now()) < begun + seconds:
         blocks = bench.stream_until(min(now + tick_s, begun + seconds))
-        kept += [since(begun if from_s is None else from_s, block) for block in blocks]
+        for block in blocks:
+            see(since(begun if from_s is None else from_s, block))
         yield from blocks
-    return kept
 
 
 def since(start_s: float, block: Block) -> Block:

@@ -2,7 +2,7 @@
 
 from labcal.certificate import keys
 from labcal.certificate.allowed_signers import Signer, read_allowed_signers
-from labcal.certificate.apply_file import apply_file, check_effects
+from labcal.certificate.apply_file import AppliedFile, apply_file, check_effects
 from labcal.certificate.calibration_file import (
     calibration_bytes,
     looks_like_calibration,
@@ -14,6 +14,7 @@ from labcal.certificate.keys import Entry
 from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, signature_files, verify
 
 __all__ = [
+    "AppliedFile",
     "Check",
     "Entry",
     "Signer",

@@ -13,8 +13,8 @@ from labcal.cli.screen import console, say
 from labcal.outputs import claim
 
 if TYPE_CHECKING:
+    from labcal.certificate import AppliedFile
     from labcal.fit import Fit
-    from labcal.model.apply import Applied
 
 FIT_WORDS = (
     "Residual: rms of |b| less the reference's magnitude; held out: the same on stretches of time that the fit did not "
@@ -88,9 +88,11 @@ def _cells(found: Fit) -> tuple[str, ...]:
     return (*residuals, u, "known" if found.frame_known else "free", f"{found.seconds * 1000:.0f}")
 
 
-def _show_applied(applied: Applied, out: Path) -> None:
+def _show_applied(applied: AppliedFile, out: Path) -> None:
     from collections import Counter
 
-    counts = Counter(word for flag in applied.flags for word in flag.split())
+    counts = Counter[str]()
+    for flag, rows in applied.flags.items():
+        counts.update(dict.fromkeys(flag.split(), rows))
     flagged = ", ".join(f"{word} {n}" for word, n in counts.most_common()) or "none"
-    say(f"{len(applied.flags)} rows corrected into {out}; flagged: {flagged}")
+    say(f"{applied.rows} rows corrected into {out}; flagged: {flagged}")

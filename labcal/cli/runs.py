@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from enum import StrEnum
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import typer
+from rich.cells import cell_len
 from rich.console import Console
 from rich.table import Table
 
 from labcal.cli import app
 from labcal.cli.results import FORCE, JSON, write_json
-from labcal.cli.screen import console, say
+from labcal.cli.screen import console, say, say_lines
 
+if TYPE_CHECKING:
+    from labcal.store import RunSummary
+
+HEADS = ("run", "started", "status", "DUT", "procedure", "operator")
 RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the path of a bundle.")
 
 
@@ -32,16 +37,15 @@ def runs(json: str | None = JSON, force: bool = FORCE) -> None:
     """List the runs of the store, the oldest first, with how each ended."""
     from dataclasses import asdict
 
-    from labcal import session
+    from labcal.store import Store  # and no more: the list is there at once
 
-    found = session.runs()
+    with Store.open() as store:
+        found = store.runs()
     if json is not None:
         return write_json([asdict(run) for run in found], json, "runs", force=force)
-    table = Table("run", "started", "status", "DUT", "procedure", "operator")
-    for run in found:
-        procedure = f"{run.procedure} (simulated)" if run.simulated else run.procedure
-        table.add_row(run.run_id, run.started_utc, run.status, run.dut_serial, procedure, run.operator)
-    return _console().print(table if found else "no runs yet: `labcal demo` makes one, `labcal import` takes one in")
+    if not found:
+        return say("no runs yet: `labcal demo` makes one, `labcal import` takes one in")
+    return say_lines(_aligned([HEADS, *map(_listed, found)]))
 
 
 @app.command(rich_help_panel="Runs")
@@ -95,6 +99,19 @@ def export(
 
     session.export_run(run, format_.value, out, force=force)
     say(out)
+
+
+def _listed(run: RunSummary) -> tuple[str, ...]:
+    procedure = f"{run.procedure} (simulated)" if run.simulated else run.procedure
+    return (run.run_id, run.started_utc, run.status, run.dut_serial, procedure, run.operator)
+
+
+def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    """The rows as lines, each column as wide as its widest cell: ten thousand of them at once."""
+    widths = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = (cell + " " * (width - cell_len(cell)) for cell, width in zip(row, widths, strict=True))
+        yield "  ".join(cells).rstrip()
 
 
 def _head(told: Mapping[str, Any]) -> Table:

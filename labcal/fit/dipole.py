@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from labcal.record import period_s
+
 Array = NDArray[np.float64]
 MU0_OVER_4PI = 1e-7  # T m/A
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # elements of a symmetric matrix, as they are estimated
@@ -110,7 +112,7 @@ def _steady(dwells: Sequence[Dwell]) -> Array:
     columns = list[Array]()
     for one in np.unique(session):
         inside = session == one
-        u = np.where(inside, (t - t[inside].mean()) / np.ptp(t[inside]), 0.0)
+        u = np.where(inside, (t - t[inside].mean()) / max(np.ptp(t[inside]), 1e-9), 0.0)
         columns += [inside.astype(float), u, u**2]
     for one in np.unique(place):
         columns += list(np.where((place == one)[:, None], field, 0.0).T)
@@ -164,4 +166,5 @@ def _shifted(places: Array) -> list[Array]:
 
 
 def _lags(dwells: Sequence[Dwell]) -> int:
-    return int(CORRELATED_S / max(np.median(np.diff(dwells[0].t_s)), 1e-6))
+    period = period_s(dwells[0].t_s)
+    return int(CORRELATED_S / period) if np.isfinite(period) else 0

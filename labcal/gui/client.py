@@ -17,6 +17,7 @@ from labcal.home import SECRETS
 Then = Callable[[Any], None]
 AT_MOST_S = 0.01  # of one turn of the event loop for what the worker said
 TAIL = 6000  # of stderr, for the details of a crash
+BEAT_MS = 200  # so often the worker hears that this window is not standing still
 
 
 class Works(Protocol):
@@ -54,6 +55,8 @@ class Client(QObject):
         self._number = 0
         self._lines: deque[bytes] = deque()
         self._begun, self._errors = b"", ""
+        self._beats = QTimer(self, interval=BEAT_MS)
+        self._beats.timeout.connect(lambda: self.say("beat"))
 
     def start(self) -> None:
         """Have the process ready before it is needed."""
@@ -67,6 +70,7 @@ class Client(QObject):
         process.setProcessEnvironment(_environment())
         self._process, self._errors, self._begun = process, "", b""
         process.start(sys.executable, list(self._command))
+        self._beats.start()
 
     def ask(self, do: str, then: Then, failed: Callable[[Fault], None], **what: Any) -> None:
         """Ask for `do`; `then` gets the result, `failed` what went wrong."""
@@ -98,6 +102,7 @@ class Client(QObject):
     def hang_up(self, wait_ms: int = 3000) -> None:
         """Close the line: a run aborts, its coils go to zero, the process ends."""
         process, self._process = self._process, None
+        self._beats.stop()
         self._open.clear()
         if process is None:
             return
@@ -157,6 +162,7 @@ class Client(QObject):
     def _gone(self, text: str) -> None:
         self._read_errors()
         process, self._process = self._process, None
+        self._beats.stop()
         if process is not None:
             process.deleteLater()
         waiting, self._open = list(self._open.values()), {}

@@ -43,8 +43,9 @@ def closing(talk: Talk) -> dict[str, Any] | None:
     finished = (one for one in reversed(session.runs()) if one.status == "finished")
     with Store.open() as store:
         for one in islice(finished, LOOKED_BACK):
-            items = (i for i in store.items(one.run_id) if isinstance(i, Measurement) and "closure" in i.name)
-            if worst := max(items, key=lambda m: abs(m.value), default=None):
+            items = store.items(one.run_id, but="block")
+            closures = (i for i in items if isinstance(i, Measurement) and "closure" in i.name)
+            if worst := max(closures, key=lambda m: abs(m.value), default=None):
                 return {"run": asdict(one), "measurement": asdict(worst), "verdict": worst.verdict}
     return None
 
@@ -61,7 +62,7 @@ def cage_check(talk: Talk) -> dict[str, Any] | None:
     if last is None:
         return None
     with Store.open() as store:
-        judged = [i for i in store.items(last.run_id) if isinstance(i, Measurement) and i.limit]
+        judged = [i for i in store.items(last.run_id, but="block") if isinstance(i, Measurement) and i.limit]
     worst = max(judged, key=lambda m: abs(m.value) / (m.limit or 1.0), default=None)
     verdict = max((m.verdict for m in judged), key=WORST.index, default="")
     return {"run": asdict(last), "measurement": asdict(worst) if worst else None, "verdict": verdict}
@@ -195,7 +196,7 @@ def apply(talk: Talk, path: str, source: str, out: str, dut: str) -> str:
     from labcal import session
 
     applied = session.apply_calibration(Path(path), Path(source), Path(out), dut or None, force=True)
-    return f"{len(applied.flags)} rows, {sum(1 for flag in applied.flags if flag)} with a flag: {out}"
+    return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {out}"
 
 
 def hand_out(talk: Talk, path: str, folder: str) -> str:

@@ -17,6 +17,7 @@ from labcal.gui.talk import Talk
 from labcal.gui.wire import pack
 from labcal.home import home, own_folder
 from labcal.record import Run
+from labcal.record.run_id import as_file_name
 
 if TYPE_CHECKING:
     from labcal.fit import Fit
@@ -28,9 +29,9 @@ MOST = 1500  # rows in a picture
 def calibration_path(run_id: str) -> Path:
     """Where the draft of a run lies: beside the earlier one where that is signed."""
     folder = own_folder(own_folder(home()) / "calibrations")
-    number = 1
+    name, number = as_file_name(run_id), 1
     while True:
-        path = folder / (f"{run_id}.json" if number == 1 else f"{run_id}.{number}.json")
+        path = folder / (f"{name}.json" if number == 1 else f"{name}.{number}.json")
         if not path.with_name(path.name + ".sshsig").exists():
             return path
         number += 1

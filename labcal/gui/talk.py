@@ -17,10 +17,14 @@ from labcal.runner import Control
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
 LOOK_S = 0.05
+STILL_S = 1.0  # so long a window may stand still while real coils are on: nobody could say off there
+LATE_S = 0.2  # a process that runs freely wakes no later
 
 
 class Talk:
-    """Hears what the window says while work goes on. When it dies, the coils go to zero and the run is interrupted."""
+    """Hears what the window says while work goes on. When it dies, or stands still while real instruments are driven,
+    the coils go to zero and the run is interrupted.
+    """
 
     def __init__(self, heard: TextIO, said: TextIO) -> None:
         self.control = Control()
@@ -30,6 +34,7 @@ class Talk:
         self._batch: list[list[Any]] = []
         self._sent_s, self._on_bench = 0.0, False
         self.hold_when_paused = False
+        self._beat_s: float | None = None  # when the window was heard last; None of one that does not beat
 
     def asks(self) -> Iterator[dict[str, Any]]:
         """What is asked for, one after another, until the window hangs up."""
@@ -50,6 +55,8 @@ class Talk:
     def on_bench(self, simulated: bool) -> None:
         """From here on a hang-up means abort, not exit. A paused simulation stands still."""
         self._on_bench, self.hold_when_paused, self.control = True, simulated, Control()
+        if not simulated:
+            threading.Thread(target=self._watch, args=(self.control,), daemon=True, name="still").start()
 
     def off_bench(self) -> None:
         """The run has ended and the links are closed."""
@@ -98,8 +105,24 @@ class Talk:
         if not self._on_bench:
             os._exit(0)
 
+    def _watch(self, control: Control) -> None:
+        """See that the window still moves. Who wakes late itself was kept from listening, and judges nobody for it."""
+        while self._on_bench and self.control is control:
+            begun = time.monotonic()
+            time.sleep(LOOK_S)
+            now = time.monotonic()
+            if self._beat_s is not None and now - begun > LOOK_S + LATE_S:
+                self._beat_s = now
+            elif self._beat_s is not None and now - self._beat_s > STILL_S:
+                control.leave()
+                return
+
     def _take(self, said: dict[str, Any]) -> None:
+        if self._beat_s is not None or said["do"] == "beat":
+            self._beat_s = time.monotonic()
         match said["do"]:
+            case "beat":
+                pass
             case "answer":
                 self._answers.put((said["key"], said["text"]))
             case "pause":

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -13,9 +13,11 @@ from labcal.errors import InputError
 from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped
-from labcal.model.effects.following import has_memory
+from labcal.model.effects.following import has_memory, time_constants
 from labcal.model.gaps import bridged
-from labcal.model.plausibility import saturated, second_difference_outliers
+from labcal.model.plausibility import bends, saturated, second_difference_outliers
+from labcal.model.readings import Applied, Readings
+from labcal.model.seen import Seen
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -24,29 +26,6 @@ TEMPERATURE = frozenset({"offset-temperature", "gain-temperature"})
 MATERIAL = 1.15  # held-out residuals beyond this many times the noise are more than noise
 FEW = 8  # rows of a channel: fewer do not tell what it does in a gap
 REMEMBERING = frozenset({"lag", "hysteresis"})  # and whatever has a time constant
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Readings:
-    """What a recording offers (n rows); NaN and "" are missing, None a column that is not there."""
-
-    reading: Array  # (n, 3) in the DUT's unit
-    t_s: Array | None = None  # (n,)
-    segment: NDArray[np.str_] | None = None  # (n,)
-    mode: NDArray[np.str_] | None = None  # (n,)
-    channels: Mapping[str, Array] = field(default_factory=dict)  # each (n,)
-
-    def __len__(self) -> int:
-        return len(self.reading)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Applied:
-    """The field of each row, NaN where the reading is missing."""
-
-    field_nT: Array  # (n, 3) in B
-    u_nT: Array  # (n,) standard uncertainty of one component, noise included
-    flags: tuple[str, ...]  # (n,) empty, or words of `FLAGS` apart by spaces
 
 
 def needed_columns(calibration: Calibration) -> tuple[str, ...]:
@@ -67,6 +46,13 @@ def remembers(effect: Fitted) -> bool:
     return (has_memory(effect.term) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
 
 
+def forgets(effect: Fitted) -> bool:
+    """Whether nothing of an effect that remembers goes over into another segment."""
+    kept = any(shape.name == "kept" and shape.value == 1 for shape in effect.term.shape)
+    delayed = any(shape.name == "delay_s" for shape in effect.term.shape)
+    return not kept and not delayed and not any(time_constants(effect.term))
+
+
 def apply(calibration: Calibration, readings: Readings) -> Applied:
     """B = K m − k − Σ e_i of the sensor's effects, for every row (contract: calibration, `apply`).
 
@@ -74,25 +60,116 @@ def apply(calibration: Calibration, readings: Readings) -> Applied:
     effect's parameters, and what is left out. A channel's gaps are bridged where they can be told. Raises InputError
     where a needed column is missing, or an effect of the file is not whole.
     """
+    return next(apply_in_pieces(calibration, readings, max(len(readings), 1)))
+
+
+def apply_in_pieces(calibration: Calibration, readings: Readings, most: int) -> Iterator[Applied]:
+    """As `apply`, for `most` rows at a time, each as if all were there: what they take from the whole is found first.
+
+    Where effects remember, a stretch that they remember is one piece, however long it is.
+    """
     have = {*readings.channels, *(n for n in ("t_s", "segment", "mode") if getattr(readings, n) is not None)}
     for name in needed_columns(calibration):
         if name not in have:
             raise InputError("the calibration's effects need this column; it is missing", column=name)
     readings, filled = _filled(readings)
+    pieces = _pieces(calibration, readings, most)
+    alone = _corrected(calibration, readings.rows(0, len(readings))) if len(pieces) == 1 else None  # not twice
+    whole = _survey(calibration, readings, pieces, alone)
+    for rows in pieces:
+        part = readings.rows(rows.start, rows.stop)
+        yield _applied(calibration, part, alone or _corrected(calibration, part), whole, filled, rows)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Corrected:
+    """Some rows with the effects taken off, and what each effect was there."""
+
+    field_nT: Array  # (n, 3)
+    values: tuple[Array, ...]  # of each effect (n, 3)
+    variances: tuple[Array, ...]  # of each effect (n, 3)
+    usable: tuple[Mask, ...]  # of each effect: rows (n,) that have what it needs
+    flags: dict[str, Mask]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Whole:
+    """What a row's result takes from the whole recording (n rows)."""
+
+    sizes: tuple[Array, ...]  # (3,) of each effect: its mean square, for rows that go without it
+    restless: tuple[Array, ...]  # (3,) of each effect: the mean square of its change from row to row
+    saturated: Mask  # (n,)
+    outlier: Mask  # (n,)
+
+
+def _pieces(calibration: Calibration, readings: Readings, most: int) -> list[slice]:
+    """Slices of about `most` rows; where effects remember, cut where they forget alone."""
+    n, effects = len(readings), [e for e in map(load_shipped, calibration.effects) if remembers(e)]
+    cuts = np.arange(most, n, most)
+    if effects:
+        segment = readings.segment if all(map(forgets, effects)) else None
+        changed = cuts[:0] if segment is None else np.flatnonzero(segment[1:] != segment[:-1]) + 1
+        last = np.searchsorted(changed, cuts, side="right") - 1
+        cuts = np.unique(changed[last[last >= 0]])
+    return [slice(a, b) for a, b in pairwise([0, *cuts.tolist(), n])]
+
+
+def _corrected(calibration: Calibration, readings: Readings) -> _Corrected:
     field_nT = calibration.affine.apply(readings.reading)
-    variance = _base_variance(calibration, readings.reading)
     flags = {word: np.zeros(len(readings), dtype=bool) for word in FLAGS}
+    found = [_effect(calibration, record, readings, field_nT, flags) for record in calibration.effects]
     corrected = field_nT.copy()
-    for record in calibration.effects:
-        value, uncertain = _effect(calibration, record, readings, field_nT, flags)
-        for name in record.channels:
-            uncertain[filled[name]] += _restless(value)
+    for value, _, _ in found:
         corrected -= value
+    values, variances, usable = zip(*found, strict=True) if found else ((), (), ())
+    return _Corrected(corrected, values, variances, usable, flags)
+
+
+def _survey(calibration: Calibration, readings: Readings, pieces: list[slice], alone: _Corrected | None) -> _Whole:
+    """Sums over all rows in their order, so that they are the same however the rows are cut."""
+    seen = [Seen() for _ in calibration.effects]
+    bend, last = np.zeros(len(readings)), np.empty((0, 3))
+    for rows in pieces:
+        part = alone or _corrected(calibration, readings.rows(rows.start, rows.stop))
+        for one, value, usable in zip(seen, part.values, part.usable, strict=True):
+            one.take(value, usable)
+        joined = np.concatenate([last, part.field_nT])
+        start = rows.start - len(last) + 1
+        if len(joined) > 2:
+            bend[start : start + len(joined) - 2] = bends(joined)
+        last = joined[-2:]
+    records = zip(calibration.effects, map(load_shipped, calibration.effects), seen, strict=True)
+    return _Whole(
+        tuple(_size(calibration, record, effect, one) for record, effect, one in records),
+        tuple(one.restless for one in seen),
+        saturated(calibration, readings.reading),
+        second_difference_outliers(bend, readings.segment, reading_noise(calibration)),
+    )
+
+
+def _applied(
+    calibration: Calibration, readings: Readings, part: _Corrected, whole: _Whole, filled: dict[str, Mask], rows: slice
+) -> Applied:
+    variance, flags = _base_variance(calibration, readings.reading), part.flags
+    of_effects = zip(calibration.effects, part.variances, part.usable, whole.sizes, whole.restless, strict=True)
+    for record, uncertain, usable, size, restless in of_effects:
+        uncertain[~usable] += size
+        for name in record.channels:
+            uncertain[filled[name][rows]] += restless
         variance += uncertain
-    _beyond_validity(calibration, readings, corrected, flags)
-    u = np.sqrt(variance.mean(axis=1)) * _growth(calibration, readings, corrected, flags)
-    words = [" ".join(word for word in FLAGS if flags[word][row]) for row in range(len(readings))]
-    return Applied(corrected, u, tuple(words))
+    flags["saturated"] |= whole.saturated[rows]
+    flags["outlier"] |= whole.outlier[rows] & ~flags["saturated"]
+    _beyond_validity(calibration, readings, part.field_nT, flags)
+    u = np.sqrt(variance.mean(axis=1)) * _growth(calibration, readings, part.field_nT, flags)
+    return Applied(part.field_nT, u, tuple(_words(flags)))
+
+
+def _words(flags: dict[str, Mask]) -> list[str]:
+    """The flags of each row in words; most rows have none."""
+    words = [""] * len(flags["field"])
+    for row in np.flatnonzero(np.any(list(flags.values()), axis=0)).tolist():
+        words[row] = " ".join(word for word in FLAGS if flags[word][row])
+    return words
 
 
 def reading_noise(calibration: Calibration) -> float:
@@ -144,15 +221,10 @@ def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
     return replace(readings, channels=channels), filled
 
 
-def _restless(value: Array) -> Array:
-    """Mean square (3,) of the change of an effect (n, 3) from row to row: what a row between two others may miss."""
-    return np.asarray(np.mean(np.diff(value, axis=0) ** 2, axis=0)) if len(value) > 1 else np.zeros(3)
-
-
 def _effect(
     calibration: Calibration, record: EffectRecord, readings: Readings, field_nT: Array, flags: dict[str, Mask]
-) -> tuple[Array, Array]:
-    """One effect and its variance (n, 3) each; where it cannot be known it is nought, and its size is uncertainty."""
+) -> tuple[Array, Array, Mask]:
+    """One effect, its variance (n, 3) each, and the rows (n,) where it is known; elsewhere both are nought."""
     effect = load_shipped(record)
     usable = np.isfinite(field_nT).all(axis=1) & _usable(calibration, record, effect, readings, flags)
     value, variance = np.zeros_like(field_nT), np.zeros_like(field_nT)
@@ -161,7 +233,6 @@ def _effect(
         value[usable] = columns @ effect.beta
         u = {p.name: p.u for p in record.parameters}
         variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in effect.term.parameters])
-    variance[~usable] = _size(calibration, record, effect, value[usable])
     if effect.family.id == "lag" and readings.t_s is not None:
         beyond = _out_of_reach(readings, float(effect.beta[0]))
         flags["rate"] |= beyond
@@ -173,7 +244,7 @@ def _effect(
     delay = next((s.value for s in effect.term.shape if s.name == "delay_s"), 0.0)
     if delay and usable.any():
         variance[_out_of_reach(readings, -delay)] += value[usable].var(axis=0)
-    return value, variance
+    return value, variance, usable
 
 
 def _usable(
@@ -217,7 +288,7 @@ def _known_modes(calibration: Calibration, record: EffectRecord) -> list[str]:
     return [*own, *(base or [""])]
 
 
-def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Array) -> Array:
+def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
     """Mean square (3,) of an effect that a row goes without: over the run's span, its modes, or the rows that have it.
 
     Never less than what the run's held-out residual lost by it: the recording may not show it at all.
@@ -230,7 +301,7 @@ def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: 
         return np.asarray(np.mean(effect.beta.reshape(-1, 3) ** 2, axis=0))
     before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0
     lost = max(before**2 - after**2, 0.0) / (3 if calibration.frame_known else 1)
-    return np.asarray(np.maximum(np.mean(seen**2, axis=0) if len(seen) else 0.0, np.full(3, lost)))
+    return np.asarray(np.maximum(seen.mean_square, np.full(3, lost)))
 
 
 def _beside_the_step(record: EffectRecord, t_s: Array) -> Mask:
@@ -264,8 +335,6 @@ def _beyond_validity(calibration: Calibration, readings: Readings, field_nT: Arr
         flags["temperature"] |= (readings.channels[name] < cold) | (readings.channels[name] > hot)
     if readings.mode is not None and validity.modes:
         flags["mode"] |= (readings.mode != "") & ~np.isin(readings.mode, validity.modes)
-    flags["saturated"] |= saturated(calibration, readings.reading)
-    flags["outlier"] |= second_difference_outliers(field_nT, readings.segment, noise) & ~flags["saturated"]
 
 
 def _growth(calibration: Calibration, readings: Readings, field_nT: Array, flags: dict[str, Mask]) -> Array:

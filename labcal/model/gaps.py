@@ -9,6 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.record import period_s
+
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 JUMP = 0.2  # of the span: a larger move between two rows is a switch
@@ -20,28 +22,37 @@ def bridged(t_s: Array, values: Array) -> tuple[Array, Mask]:
     known = np.isfinite(values)
     if known.all():
         return values, known
-    t, x = t_s[known], values[known]
-    before = np.cumsum(known) - 1
-    after = np.minimum(before + np.where(known, 0, 1), len(x) - 1)
-    inside = (before >= 0) & (t[after] >= t_s)
+    t, x, gap = t_s[known], values[known], np.flatnonzero(~known)
+    lasting = _lasting_s(t, x)
+    before = np.cumsum(known, dtype=np.int32)[gap] - 1
+    after = np.minimum(before + 1, len(x) - 1)
+    inside = (before >= 0) & (t[after] >= t_s[gap])
     before = np.maximum(before, 0)
     length = t[after] - t[before]
-    lasting = _lasting_s(t, x)
+    filled, sure = values.copy(), known.copy()
     if lasting is not None:
-        same = np.abs(x[after] - x[before]) <= JUMP * np.ptp(x)
-        return np.where(known, values, x[before]), known | (inside & same & (length <= lasting))
-    return np.interp(t_s, t, x), known | (inside & (length <= _memory_s(t, x)))
+        filled[gap] = x[before]
+        sure[gap] = inside & (np.abs(x[after] - x[before]) <= JUMP * np.ptp(x)) & (length <= lasting)
+    else:
+        filled[gap] = np.interp(t_s[gap], t, x)
+        sure[gap] = inside & (length <= _memory_s(t, x))
+    return filled, sure
 
 
 def _lasting_s(t: Array, x: Array) -> float | None:
     """How long a level of a switched channel usually lasts; None where it moves between its switches too."""
-    switches = np.flatnonzero(np.abs(np.diff(x)) > JUMP * np.ptp(x)) + 1
+    moved = np.diff(x)
+    switches = np.flatnonzero(np.abs(moved, out=moved) > JUMP * np.ptp(x)) + 1
+    del moved
     if not len(switches):
         return None
-    level = np.searchsorted(switches, np.arange(len(x)), side="right")
-    count = np.bincount(level)
-    means = np.bincount(level, x) / count
-    if np.mean((x - means[level]) ** 2) > WITHIN * np.var(x):
+    count = np.diff([0, *switches.tolist(), len(x)])
+    means = np.bincount(np.repeat(np.arange(len(count)), count), x) / count
+    apart = np.repeat(means, count)
+    np.subtract(x, apart, out=apart)
+    within = np.mean(np.square(apart, out=apart))
+    np.subtract(x, x.mean(), out=apart)
+    if within > WITHIN * np.mean(np.square(apart, out=apart)):
         return None
     return float(np.median(np.diff(t[np.concatenate([[0], switches, [len(t) - 1]])])))
 
@@ -51,4 +62,4 @@ def _memory_s(t: Array, x: Array) -> float:
     rows = np.unique(np.geomspace(1, max(len(x) // 2, 1), 30).astype(int))
     moved = np.array([np.mean((x[m:] - x[:-m]) ** 2) if m < len(x) else 0.0 for m in rows])
     far = rows[moved > np.var(x)]
-    return float(np.median(np.diff(t))) * float(far[0] if len(far) else len(x))
+    return period_s(t) * float(far[0] if len(far) else len(x))

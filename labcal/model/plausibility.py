@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -51,35 +53,39 @@ def saturated(calibration: Calibration, reading: Array) -> Mask:
 def _plateau(reading: Array, axis: int) -> Mask:
     """Runs of at least PLATEAU rows at the column's largest or smallest value while another axis moves."""
     column, out = reading[:, axis], np.zeros(len(reading), dtype=bool)
-    others = np.delete(reading, axis, axis=1)
     if not np.isfinite(column).any():
         return out
-    moves = MOVES * np.nanmax(np.abs(reading))
+    moves = MOVES * max(np.nanmax(reading), -np.nanmin(reading))
     for extreme in (np.nanmax(column), np.nanmin(column)):
         at = np.r_[False, column == extreme, False]
         for start, stop in zip(np.flatnonzero(~at[:-1] & at[1:]), np.flatnonzero(at[:-1] & ~at[1:]), strict=True):
-            if stop - start >= PLATEAU and np.nanmax(np.ptp(others[start:stop], axis=0)) > moves:
+            others = np.delete(reading[start:stop], axis, axis=1)
+            if stop - start >= PLATEAU and np.nanmax(np.ptp(others, axis=0)) > moves:
                 out[start:stop] = True
     return out
 
 
-def second_difference_outliers(field_nT: Array, segment: NDArray[np.str_] | None, noise_nT: float) -> Mask:
-    """Rows (n,) far from the line through their two neighbours, and further than those from theirs.
+def bends(field_nT: Array) -> Array:
+    """How far [nT] each row but the first and the last of a field (n, 3) is from the line through its neighbours."""
+    between = (field_nT[:-2] + field_nT[2:]) / 2
+    return np.asarray(np.nan_to_num(np.linalg.norm(field_nT[1:-1] - between, axis=1)))
+
+
+def second_difference_outliers(bend: Array, segment: NDArray[Any] | None, noise_nT: float) -> Mask:
+    """Rows (n,) far from the line through their two neighbours, and further than those from theirs: by their `bends`.
 
     Second differences of the field itself: a recording has no reference, so no residual, and its field moves. Where a
     residual is known, the loop compares with the median of the neighbours instead (`labcal.loop.data.outliers`).
 
     The spread is the recording's own (median), never below the noise. A step of the field makes two rows alike and
-    is no outlier; the ends of a segment have one neighbour and are never flagged.
+    is no outlier; the ends of a segment have one neighbour and are never flagged. `bend` is 0 at the recording's ends.
     """
-    n = len(field_nT)
-    bend = np.zeros(n)
-    if n < 5:
-        return np.zeros(n, dtype=bool)
-    bend[1:-1] = np.nan_to_num(np.linalg.norm(field_nT[1:-1] - (field_nT[:-2] + field_nT[2:]) / 2, axis=1))
+    if len(bend) < 5:
+        return np.zeros(len(bend), dtype=bool)
     if segment is not None:
         change = segment[1:] != segment[:-1]
         bend[1:][change] = bend[:-1][change] = 0.0
     limit = OUT_OF_LINE * max(float(np.median(bend[bend > 0])) if (bend > 0).any() else 0.0, noise_nT, 1e-9)
-    beside = np.maximum(np.r_[0.0, bend[:-1]], np.r_[bend[1:], 0.0])
-    return np.asarray((bend > limit) & (bend > 1.5 * beside))
+    out, rows = np.zeros(len(bend), dtype=bool), np.flatnonzero(bend > limit)  # never the first row nor the last
+    out[rows] = bend[rows] > 1.5 * np.maximum(bend[rows - 1], bend[rows + 1])
+    return out

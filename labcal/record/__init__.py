@@ -3,6 +3,7 @@
 from labcal.record.header import ChannelSpec, RunHeader
 from labcal.record.observation import Observation, carry, offers
 from labcal.record.run import Channel, Dut, Reference, Run, Segment
+from labcal.record.sampling import period_s
 
 __all__ = [
     "Channel",
@@ -15,4 +16,5 @@ __all__ = [
     "Segment",
     "carry",
     "offers",
+    "period_s",
 ]

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.record.header import RunHeader
 from labcal.record.run import Channel, Reference, Run, Segment
+from labcal.record.sampling import period_s
 from labcal.record.stream import (
     CLOSURE,
     NOT_USED,
@@ -33,7 +34,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
     """The run that `items` recorded: the DUT's samples inside segments, everything else brought to their stamps.
 
     Reference, angle and channels are interpolated linearly between the two neighbours where both lie within two
-    of their stream's own (median) periods, else NaN; they are never held. The angle is unwrapped before. Modes
+    of their stream's own periods (`period_s`), else NaN; they are never held. The angle is unwrapped before. Modes
     are the last known. Samples between segments belong to none and are left out; so do those of segments that an
     Event says are not used.
     """
@@ -159,7 +160,7 @@ def _apart(t: Array) -> Array:
 
 def _at(when: Array, t: Array, values: Array) -> Array:
     """`values` (n, k) at stamps `t` (n,) brought to `when` (m,): shape (m, k), NaN where a neighbour is too far."""
-    period = float(np.median(np.diff(t))) if len(t) > 1 else 0.0
+    period = period_s(t) if len(t) > 1 else 0.0
     if not len(t) or not np.isfinite(values).all():
         return np.stack([_column_at(when, t, column, period) for column in values.T], axis=1)
     beyond = _beyond(when, t, period)

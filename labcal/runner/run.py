@@ -6,7 +6,7 @@ import secrets
 import time
 import tomllib
 import traceback
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -23,7 +23,7 @@ from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.header import ChannelSpec
-from labcal.record.stream import Block, Event, Item, Measurement, Step
+from labcal.record.stream import Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
 from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
@@ -129,14 +129,14 @@ def resume_run(
     """
     header = store.header(run_id)
     _refuse_another(bench, procedure, header, dut_serial)
-    items = list(store.items(run_id))
+    done, at_s = so_far(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
     writer = store.resume(run_id)
-    offset = _last_time(items) + GAP_S - bench.clock.now()
+    offset = at_s - bench.clock.now()
     software = {"software": f"labcal {labcal.__version__}"}
-    writer.write(Event(_last_time(items) + GAP_S, RESUMED, "goes on after an interruption", software))
-    _tell_lifted(bench, writer, _last_time(items) + GAP_S)
-    return _drive(bench, procedure, values | {"resume": so_far(items)}, writer, answer, control, tell, show, offset)
+    writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
+    _tell_lifted(bench, writer, at_s)
+    return _drive(bench, procedure, values | {"resume": done}, writer, answer, control, tell, show, offset)
 
 
 def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
@@ -218,7 +218,7 @@ def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | No
     return ending.status, ending.fault
 
 
-def so_far(items: Sequence[Item]) -> Resume:
+def so_far(items: Iterable[Item]) -> Resume:
     """What an interrupted run had finished, and the first value of every measurement.
 
     A step is finished where another followed it before the run broke off, or broke off again.
@@ -233,11 +233,6 @@ def so_far(items: Sequence[Item]) -> Resume:
         elif isinstance(item, Measurement):
             measured.setdefault(item.name, item.value)
     return Resume(frozenset(done), measured)
-
-
-def _last_time(items: Sequence[Item]) -> float:
-    ends = [float(item.t_s[-1]) if isinstance(item, Block) else item.t_s for item in items]
-    return max(ends, default=0.0)
 
 
 def _refuse_another(bench: Bench, procedure: Found, header: RunHeader, dut_serial: str | None) -> None:

@@ -9,15 +9,16 @@ import zlib
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path, PurePosixPath
+from typing import IO
 
 from labcal.errors import InputError
 from labcal.files import replacing, write_bytes
 from labcal.record import Run
+from labcal.store.limits import FREELY, INFLATED, LARGEST, MOST_FILES, RUN_JSON, SAMPLES_CSV, MiB
 from labcal.store.run_json import read_run_json, write_run_json
 from labcal.store.samples_csv import read_samples, write_samples
+from labcal.store.zip_directory import refuse_a_long_directory
 
-RUN_JSON, SAMPLES_CSV = "run.json", "samples.csv"
-LARGEST = {RUN_JSON: 16 << 20, SAMPLES_CSV: 1 << 30}  # bytes
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 
 
@@ -28,6 +29,7 @@ class Bundle:
     run_json: bytes
     samples_csv: bytes
     source: Path = Path()
+    of_store: bool = False
 
     @property
     def sha256(self) -> str:
@@ -37,7 +39,7 @@ class Bundle:
 
     def run(self) -> Run:
         """The run that the files hold. Raises InputError with file, line and column at the first fault."""
-        header = read_run_json(self.run_json, file=self.source / RUN_JSON)
+        header = read_run_json(self.run_json, file=self.source / RUN_JSON, of_store=self.of_store)
         return read_samples(self.samples_csv, header, file=self.source / SAMPLES_CSV)
 
 
@@ -49,7 +51,7 @@ def bundle_of(run: Run) -> Bundle:
 def load_bundle(path: Path) -> Bundle:
     """The bytes of a bundle, folder or zip, unread. Raises InputError where it is no bundle."""
     if path.is_dir():
-        return Bundle(_from_folder(path / RUN_JSON), _from_folder(path / SAMPLES_CSV), path)
+        return Bundle(_from_folder(path, RUN_JSON), _from_folder(path, SAMPLES_CSV), path)
     if not path.exists():
         raise InputError("there is no such file or folder", file=path)
     if not path.is_file():
@@ -90,12 +92,24 @@ def bundle_sha256(run: Run | Bundle) -> str:
     return (run if isinstance(run, Bundle) else bundle_of(run)).sha256
 
 
-def _from_folder(path: Path) -> bytes:
+def _from_folder(folder: Path, name: str) -> bytes:
+    path = folder / name
+    if not path.exists() and not path.is_symlink():
+        raise InputError(f"the bundle has no {name}", file=folder)
+    if folder.resolve() not in path.resolve().parents:
+        raise InputError("is a link that leads out of the bundle: put the file itself there", file=path)
     if not path.is_file():
-        raise InputError(f"the bundle has no {path.name}", file=path.parent)
-    if path.stat().st_size > LARGEST[path.name]:
-        raise InputError(f"larger than {LARGEST[path.name] >> 20} MiB: split the run", file=path)
-    return path.read_bytes()
+        raise InputError("is no plain file: a folder, a device, a pipe or a broken link", file=path)
+    with path.open("rb") as source:
+        return _limited(source, LARGEST[name], path)
+
+
+def _limited(source: IO[bytes], most: int, path: Path) -> bytes:
+    """All that `source` gives. Raises InputError where that is more than `most` bytes."""
+    content = source.read(most + 1)
+    if len(content) > most:
+        raise InputError(f"is larger than {most // MiB} MiB: split the run", file=path)
+    return content
 
 
 def _zipped(bundle: Bundle) -> bytes:
@@ -110,6 +124,7 @@ def _zipped(bundle: Bundle) -> bytes:
 
 def _from_zip(path: Path) -> Bundle:
     try:
+        refuse_a_long_directory(path)
         with zipfile.ZipFile(path) as archive:
             members = _members(archive, path)
             return Bundle(
@@ -125,12 +140,14 @@ def _members(archive: zipfile.ZipFile, path: Path) -> dict[str, zipfile.ZipInfo]
     """The two files, at the top or together in one folder. Refuses paths that climb out, links and doubles."""
     found: dict[str, zipfile.ZipInfo] = {}
     folders: set[PurePosixPath] = set()
+    if len(archive.infolist()) > MOST_FILES:
+        raise InputError(f"the zip has {len(archive.infolist())} files; a bundle has two", file=path)
     for member in archive.infolist():
         name = PurePosixPath(member.filename.replace("\\", "/"))
         if name.is_absolute() or ".." in name.parts or ":" in member.filename:
-            raise InputError(f"the zip has a path that climbs out of it: {member.filename!r}", file=path)
+            raise InputError(f"the zip has a path that climbs out of it: {member.filename[:80]!r}", file=path)
         if stat.S_ISLNK(member.external_attr >> 16):
-            raise InputError(f"the zip has a link in it: {member.filename!r}", file=path)
+            raise InputError(f"the zip has a link in it: {member.filename[:80]!r}", file=path)
         if name.name in LARGEST and len(name.parts) <= 2:
             if name.name in found:
                 raise InputError(f"the zip has two files called {name.name}", file=path)
@@ -149,8 +166,13 @@ def _content(archive: zipfile.ZipFile, member: zipfile.ZipInfo, path: Path) -> b
     name = PurePosixPath(member.filename).name
     if member.flag_bits & 1:
         raise InputError(f"{name} is encrypted", file=path)
+    if member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise InputError(f"{name} is compressed in an unusual way: zip it with deflate", file=path)
+    if member.file_size > LARGEST[name]:
+        raise InputError(f"{name} is larger than {LARGEST[name] // MiB} MiB: split the run", file=path)
+    believed = max(FREELY, INFLATED * min(member.compress_size, path.stat().st_size))
+    if member.file_size > believed:
+        what = f"{name} would grow from {member.compress_size} to {member.file_size} bytes, as no recording does"
+        raise InputError(what, file=path)
     with archive.open(member) as stream:
-        content = stream.read(LARGEST[name] + 1)
-    if len(content) > LARGEST[name]:
-        raise InputError(f"{name} is larger than {LARGEST[name] >> 20} MiB: split the run", file=path)
-    return content
+        return _limited(stream, min(LARGEST[name], believed), path / name)

@@ -14,7 +14,8 @@ import numpy as np
 from labcal.errors import InputError
 from labcal.record import Run
 from labcal.spreadsheet import first_formula
-from labcal.store.bundle import SAMPLES_CSV, Bundle
+from labcal.store.bundle import Bundle
+from labcal.store.limits import SAMPLES_CSV
 from labcal.store.run_json import write_run_json
 
 MAT_TITLE = b"MATLAB 5.0 MAT-file, a labcal run".ljust(116)  # scipy writes the date there

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
+from struct import unpack
 from types import TracebackType
 from typing import Any, Self
 
@@ -14,7 +15,8 @@ from labcal.errors import InputError
 from labcal.home import home
 from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
-from labcal.record.stream import Block, Event, Item
+from labcal.record.run_id import as_file_name, checked_run_id
+from labcal.record.stream import Event, Item
 from labcal.store.bundle import Bundle, bundle_of, load_bundle
 from labcal.store.database import (
     CHECKED_BEFORE_A_RUN_BYTES,
@@ -25,17 +27,20 @@ from labcal.store.database import (
     transaction,
 )
 from labcal.store.items import Row, from_row, header_from_json, to_json, to_row
+from labcal.store.limits import shortened
 from labcal.store.liveness import Alive, is_alive
 from labcal.store.place import require_same
+from labcal.store.schema import CORRECTED, IS_CORRECTION
 from labcal.store.summary import describe
 from labcal.store.writer import INSERT_ITEM, INSERT_STATUS, RunWriter, utc_now
 
 FILE = "store.sqlite"
-CORRECTED = "serial-corrected"  # an Event of this kind: from here on the run is of another DUT's serial
 LAST_CORRECTION = (
-    "(SELECT content FROM item WHERE item.run = run.number AND item.kind = 'event'"
-    f" AND item.content LIKE '%\"{CORRECTED}\"%' ORDER BY item.number DESC LIMIT 1)"
+    f"(SELECT content FROM item WHERE item.run = run.number AND {IS_CORRECTION} ORDER BY item.number DESC LIMIT 1)"
 )
+HEAD = "CASE WHEN json_valid(header) THEN json_extract(header, {}) END".format(
+    ", ".join(f"'$.{key}'" for key in ("started_utc", "dut.serial", "simulated", "operator", "procedure"))
+)  # of a header, what a list shows: a bench file and more stand in it too
 LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
 
 
@@ -82,6 +87,7 @@ class Store:
         if not header.dut.serial:
             raise InputError("a run needs the serial number of its DUT")
         require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
+        _refuse_name(header.run_id)
         self._require_free(header.run_id)
         alive = Alive(self._lock_file(header.run_id))
         try:
@@ -126,7 +132,7 @@ class Store:
 
     def runs(self) -> list[RunSummary]:
         """All runs, the oldest first."""
-        rows = self._all(f"SELECT run_id, header, {LAST_STATUS}, {LAST_CORRECTION} FROM run ORDER BY number")
+        rows = self._all(f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION} FROM run ORDER BY number")
         return [self._summary(*row) for row in rows]
 
     def status(self, run_id: str) -> str:
@@ -164,23 +170,26 @@ class Store:
         """SHA-256 of the approved cage calibration that drove the run; None where none did, or it was imported."""
         return None if self._imported(run_id) is not None else self.header(run_id).cage_sha256
 
-    def items(self, run_id: str, *, skip: int = 0) -> Iterator[Item]:
-        """The timeline of a recorded run, after its first `skip` items: committed ones, in the order of writing."""
-        number, what = self._number(run_id), ", ".join(Row._fields)
+    def items(self, run_id: str, *, skip: int = 0, but: str = "", raw: bool = True) -> Iterator[Item]:
+        """The timeline of a recorded run, after its first `skip` items: committed ones, in the order of writing.
+
+        `but` leaves one kind out ("block"); without `raw` the frames as they came over the wire stay in the file.
+        """
+        number, what = self._number(run_id), ", ".join(Row._fields if raw else Row._fields[:-1])
         with named_faults(self.path):
-            query = f"SELECT {what} FROM item WHERE run = ? ORDER BY number LIMIT -1 OFFSET ?"
-            for row in self._connection.execute(query, (number, skip)):
+            query = f"SELECT {what} FROM item WHERE run = ? AND kind <> ? ORDER BY number LIMIT -1 OFFSET ?"
+            for row in self._connection.execute(query, (number, but, skip)):
                 yield from_row(Row(*row))
 
     def end_s(self, run_id: str) -> float:
         """The last stamp of a recorded run: where the clock of one that is resumed must go on, not begin again."""
-        ends = (item.t_s[-1] if isinstance(item, Block) else item.t_s for item in self.items(run_id))
-        return float(max(ends, default=0.0))
+        rows = self._all("SELECT t_s, substr(stamps, -8) FROM item WHERE run = ?", self._number(run_id))
+        return max((unpack("<d", last)[0] if last else t_s for t_s, last in rows), default=0.0)
 
     def run(self, run_id: str) -> Run:
         """The run's rows, as far as they are committed. Raises InputError where there is no such run."""
         imported = self._imported(run_id)
-        return assemble(self.header(run_id), self.items(run_id)) if imported is None else imported.run()
+        return assemble(self.header(run_id), self.items(run_id, raw=False)) if imported is None else imported.run()
 
     def bundle(self, run_id: str) -> Bundle:
         """The run's exported bundle; of an imported run the bytes that came in."""
@@ -191,7 +200,7 @@ class Store:
         status = self.status(run_id)
         if (imported := self._imported(run_id)) is not None:
             return describe(imported.run(), status)
-        header, items = self.header(run_id), list(self.items(run_id))
+        header, items = self.header(run_id), list(self.items(run_id, raw=False))
         return describe(assemble(header, items), status, header, items)
 
     @contextmanager
@@ -219,26 +228,25 @@ class Store:
     def _number(self, run_id: str) -> int:
         found = self._all("SELECT number FROM run WHERE run_id = ?", run_id)
         if not found:
-            raise InputError(f"the store has no run called {run_id}; `labcal runs` lists those it has", file=self.path)
+            name = as_file_name(shortened(run_id))
+            raise InputError(f"the store has no run called {name}; `labcal runs` lists those it has", file=self.path)
         return int(found[0][0])
 
     def _imported(self, run_id: str) -> Bundle | None:
         found = self._all("SELECT run_json, samples_csv FROM bundle WHERE run = ?", self._number(run_id))
-        return Bundle(found[0][0], found[0][1], Path(run_id)) if found else None
+        return Bundle(found[0][0], found[0][1], Path(run_id), of_store=True) if found else None
 
-    def _summary(self, run_id: str, header: str, status: str, correction: str | None) -> RunSummary:
-        try:
-            said = json.loads(header)
-            started_utc, serial, simulated = said["started_utc"], said["dut"]["serial"], said["simulated"]
-        except (ValueError, KeyError, TypeError):
-            raise InputError(f"the store is damaged: the header of run {run_id!r}", file=self.path) from None
+    def _summary(self, run_id: str, head: str | None, status: str, correction: str | None) -> RunSummary:
+        started_utc, serial, simulated, operator, procedure = json.loads(head) if head else [None] * 5
+        if started_utc is None or serial is None or simulated is None:
+            raise InputError(f"the store is damaged: the header of run {run_id!r}", file=self.path)
         return RunSummary(
             run_id=run_id,
             started_utc=started_utc,
             status=self._true_status(run_id, status),
             dut_serial=_corrected(correction) or serial,
-            operator=said.get("operator", ""),
-            procedure=said.get("procedure", ""),
+            operator=operator or "",
+            procedure=procedure or "",
             simulated=simulated,
         )
 
@@ -248,12 +256,18 @@ class Store:
         return "interrupted"
 
     def _lock_file(self, run_id: str) -> Path:
-        safe = "".join(letter if letter.isalnum() or letter in "-_." else f"%{ord(letter):x}" for letter in run_id)
-        return self.path.with_name(f"{self.path.name}-writers") / f"{safe}.lock"
+        return self.path.with_name(f"{self.path.name}-writers") / f"{as_file_name(run_id)}.lock"
 
     def _all(self, query: str, *values: object) -> list[tuple[Any, ...]]:
         with named_faults(self.path):
             return self._connection.execute(query, values).fetchall()
+
+
+def _refuse_name(run_id: str) -> None:
+    try:
+        checked_run_id(run_id)
+    except ValueError as error:
+        raise InputError(str(error)) from None
 
 
 def _corrected(event: str | None) -> str:

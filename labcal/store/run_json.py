@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from datetime import datetime
 from difflib import get_close_matches
+from functools import lru_cache
 from typing import Annotated, Any, Literal, NoReturn, Self
 
 import numpy as np
@@ -15,7 +17,18 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 from labcal.errors import InputError
 from labcal.plain import made_plain, plain
 from labcal.record import Dut, Reference, Run, Segment
+from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
+from labcal.record.run_id import checked_run_id
+from labcal.store.limits import (
+    LONGEST_NUMBER,
+    MOST_COLUMNS,
+    MOST_KEYS,
+    MOST_PARTS,
+    MOST_SEGMENTS,
+    MOST_VALUES,
+    shortened,
+)
 from labcal.store.table import decode
 
 FORMAT = "labcal-run/1"
@@ -33,6 +46,8 @@ UNITS: Mapping[str, tuple[str, ...]] = {
     "humidity": ("%", "%RH", "1"),
     "count": ("count", "1", ""),
 }
+LONGEST_KEY = 40
+LONG_NUMBER = re.compile(rf"[0-9]{{{LONGEST_NUMBER + 1}}}")
 ROUNDING = 1e-4  # how far a written axis or matrix may be from length one: four decimals are rounded, not wrong
 
 
@@ -76,20 +91,22 @@ def _one_line(text: str) -> str:
     return plain(text)
 
 
-def _no_path(name: str) -> str:
-    if "/" in name or "\\" in name or name[0] == " ":
-        raise ValueError(f"a run id has no slash in it and begins with no blank, found {name!r}")
-    return name
-
-
 Text = Annotated[str, Field(max_length=10_000), AfterValidator(plain)]
 Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_one_line)]
-RunId = Annotated[Name, AfterValidator(_no_path)]
 Mode = Annotated[str, Field(max_length=100), AfterValidator(_one_line)]
 Utc = Annotated[str, AfterValidator(_iso_8601)]
 Axis = Annotated[Vector, AfterValidator(_unit_axis)]
 Rotation = Annotated[Matrix, AfterValidator(_rotation)]
 Spread = Annotated[float, Field(ge=0)]
+Nanotesla = Annotated[float, Field(ge=0, le=LARGEST_FIELD_nT)]
+
+
+@lru_cache(maxsize=4 * MOST_KEYS)
+def _misspelt(key: str, absent: tuple[str, ...]) -> str | None:
+    """The absent key that `key` most likely means. Every segment has the same ones."""
+    if len(key) > LONGEST_KEY:
+        return None
+    return next(iter(get_close_matches(key, absent, n=1, cutoff=0.8)), None)
 
 
 class _Part(BaseModel):
@@ -101,8 +118,8 @@ class _Part(BaseModel):
     def _spelling(self) -> Self:
         absent = sorted(type(self).model_fields.keys() - self.model_fields_set)
         for key in self.model_extra or ():
-            if meant := get_close_matches(key, absent, n=1, cutoff=0.8):
-                raise ValueError(f"unknown key {key!r}; is {meant[0]!r} meant?")
+            if meant := _misspelt(key, tuple(absent)):
+                raise ValueError(f"unknown key {key!r}; is {meant!r} meant?")
         return self
 
     def known(self) -> dict[str, Any]:
@@ -116,8 +133,8 @@ class DutPart(_Part):
     serial: Text
     model: Text = ""
     unit: Literal["nT", "count"]
-    nominal_nT_per_unit: float = Field(gt=0)
-    noise_nT: Spread | None = None
+    nominal_nT_per_unit: float = Field(gt=0, le=LARGEST_FIELD_nT)
+    noise_nT: Nanotesla | None = None
 
 
 class ReferencePart(_Part):
@@ -125,11 +142,11 @@ class ReferencePart(_Part):
 
     kind: Literal["vector", "scalar", "none"]
     serial: Text = ""
-    noise_nT: Spread | None = None
+    noise_nT: Nanotesla | None = None
     place: Literal["dut", "remote", "computed"] | None = None
     position_m: Vector | None = None
     u_scale_ppm: Spread | None = None
-    u_offset_nT: Spread | None = None
+    u_offset_nT: Nanotesla | None = None
     u_align_deg: Spread | None = None
     u_time_s: Spread | None = None
     calibration: Text | None = None
@@ -182,7 +199,7 @@ class RunJson(_Part):
     """The whole of run.json."""
 
     format: Literal["labcal-run/1"]
-    run_id: RunId
+    run_id: Name
     started_utc: Utc
     simulated: bool
     operator: Text = ""
@@ -194,9 +211,11 @@ class RunJson(_Part):
     @model_validator(mode="after")
     def _names(self) -> Self:
         ids = [segment.id for segment in self.segments]
-        for place, name in enumerate(ids):
-            if name in ids[:place]:
+        before = set[str]()
+        for name in ids:
+            if name in before:
                 raise ValueError(f"two segments have the id {name!r}")
+            before.add(name)
         for name in self.channels:
             if name in FIXED_COLUMNS:
                 raise ValueError(f"a channel cannot be called {name!r}: samples.csv has a column of that name")
@@ -207,14 +226,22 @@ class RunJson(_Part):
         return tuple(Segment(**segment.known()) for segment in self.segments)
 
 
-def read_run_json(data: bytes, *, file: object) -> RunJson:
-    """Read and check run.json. Raises InputError with the line, the key and what was expected."""
+def read_run_json(data: bytes, *, file: object, of_store: bool = False) -> RunJson:
+    """Read and check run.json. Raises InputError with the line, the key and what was expected.
+
+    What the store holds already (`of_store`) may be called as no run is any more.
+    """
     text = decode(data, file=str(file))
-    _check_json(text, str(file))
+    _refuse_too_many(_check_json(text, str(file)), str(file))
     try:
-        return RunJson.model_validate_json(text)
+        found = RunJson.model_validate_json(text)
     except ValidationError as error:
         _refuse(error, text, str(file))
+    try:
+        of_store or checked_run_id(found.run_id)
+    except ValueError as error:
+        raise InputError(str(error), file=file, line=_line_of(text, ("run_id",)), column="run_id") from None
+    return found
 
 
 def write_run_json(run: Run) -> bytes:
@@ -241,10 +268,14 @@ def _stated(part: Dut | Reference | Segment) -> dict[str, Any]:
     return {key: value for key, value in asdict(part).items() if value is not None or key in always}
 
 
-def _check_json(text: str, file: str) -> None:
-    """Refuse what is not JSON, and what Python or pydantic would let pass: doubled keys, NaN, endless nesting."""
+def _check_json(text: str, file: str) -> Any:
+    """What the JSON says. Refuses what Python or pydantic would let pass: doubled keys, NaN, endless nesting."""
+    if text.count("{") + text.count("[") > MOST_PARTS or text.count(",") > MOST_VALUES:
+        raise InputError(f"not a run: its JSON has more than {MOST_PARTS} objects or {MOST_VALUES} values", file=file)
+    if LONG_NUMBER.search(text):
+        raise InputError(f"not a run: a number of more than {LONGEST_NUMBER} digits", file=file)
     try:
-        json.loads(text, object_pairs_hook=_unique, parse_constant=_not_a_number)
+        return json.loads(text, object_pairs_hook=_unique, parse_constant=_not_a_number)
     except json.JSONDecodeError as error:
         raise InputError(f"not JSON: {error.msg}", file=file, line=error.lineno, column=error.colno) from None
     except RecursionError:
@@ -253,11 +284,23 @@ def _check_json(text: str, file: str) -> None:
         raise InputError(str(error), file=file) from None
 
 
+def _refuse_too_many(said: Any, file: str) -> None:
+    """Raise InputError for more segments, channels or keys than any run has, before each is looked at."""
+    parts = said if isinstance(said, dict) else {}
+    segments, channels = parts.get("segments"), parts.get("channels")
+    for name, part, most in (("segments", segments, MOST_SEGMENTS), ("channels", channels, MOST_COLUMNS)):
+        if isinstance(part, list | dict) and len(part) > most:
+            raise InputError(f"{len(part)} {name} are more than {most}: split the run", file=file, column=name)
+    of_segments = (one for one in segments if isinstance(one, dict)) if isinstance(segments, list) else ()
+    if len(set(parts).union(*of_segments)) > MOST_KEYS:
+        raise InputError(f"not a run: more than {MOST_KEYS} different keys", file=file)
+
+
 def _unique(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for key, value in pairs:
         if key in found:
-            raise ValueError(f"the key {key!r} is there twice in one object")
+            raise ValueError(f"the key {shortened(key)!r} is there twice in one object")
         found[key] = value
     return found
 
@@ -274,7 +317,8 @@ def _refuse(error: ValidationError, text: str, file: str) -> NoReturn:
         what = "the key is missing"
     elif first["type"] != "value_error":
         what += f", found {str(first['input'])[:40]!r}"
-    raise InputError(what, file=file, line=_line_of(text, path), column=".".join(map(str, path)) or None) from None
+    column = shortened(".".join(map(str, path)), 240) or None
+    raise InputError(what, file=file, line=_line_of(text, path), column=column) from None
 
 
 def _line_of(text: str, path: Sequence[str | int]) -> int:

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.plain import plain
 from labcal.record import Channel, Dut, Reference, Run
+from labcal.record.physical import LARGEST_FIELD_nT
+from labcal.store.limits import listed, shortened
 from labcal.store.run_json import FIXED_COLUMNS, RunJson
 from labcal.store.table import Table, read_table, require_increasing
 
@@ -20,6 +22,7 @@ Array = NDArray[np.float64]
 
 DUT = ("dut_x", "dut_y", "dut_z")
 REFERENCE = {"vector": ("ref_x", "ref_y", "ref_z"), "scalar": ("ref_f",), "none": ()}
+FIELDS = ("ref_x", "ref_y", "ref_z", "ref_f")
 LONGEST_MODE = 100
 
 
@@ -67,12 +70,22 @@ def _table(data: bytes, header: RunJson, file: str) -> Table:
     table = read_table(data, file=file, numbers=known - texts, texts=texts, required=required, must_end=True)
     for name in table.header:
         if name not in known:
-            what = f"run.json declares no channel of this name; it has {', '.join(header.channels) or 'none'}"
-            raise InputError(what, file=file, line=1, column=name)
+            what = f"run.json declares no channel of this name; it has {listed(header.channels) or 'none'}"
+            raise InputError(what, file=file, line=1, column=shortened(name))
     if not len(table):
         raise InputError("expected rows of samples after the header, found none", file=file, line=2)
     require_increasing(table)
+    for name in (name for name in FIELDS if name in table.numbers):
+        _refuse_beyond(table, name, LARGEST_FIELD_nT)
     return table
+
+
+def _refuse_beyond(table: Table, name: str, most_nT: float) -> None:
+    """Raise InputError for a field that no lab can have made; what a DUT says for one is its own affair."""
+    values = table.numbers[name]
+    if (beyond := np.flatnonzero(np.abs(values) > most_nT)).size:
+        row = int(beyond[0])
+        raise table.fault(f"expected at most {most_nT:g} nT either way, found {values[row]:g}", row, name)
 
 
 def _segment_index(table: Table, ids: Sequence[str]) -> NDArray[np.intp]:
@@ -80,7 +93,7 @@ def _segment_index(table: Table, ids: Sequence[str]) -> NDArray[np.intp]:
     cells = table.texts["segment"]
     if not place.keys() >= set(cells):
         row = next(i for i, cell in enumerate(cells) if cell not in place)
-        raise table.fault(f"unknown segment {cells[row][:40]!r}; run.json has {', '.join(ids)}", row, "segment")
+        raise table.fault(f"unknown segment {cells[row][:40]!r}; run.json has {listed(ids)}", row, "segment")
     return np.array([place[cell] for cell in cells], dtype=np.intp)
 
 

@@ -44,9 +44,12 @@ CREATE TABLE bundle (  -- imported runs, byte for byte
     samples_csv BLOB NOT NULL
 );
 """
-INDEXES = """
+CORRECTED = "serial-corrected"  # an Event of this kind: from here on the run is of another DUT's serial
+IS_CORRECTION = f"kind = 'event' AND content LIKE '%\"{CORRECTED}\"%'"
+INDEXES = f"""
 CREATE INDEX status_of_run ON status (run);
 CREATE INDEX item_of_run ON item (run, number);
+CREATE INDEX correction_of_run ON item (run, number) WHERE {IS_CORRECTION};
 """
 NEVER_EDITED = "BEGIN SELECT RAISE(ABORT, 'what was recorded is never edited'); END;\n"
 TAKEN = {  # by table: when a new row would take another's place

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from labcal.record import Run, RunHeader, Segment, offers
+from labcal.record import Run, RunHeader, Segment, offers, period_s
 from labcal.record.stream import Item, Measurement
 
 
@@ -60,7 +60,8 @@ def _segment(run: Run, index: int, segment: Segment) -> dict[str, Any]:
 
 
 def _rate_Hz(t: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:
-    return float(1 / np.median(np.diff(t))) if len(t) > 1 else None
+    period = period_s(t)
+    return 1 / period if np.isfinite(period) else None
 
 
 def _range(values: np.ndarray[Any, np.dtype[np.float64]]) -> list[float] | None:

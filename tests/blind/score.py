@@ -34,7 +34,9 @@ def put_through(folder: Path) -> Row:
     seconds = time.process_time() - start
     with tempfile.TemporaryDirectory() as scratch:
         made = draft_calibration(run, closed.fit(), bundle.sha256)
-        field = apply_file(made, folder / "fresh.csv", Path(scratch) / "out.csv").field_nT
+        apply_file(made, folder / "fresh.csv", Path(scratch) / "out.csv")
+        field = np.genfromtxt(Path(scratch) / "out.csv", delimiter=",", names=True, usecols=("b_x", "b_y", "b_z"))
+        field = np.column_stack([field[name] for name in ("b_x", "b_y", "b_z")])
     truth = np.loadtxt(folder / "truth_fresh.csv", delimiter=",")
     wrong = np.linalg.norm(field - truth, axis=1)
     if closed.residual_kind == "scalar":

@@ -2,7 +2,8 @@
 
 import io
 import os
-from contextlib import suppress
+import time
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,7 @@ import pytest
 from labcal import session
 from labcal.errors import Stopped
 from labcal.gui.bench_verbs import run
-from labcal.gui.talk import Talk
+from labcal.gui.talk import STILL_S, Talk
 from labcal.record.stream import Event
 from labcal.store.live import Store
 
@@ -65,3 +66,41 @@ def test_a_run_whose_window_has_died_is_interrupted_with_the_coils_at_zero(tmp_p
     with Store.open() as store:
         *_, last = (item for item in store.items(ended["run_id"]) if isinstance(item, Event))
     assert (last.kind, last.text) == ("read-back", "coils at zero")
+
+
+@pytest.mark.parametrize(("simulated", "beats", "left"), [(False, 1, True), (False, 0, False), (True, 1, False)])
+def test_a_window_that_stands_still_while_real_coils_are_driven_has_gone(simulated, beats, left):
+    hears, says = os.pipe()
+    with os.fdopen(hears) as heard:
+        talk = Talk(heard, io.StringIO())
+        asks = talk.asks()
+        os.write(says, b'{"do": "beat"}\n' * beats + b'{"do": "run"}\n')
+        assert next(asks) == {"do": "run"}
+        talk.on_bench(simulated)
+        deadline = time.monotonic() + (30.0 if left else 3 * STILL_S)
+        with pytest.raises(Stopped) if left else nullcontext():
+            while time.monotonic() < deadline:
+                talk.control.check()
+                time.sleep(0.01)
+        os.close(says)
+        assert list(asks) == []
+
+
+def test_a_window_that_moves_is_there():
+    hears, says = os.pipe()
+    with os.fdopen(hears) as heard:
+        talk = Talk(heard, io.StringIO())
+        asks = talk.asks()
+        os.write(says, b'{"do": "beat"}\n{"do": "run"}\n')
+        assert next(asks) == {"do": "run"}
+        talk.on_bench(simulated=False)
+        deadline, slowest, before = time.monotonic() + 3 * STILL_S, 0.0, time.monotonic()
+        while time.monotonic() < deadline:
+            os.write(says, b'{"do": "beat"}\n')
+            time.sleep(0.2)
+            slowest, before = max(slowest, time.monotonic() - before), time.monotonic()
+            if slowest > STILL_S / 2:
+                pytest.skip("this computer is too busy: the test itself stood still")
+            talk.control.check()
+        os.close(says)
+        assert list(asks) == []

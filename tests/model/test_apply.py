@@ -7,8 +7,9 @@ import pytest
 
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
-from labcal.model.apply import Applied, Readings, apply, needed_columns
+from labcal.model.apply import apply, needed_columns
 from labcal.model.plausibility import saturation_limits
+from labcal.model.readings import Applied, Readings
 from labcal.record import Dut
 
 K = np.array([[1.1, 0.1, 0.0], [0.0, 0.9, -0.1], [0.05, 0.0, 1.0]])

@@ -10,11 +10,12 @@ import ppigrf
 import pytest
 
 from labcal.bench.rotation import missing_sectors, stops
+from labcal.bench.running import Running
 from labcal.bench.samples import Samples, merged
 from labcal.errors import InputError
 from labcal.geometry import rotate, rotation
 from labcal.record.stream import Block
-from procedures.ambient import alias, noise, trend
+from procedures.ambient import alias
 from procedures.axes_check import describe, turned_by
 from procedures.cage_calibration import Rung, Sweep, hysteresis, ladder, polarities
 from procedures.cage_map import departures
@@ -51,10 +52,12 @@ def test_trend_and_noise_are_apart() -> None:
     rng = np.random.default_rng(1)
     t = np.arange(2000) / 10
     values = 0.5 * t + rng.normal(0, 3, 2000)
-    slope, u = trend(t, values)
+    seen = Running("reference")
+    seen.take(Block("reference", "r", ("ref_f",), t, values[:, None]))
+    (slope,), (u,) = seen.trend()
     assert abs(slope - 0.5) < 4 * u
     assert u == pytest.approx(3 / np.sqrt(np.sum((t - t.mean()) ** 2)), rel=0.05)
-    assert noise(values) == pytest.approx(3, rel=0.1)
+    assert seen.noise == pytest.approx(3, rel=0.1)
 
 
 def test_the_square_wave_is_a_maximum_length_sequence() -> None:

@@ -140,8 +140,8 @@ def test_a_wrong_table_is_refused_in_words(bundle, rows: str | bytes, says: str)
     [
         ("format", "labcal-run/2", "labcal-run/1"),
         ("run_id", ..., "missing"),
-        ("run_id", "../up", "no slash"),
-        ("run_id", " a", "begins with no blank"),
+        ("run_id", "../up", "a run id is of letters"),
+        ("run_id", " a", "begins with a letter or digit"),
         ("operator", "\x1b[2Jdemo", r"control character U\+001B"),
         ("dut.serial", "SN\u202e1", r"control character U\+202E"),
         ("segments.0.id", "a\tb", "one line"),

@@ -9,7 +9,7 @@ import numpy as np
 
 from labcal.model.effects.protocol import Array, Kernel, Scene, Shape, Term
 from labcal.model.effects.regressors import delayed, low_passed, middle, on_each_axis, per_axis
-from labcal.record import Run
+from labcal.record import Run, period_s
 from labcal.record.run import Channel
 
 LONGEST_S = 5.0  # delay either way that is searched: a channel's clock may be ahead as well
@@ -42,7 +42,7 @@ def _delays(t_s: Array) -> tuple[float, ...]:
     """Delays [s] either way, a row apart where that is not too fine."""
     if len(t_s) < 2 * ROWS:
         return ()
-    step = float(np.median(np.diff(t_s)))
+    step = period_s(t_s)
     reach = max(LONGEST_S, ROWS * step)
     count = min(round(reach / step), POINTS)
     return tuple(reach / count * k for k in (*range(-count, 0), *range(1, count + 1)))

@@ -6,7 +6,7 @@ import numpy as np
 
 from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import AXES, on_each_axis
-from labcal.record import Run
+from labcal.record import Run, period_s
 
 
 def kernel(term: Term, scene: Scene) -> Array:
@@ -19,7 +19,7 @@ def candidates(run: Run) -> list[Term]:
     """One frequency between a few cycles a segment and the Nyquist frequency; the loop finds where to look."""
     if len(run) < 20:
         return []
-    nyquist = 0.5 / float(np.median(np.diff(run.t_s)))
+    nyquist = 0.5 / period_s(run.t_s)
     parameters = tuple((f"{w}_{a}", "nT") for w in ("cos", "sin") for a in AXES)
     return [Term(kernel, parameters, shape=(Shape("f_Hz", nyquist / 2, "Hz"),))] if np.isfinite(nyquist) else []
 

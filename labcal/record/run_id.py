@@ -1,0 +1,25 @@
+"""What a run may be called: a word that a shell, a file system and a person all read alike."""
+
+from __future__ import annotations
+
+import re
+
+LONGEST = 128
+RUN_ID = re.compile(rf"[A-Za-z0-9][A-Za-z0-9._+-]{{0,{LONGEST - 1}}}")
+
+
+def checked_run_id(text: str) -> str:
+    """`text` itself. Raises ValueError where no run may be called so; stores of before may still hold such runs."""
+    if not RUN_ID.fullmatch(text):
+        shown = ascii(text if len(text) <= LONGEST else f"{text[:40]}...")
+        raise ValueError(
+            f"a run id is of letters a to z, digits and - _ . + alone, begins with a letter or digit and has at most "
+            f"{LONGEST} of them, found {shown}"
+        )
+    return text
+
+
+def as_file_name(run_id: str) -> str:
+    """The name of a run in a folder's files, whatever it is called: what no id may hold becomes its number."""
+    safe = (letter if RUN_ID.fullmatch(f"0{letter}") else f"%{ord(letter):x}" for letter in run_id)
+    return "".join(safe).replace("..", "%2e%2e")
