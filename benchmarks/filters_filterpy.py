@@ -16,11 +16,11 @@ from collections.abc import Callable
 import numpy as np
 from filterpy.kalman import ExtendedKalmanFilter, MerweScaledSigmaPoints, UnscentedKalmanFilter
 
-from labcal.fit import scalar_check, twostep
-from labcal.fit.centered_sequential import CenteredSequential
-from labcal.fit.ekf import EKF
-from labcal.fit.live import LiveFilter
-from labcal.fit.ukf import UKF, AugmentedUKF
+from labcal.fit.filters.centered_sequential import CenteredSequential
+from labcal.fit.filters.ekf import EKF
+from labcal.fit.filters.live import LiveFilter
+from labcal.fit.filters.ukf import UKF, AugmentedUKF
+from labcal.fit.scalar import scalar_check, twostep
 
 SIGMA, START, UPDATES = 1e-3, 400, 2000
 Reading = tuple[np.ndarray, float]

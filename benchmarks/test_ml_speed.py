@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from labcal.fit.ml import ml
+from labcal.fit.vector.ml import ml
 from labcal.record import Dut, Reference, Run, Segment
 
 K = np.array([[1.06, 0.04, -0.03], [-0.02, 0.94, 0.05], [0.03, -0.06, 1.02]])

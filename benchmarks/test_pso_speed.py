@@ -14,10 +14,10 @@ import pytest
 from riwanto import MODELS, simulate
 from swarm_by_loop import rotation_axis_fitness
 
-from labcal.fit.pso_loci import Loci, loci_of
-from labcal.fit.pso_objectives import RotationAxisObjective
-from labcal.fit.pso_search import PUBLISHED, objective_of
-from labcal.fit.swarm import SwarmSettings, minimise
+from labcal.fit.swarm.loci import Loci, loci_of
+from labcal.fit.swarm.objectives import RotationAxisObjective
+from labcal.fit.swarm.particle_swarm import SwarmSettings, minimise
+from labcal.fit.swarm.search import PUBLISHED, objective_of
 
 HIGH = np.r_[np.ones(9), np.full(3, 5000.0)]
 ROUNDS = 5

@@ -22,7 +22,7 @@ import numpy as np
 from magyc import create_synthetic_dataset
 from magyc.benchmark_methods.twostep import twostep_hsi
 
-from labcal.fit import scalar_check, twostep
+from labcal.fit.scalar import scalar_check, twostep
 
 ROUNDS, SAMPLES, NT, REPEATS = 9, 1000, 1e-5, 9  # one nanotesla in gauss
 THEIR_NOISE_G = 0.003

@@ -49,7 +49,7 @@ from labcal.toml_file import named_files
 
 if TYPE_CHECKING:
     from labcal.bench.look_again import Looked
-    from labcal.fit.history import History
+    from labcal.fit.filters.history import History
 
 THIS_LAB = "this lab's trust list"
 
@@ -271,7 +271,7 @@ def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = Non
 
 def filter_history(run: str, method: str) -> History:
     """How the estimate of a live filter grew with the readings of `run`."""
-    from labcal.fit import history
+    from labcal.fit.filters import history
 
     return history.filter_history(load_run(run), method)
 

@@ -31,7 +31,7 @@ from labcal.bench.steps import (
 )
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
-from labcal.fit.dipole import PAIRS, DipoleFit, Look, fit_dipole
+from labcal.fit.dipole import PAIRS, DipoleFit, Dwell, fit_dipole
 from labcal.geometry import rotation, unit
 from labcal.record.stream import Event, Prompt
 
@@ -67,7 +67,7 @@ def dut_moment(
     stands = [Stand(k, d * up, m) for k, d in enumerate(distances_m) for m in (AWAY, *mountings)]
     rests, turns = len(AT_REST) * (rest_s + 2), len(TURNING) * (360 / rate_deg_per_s + 4) + 12
     plan = Plan(tuple((stand.name, rests + (stand.mounting != AWAY) * turns) for stand in stands))
-    looks: list[Look] = []
+    looks: list[Dwell] = []
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         for stand in stands:
@@ -130,21 +130,21 @@ def _prepared(bench: Bench, stand: Stand, mode: str, ask: float | None) -> Work[
         yield from ready(bench, f"The field goes to ±{ask / 1000:g} µT, later with the DUT turning in it. Hands off?")
 
 
-def _at_rest(bench: Bench, stand: Stand, field_nT: Array, rest_s: float, session: int) -> Work[list[Look]]:
+def _at_rest(bench: Bench, stand: Stand, field_nT: Array, rest_s: float, session: int) -> Work[list[Dwell]]:
     """The field to and fro while nothing moves: with the DUT and without, the difference is its own."""
-    looks: list[Look] = []
+    looks: list[Dwell] = []
     still = None if stand.mounting == AWAY else attitude(bench, stand.mounting).T
     for sign in AT_REST:
         yield from energise(bench, sign * field_nT)
         seen = samples((yield from record(bench, rest_s)), "reference")
         turned = None if still is None else np.tile(still, (len(seen), 1, 1))
-        looks.append(Look(session, stand.place, seen.t_s, seen.values, sign * field_nT, turned))
+        looks.append(Dwell(session, stand.place, seen.t_s, seen.values, sign * field_nT, turned))
     return looks
 
 
 def _turned(
     bench: Bench, stand: Stand, field_nT: Array, number: int, rate_deg_per_s: float, mode: str, session: int
-) -> Work[list[Look]]:
+) -> Work[list[Dwell]]:
     """A turn: with a steady field of its own beside it, only what turns is taken from it.
 
     It is a segment of the record where the reference stands as bench.toml says, and nowhere else.
@@ -159,7 +159,7 @@ def _turned(
     seen = seen.between(angle.t_s[0], angle.t_s[-1])
     turned = rotation(bench.config.platform.axis_cage, np.radians(angle.at(seen.t_s)[:, 0]))
     cage_from_body = turned @ attitude(bench, stand.mounting).T
-    return [Look(session, stand.place, seen.t_s, seen.values, field_nT, cage_from_body)]
+    return [Dwell(session, stand.place, seen.t_s, seen.values, field_nT, cage_from_body)]
 
 
 def _told(bench: Bench, found: DipoleFit, field_nT: float, limit_Am2: float) -> Work[None]:

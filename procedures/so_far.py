@@ -7,7 +7,7 @@ import numpy as np
 from labcal.bench.bench import Bench
 from labcal.bench.steps import Blocks, Work, dut_nT
 from labcal.bench.streams.samples import samples
-from labcal.fit.ekf import EKF
+from labcal.fit.filters.ekf import EKF
 from labcal.record.stream import Event
 
 NOISE_NT = 100.0  # of one axis, where none is stated; the filter's start finds its own

@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 
 from labcal import session
-from labcal.loop.close import prepared, searched
-from labcal.loop.evidence import Evidence, from_the_base, repeated, weighed
-from labcal.loop.holdout import held_out, plan
+from labcal.loop.close import candidates_of, prepare
+from labcal.loop.selection.crossval import block_folds, cross_validate
+from labcal.loop.selection.proof import Evidence, against_own_base, nested_selection, select_and_prove
 
 BLOCK_S = 20.0
 
@@ -22,8 +22,8 @@ BLOCK_S = 20.0
 def main(folder: str, picture: Path | None, seeds: range) -> None:
     """The draws, their mean, and the picture."""
     run = session.load_run(folder)
-    problem, level, _ = prepared(run)
-    found = weighed(searched(run, problem), level)
+    problem, level, _ = prepare(run)
+    found = select_and_prove(candidates_of(run, problem), level)
     print("accepted:", ", ".join(c.family.id for c in found.accepted) or "nothing")
     draws = []
     for seed in seeds:
@@ -36,8 +36,10 @@ def main(folder: str, picture: Path | None, seeds: range) -> None:
 
 def _drawn(found: Evidence, seed: int) -> tuple[float, float]:
     search = found.search.among(found.search.candidates)
-    blocks = plan(search.problem, found.blocks.guard_s, BLOCK_S, seed)
-    honest = from_the_base(found.bare, search, blocks, held_out(search, blocks, repeated(found.level, blocks)))
+    blocks = block_folds(search.problem, found.blocks.guard_s, BLOCK_S, seed)
+    honest = against_own_base(
+        found.bare, search, blocks, cross_validate(search, blocks, nested_selection(found.level, blocks))
+    )
     return honest.before, honest.after
 
 

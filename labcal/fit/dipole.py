@@ -18,8 +18,8 @@ STEP_M = 1e-4  # of the derivatives by place
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Look:
-    """What was seen at `place` for a while in one field; looks of one `session` share the steady field's course."""
+class Dwell:
+    """What was seen at `place` for a while in one field; dwells of one `session` share the steady field's course."""
 
     session: int
     place: int
@@ -64,23 +64,23 @@ def dipole_field(place_m: ArrayLike) -> Array:
     return np.asarray(1e9 * MU0_OVER_4PI * (3 * np.outer(along, along) - np.eye(3)) / r**3)
 
 
-def fit_dipole(looks: Sequence[Look], places_m: ArrayLike, u_place_m: float = 0.0) -> DipoleFit:
-    """Least squares of p and X over `looks`, with the steady field of each session and place beside them.
+def fit_dipole(dwells: Sequence[Dwell], places_m: ArrayLike, u_place_m: float = 0.0) -> DipoleFit:
+    """Least squares of p and X over `dwells`, with the steady field of each session and place beside them.
 
     seen = D(place) A (p + X Aᵀ b) + c(session, t) + K(place) b with A = `cage_from_body`, D = `dipole_field`, c a
     quadratic in time, K what the coils make at the place (without the body away, X's isotropic part would hide in it).
     Covariance: Newey and West, Econometrica 55 (1987), eq. 5, over `CORRELATED_S`; beside it, `u_place_m` of each
-    coordinate of `places_m` (k, 3), by derivatives. Raises ValueError where the looks do not determine all nine.
+    coordinate of `places_m` (k, 3), by derivatives. Raises ValueError where the dwells do not determine all nine.
     """
-    steady = _span(_steady(looks))
-    seen = _beside(steady, np.vstack([look.seen_nT for look in looks])[:, :, None])[:, :, 0]
+    steady = _span(_steady(dwells))
+    seen = _beside(steady, np.vstack([dwell.seen_nT for dwell in dwells])[:, :, None])[:, :, 0]
     places = np.asarray(places_m, dtype=float)
-    columns = _seen_apart(steady, _columns(looks, places))
+    columns = _seen_apart(steady, _columns(dwells, places))
     found = _solved(columns, seen)
     scores = np.einsum("nik,ni->nk", columns, seen - columns @ found)
     bread = np.linalg.inv(np.einsum("nik,nil->kl", columns, columns))
-    covariance = bread @ newey_west(scores, _lags(looks)) @ bread
-    moved = np.array([_solved(_beside(steady, _columns(looks, p)), seen) - found for p in _shifted(places)]) / STEP_M
+    covariance = bread @ newey_west(scores, _lags(dwells)) @ bread
+    moved = np.array([_solved(_beside(steady, _columns(dwells, p)), seen) - found for p in _shifted(places)]) / STEP_M
     induced = np.zeros((3, 3))
     for (i, j), value in zip(PAIRS, found[3:], strict=True):
         induced[i, j] = induced[j, i] = value
@@ -103,12 +103,12 @@ def newey_west(scores: Array, lags: int) -> Array:
     return np.asarray(alone + (root * np.maximum(more, 0.0)) @ root.T)
 
 
-def _steady(looks: Sequence[Look]) -> Array:
+def _steady(dwells: Sequence[Dwell]) -> Array:
     """Columns (n, q): for each session 1, t, t²; for each place the independent parts of its fields."""
-    lengths = [len(look.t_s) for look in looks]
-    t = np.concatenate([look.t_s for look in looks])
-    session, place = (np.repeat(of, lengths) for of in ([k.session for k in looks], [k.place for k in looks]))
-    field = np.repeat([look.field_nT for look in looks], lengths, axis=0)
+    lengths = [len(dwell.t_s) for dwell in dwells]
+    t = np.concatenate([dwell.t_s for dwell in dwells])
+    session, place = (np.repeat(of, lengths) for of in ([k.session for k in dwells], [k.place for k in dwells]))
+    field = np.repeat([dwell.field_nT for dwell in dwells], lengths, axis=0)
     columns = list[Array]()
     for one in np.unique(session):
         inside = session == one
@@ -138,16 +138,16 @@ def _seen_apart(steady: Array, columns: Array) -> Array:
     return left
 
 
-def _columns(looks: Sequence[Look], places_m: Array) -> Array:
+def _columns(dwells: Sequence[Dwell], places_m: Array) -> Array:
     """(n, 3, 9): the field [nT] of 1 A m² along each body axis, and of 1 A m²/T of each element of X."""
-    return np.concatenate([_of_look(look, dipole_field(places_m[look.place])) for look in looks])
+    return np.concatenate([_of_dwell(dwell, dipole_field(places_m[dwell.place])) for dwell in dwells])
 
 
-def _of_look(look: Look, dipole: Array) -> Array:
-    if look.cage_from_body is None:
-        return np.zeros((len(look.t_s), 3, 9))
-    body = 1e-9 * np.einsum("nij,i->nj", look.cage_from_body, look.field_nT)  # T
-    turned = np.einsum("ij,njk->nik", dipole, look.cage_from_body)
+def _of_dwell(dwell: Dwell, dipole: Array) -> Array:
+    if dwell.cage_from_body is None:
+        return np.zeros((len(dwell.t_s), 3, 9))
+    body = 1e-9 * np.einsum("nij,i->nj", dwell.cage_from_body, dwell.field_nT)  # T
+    turned = np.einsum("ij,njk->nik", dipole, dwell.cage_from_body)
     induced = [
         turned[:, :, i] * body[:, j, None] + (turned[:, :, j] * body[:, i, None] if i != j else 0.0) for i, j in PAIRS
     ]
@@ -165,6 +165,6 @@ def _shifted(places: Array) -> list[Array]:
     return [places + STEP_M * one.reshape(places.shape) for one in np.eye(places.size)]
 
 
-def _lags(looks: Sequence[Look]) -> int:
-    period = period_s(looks[0].t_s)
+def _lags(dwells: Sequence[Dwell]) -> int:
+    period = period_s(dwells[0].t_s)
     return int(CORRELATED_S / period) if np.isfinite(period) else 0

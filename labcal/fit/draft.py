@@ -10,7 +10,7 @@ import labcal
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
-from labcal.model.wary import rails
+from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
 
 TEMPERATURE = ("offset-temperature", "gain-temperature")
@@ -32,7 +32,7 @@ def draft_calibration(
     """
     if not found.ok or found.affine is None:
         raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
-    own, rail = _metrics(run, found), rails(run.reading, run.dut.unit)
+    own, rail = _metrics(run, found), saturation_limits(run.reading, run.dut.unit)
     return Calibration(
         run_id=run.run_id,
         simulated=run.simulated,

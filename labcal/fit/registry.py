@@ -1,4 +1,4 @@
-"""The methods by name, and what every one of them is told about itself: time, residuals, held-out residuals."""
+"""The methods by name, and what is added to every estimate: time, residuals, held-out residuals."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from labcal.record import Run
 Estimator = Callable[..., Fit]
 
 METHODS: Mapping[str, str] = {
-    "ml": "labcal.fit.ml:ml",
-    "centered": "labcal.fit.centered:centered",
-    "centered-sequential": "labcal.fit.centered_sequential:centered_sequential",
-    "twostep": "labcal.fit.twostep:twostep",
-    "ekf": "labcal.fit.ekf:ekf",
-    "ukf": "labcal.fit.ukf:ukf",
-    "ukf-augmented": "labcal.fit.ukf:ukf_augmented",
-    "foster-elkaim": "labcal.fit.foster_elkaim:foster_elkaim",
-    "telemetry": "labcal.fit.telemetry:telemetry",
-    "pso-scalar": "labcal.fit.pso_scalar:pso_scalar",
-    "pso-axis": "labcal.fit.pso_axis:pso_axis",
+    "ml": "labcal.fit.vector.ml:ml",
+    "centered": "labcal.fit.scalar.centered:centered",
+    "centered-sequential": "labcal.fit.filters.centered_sequential:centered_sequential",
+    "twostep": "labcal.fit.scalar.twostep:twostep",
+    "ekf": "labcal.fit.filters.ekf:ekf",
+    "ukf": "labcal.fit.filters.ukf:ukf",
+    "ukf-augmented": "labcal.fit.filters.ukf:ukf_augmented",
+    "foster-elkaim": "labcal.fit.scalar.foster_elkaim:foster_elkaim",
+    "telemetry": "labcal.fit.scalar.telemetry:telemetry",
+    "pso-scalar": "labcal.fit.swarm.pso_scalar:pso_scalar",
+    "pso-axis": "labcal.fit.swarm.pso_axis:pso_axis",
 }
 
 

@@ -28,7 +28,7 @@ class Errors:
 
 @dataclass(frozen=True, slots=True)
 class NextExperiment:
-    """What would tell the rivals apart, or show what the structure is."""
+    """What would separate equivalent explanations, or show what the structure is."""
 
     why: str
     do: str
@@ -59,8 +59,8 @@ class ResidualTest:
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
-    """What structure looks like that nothing carries."""
+class ResidualShape:
+    """The shape of structure that no known effect explains."""
 
     kind: str  # line | step | telegraph | random-walk | wander | noise
     axis: str
@@ -72,8 +72,8 @@ class Shape:
 
 
 @dataclass(frozen=True, slots=True)
-class Twins:
-    """Two explanations of one run that no quality of fit tells apart, and what does."""
+class Confounded:
+    """Two explanations of one run that no fit can separate, and what does."""
 
     one: str
     other: str
@@ -133,10 +133,10 @@ class ClosedLoop:
     pictures: Pictures
     findings: tuple[Finding, ...] = ()
     tests: Mapping[str, tuple[ResidualTest, ...]] = field(default_factory=dict)  # before, after
-    shape: Shape | None = None  # of what is left, where structure is left
+    shape: ResidualShape | None = None  # of what is left, where structure is left
     unsupported: frozenset[int] = frozenset()  # places among `accepted` of the sensor's effects that are not shipped
     shipped: Errors | None = None  # of the map and effects that are shipped, where they are fewer
-    twins: tuple[Twins, ...] = ()  # of the accepted effects
+    twins: tuple[Confounded, ...] = ()  # of the accepted effects
     rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
 

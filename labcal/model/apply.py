@@ -14,9 +14,9 @@ from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped
 from labcal.model.gaps import bridged
 from labcal.model.pieces import TEMPERATURE, Recording, Taken, Walk, remembers
+from labcal.model.plausibility import bends, saturated, second_difference_outliers
 from labcal.model.readings import Applied, Readings
 from labcal.model.seen import Seen
-from labcal.model.wary import bends, outliers, saturated
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -128,7 +128,7 @@ def _survey(
         tuple(one.restless for one in seen),
         tuple(one.variance for one in seen),
         saturated(calibration, readings.reading),
-        outliers(bend, readings.segment, reading_noise(calibration)),
+        second_difference_outliers(bend, readings.segment, reading_noise(calibration)),
     )
 
 

@@ -1,7 +1,7 @@
 """Channels with gaps, by what they are: a switched load keeps its level, what moves smoothly is bridged.
 
-A gap is sure where its rows can be told: of a switched channel where the level is the same on both sides and the gap is
-no longer than a level usually lasts, of any other where the gap is shorter than the channel's own memory.
+A gap is sure where its values can be inferred: of a switched channel where the level is the same on both sides and
+the gap is no longer than a level usually lasts, of any other where the gap is shorter than the channel's own memory.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped
-from labcal.model.effects.following import behind, reach_s
+from labcal.model.effects.following import has_memory, reach_s
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings
 
@@ -72,7 +72,7 @@ class Recording:
 
 def remembers(effect: Fitted) -> bool:
     """Whether a row's effect depends on other rows."""
-    return (behind(effect.form) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
+    return (has_memory(effect.term) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
 
 
 class Walk:
@@ -81,7 +81,7 @@ class Walk:
     def __init__(self, calibration: Calibration, record: EffectRecord, recording: Recording) -> None:
         self._calibration, self._record, self._recording = calibration, record, recording
         self.effect = load_shipped(record)
-        self._reach_s = reach_s(self.effect.form) if remembers(self.effect) else 0.0
+        self._reach_s = reach_s(self.effect.term) if remembers(self.effect) else 0.0
         self._left: Mapping[str, State] = {}
 
     @property
@@ -105,7 +105,7 @@ class Walk:
             columns = self._columns(rows)
             value[usable] = columns @ self.effect.beta
             u = {p.name: p.u for p in self._record.parameters}
-            variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in self.effect.form.parameters])
+            variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in self.effect.term.parameters])
         if self.effect.family.id == "lag":
             flags["rate"] = self._recording.out_of_reach(rows, float(self.effect.beta[0]))
             variance[flags["rate"]] += value[flags["rate"]] ** 2
@@ -123,7 +123,7 @@ class Walk:
             first, last = rows.start - around.start, rows.stop - around.start
             before, own = int(usable[:first].sum()), int(usable[first:last].sum())
             past = Past(own, self._left)
-            columns = self.effect.form.columns(self._scene(around, usable, past))
+            columns = self.effect.term.columns(self._scene(around, usable, past))
             if not self._beyond(around.stop, past.until_s):
                 self._left = past.after
                 return columns[before : before + own]
@@ -191,5 +191,5 @@ class Walk:
 
     def _late(self, rows: slice) -> Mask | None:
         """Rows (n,) whose channel a delay earlier lies beyond their segment's ends; None for an effect without one."""
-        delay_s = next((s.value for s in self.effect.form.shape if s.name == "delay_s"), 0.0)
+        delay_s = next((s.value for s in self.effect.term.shape if s.name == "delay_s"), 0.0)
         return self._recording.out_of_reach(rows, -delay_s) if delay_s else None

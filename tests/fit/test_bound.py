@@ -8,9 +8,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labcal.fit.bound import cramer_rao
-from labcal.fit.ml import ml
-from labcal.fit.system import Noise
+from labcal.fit.vector.cramer_rao import cramer_rao
+from labcal.fit.vector.ml import ml
+from labcal.fit.vector.system import Noise
 
 SYMMETRIC = np.array([[1.05, 0.02, -0.01], [0.02, 0.95, 0.03], [-0.01, 0.03, 1.02]])
 INDEPENDENT = {9: [0, 1, 2, 4, 5, 8, 9, 10, 11], 12: list(range(12))}

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from labcal.fit.correlation import variance_inflation
+from labcal.fit.autocorrelation import variance_inflation
 
 
 def test_white_residuals_are_not_widened() -> None:

@@ -6,7 +6,8 @@ import made_up_runs as lab
 import numpy as np
 import pytest
 
-from labcal.fit import fit, scalar_check
+from labcal.fit import fit
+from labcal.fit.scalar import scalar_check
 
 BATCH = ("centered", "centered-sequential", "twostep", "foster-elkaim", "telemetry", "ekf")
 METHODS = (*BATCH, "ukf", "ukf-augmented")

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.fit.dipole import PAIRS, Look, dipole_field, fit_dipole, newey_west
+from labcal.fit.dipole import PAIRS, Dwell, dipole_field, fit_dipole, newey_west
 from labcal.geometry import rotation, shortest_rotation
 
 PERMANENT = np.array([0.02, -0.01, 0.03])
@@ -20,16 +20,16 @@ FIELD = 50_000.0 * np.array([1.0, 0.0, 1.0]) / np.sqrt(2)
 COILS = np.array([[0.0, 0.002, 0.0], [0.001, 0.0, 0.003], [0.004, 0.0, -0.01]])  # at the places, of the field
 
 
-def seen(seed: int, noise_nT: float, mountings: str = "zx") -> list[Look]:
+def seen(seed: int, noise_nT: float, mountings: str = "zx") -> list[Dwell]:
     rng = np.random.default_rng(seed)
     looks = noiseless(mountings)
     return [replace(k, seen_nT=k.seen_nT + noise_nT * rng.normal(size=k.seen_nT.shape)) for k in looks]
 
 
 @cache
-def noiseless(mountings: str) -> list[Look]:
+def noiseless(mountings: str) -> list[Dwell]:
     """At rest with the body and without, the field to and fro; and turning there and back, at two places."""
-    looks = list[Look]()
+    looks = list[Dwell]()
     for place in range(2):
         for mounting in ("", *mountings):
             still = shortest_rotation([0, 0, 1], np.eye(3)["xyz".index(mounting)]).T if mounting else None
@@ -40,16 +40,16 @@ def noiseless(mountings: str) -> list[Look]:
     return looks
 
 
-def look(session: int, place: int, b: np.ndarray, still: Any, begins_s: float, turn_deg: float = 0.0) -> Look:
+def look(session: int, place: int, b: np.ndarray, still: Any, begins_s: float, turn_deg: float = 0.0) -> Dwell:
     t = np.arange(0.0, 18.0 if turn_deg else 4.0, 0.2)
     field = np.tile(np.array([3.0, -2.0, 5.0]) + COILS @ b, (len(t), 1))
     if still is None:
-        return Look(session, place, begins_s + t, field, b, None)
+        return Dwell(session, place, begins_s + t, field, b, None)
     turned = rotation([0.0, 0.0, 1.0], np.radians(turn_deg * t / t[-1])) @ still
     moment = np.einsum("nij,nj->ni", turned, PERMANENT + 1e-9 * np.einsum("nji,j->ni", turned, b) @ INDUCED)
     magpylib: Any = import_module("magpylib")
     dipole = magpylib.getB([magpylib.misc.Dipole(moment=m) for m in moment], PLACES[place])
-    return Look(session, place, begins_s + t, field + 1e9 * dipole, b, turned)
+    return Dwell(session, place, begins_s + t, field + 1e9 * dipole, b, turned)
 
 
 def parameters(found: Any) -> np.ndarray:

@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from labcal.fit import fit, foster_elkaim, scalar_check, twostep
-from labcal.fit.scalar_check import Estimate
+from labcal.fit import fit
+from labcal.fit.scalar import foster_elkaim, scalar_check, twostep
+from labcal.fit.scalar.scalar_check import Estimate
 
 NOISE = 25.0**2 * np.eye(3)
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from labcal.fit.identify import field_covariance, identify
-from labcal.fit.ml import estimate, ml
-from labcal.fit.observations import observe
-from labcal.fit.solve import LEAST_SQUARES, form, solve
-from labcal.fit.system import Noise
+from labcal.fit.vector.identify import field_covariance, identify
+from labcal.fit.vector.ml import estimate, ml
+from labcal.fit.vector.observations import observe
+from labcal.fit.vector.solve import LEAST_SQUARES, parameterise, solve
+from labcal.fit.vector.system import Noise
 
 ACROSS, HALF = (25e3, 0.0, 0.0), (21650.6, 0.0, 12500.0)
 TWICE = tuple(2 * v for v in HALF)
@@ -29,10 +29,10 @@ IDS = [case[0] for case in SCALAR_RANKS]
 def test_rank_of_a_scalar_run_at_the_truth(bench, _: str, axes: str, fields: list, rank: int) -> None:
     symmetric = np.array([[1.05, 0.02, -0.01], [0.02, 0.95, 0.03], [-0.01, 0.03, 1.02]])
     run, true, _b = bench(offers="scalar", axes=axes, fields_nT=fields, noise_nT=0.0, K=symmetric)
-    seen, allowed = observe(run), form("symmetric", 1.0)
+    seen, parameterisation = observe(run), parameterise("symmetric", 1.0)
     theta = np.r_[true.K.ravel() * seen.scale, true.k_nT]
-    found = solve(seen, Noise(1.0), allowed, theta, np.zeros(0), LEAST_SQUARES, iterations=0)
-    assert identify(seen, Noise(1.0), allowed, found).rank == rank
+    found = solve(seen, Noise(1.0), parameterisation, theta, np.zeros(0), LEAST_SQUARES, iterations=0)
+    assert identify(seen, Noise(1.0), parameterisation, found).rank == rank
 
 
 @pytest.mark.parametrize("noise_nT", [0.0, 25.0, 200.0])
@@ -61,7 +61,7 @@ def test_vectors_about_one_axis_do_not_make_a_map(bench, axes: str) -> None:
 
 def test_vectors_about_one_axis_and_a_free_phase_leave_the_rotation_open(bench) -> None:
     run, _, _ = bench(axes="z", fields_nT=[HALF, TWICE])
-    found = estimate(run, allowed="affine")
+    found = estimate(run, parameterisation="affine")
     assert found.identified.rank < 12
 
 

@@ -8,7 +8,7 @@ import pytest
 from scipy.linalg import sqrtm
 
 from labcal.fit import fit
-from labcal.fit.ml import estimate, ml
+from labcal.fit.vector.ml import estimate, ml
 from labcal.record import Run
 from labcal.store.bundle import read_bundle
 

@@ -7,11 +7,11 @@ import pytest
 from riwanto import MODELS, TRUTH, simulate
 
 from labcal.fit import fit
-from labcal.fit.pso_axis import PUBLISHED, Options, pso_axis
-from labcal.fit.pso_loci import loci_of
-from labcal.fit.pso_polish import polish, singular_values, symmetric_basis
-from labcal.fit.pso_scalar import positive_definite, pso_scalar
-from labcal.fit.swarm import SwarmSettings
+from labcal.fit.swarm.loci import loci_of
+from labcal.fit.swarm.particle_swarm import SwarmSettings
+from labcal.fit.swarm.polish import polish, singular_values, symmetric_basis
+from labcal.fit.swarm.pso_axis import PUBLISHED, Options, pso_axis
+from labcal.fit.swarm.pso_scalar import positive_definite, pso_scalar
 from labcal.geometry import rotate, rotation, unit
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store.bundle import read_bundle

@@ -7,9 +7,9 @@ import pytest
 from riwanto import MODELS, TRUTH, simulate
 from swarm_by_loop import rotation_axis_fitness
 
-from labcal.fit.pso_loci import loci_of
-from labcal.fit.pso_objectives import Magnitudes, Planes, RotationAxisObjective
-from labcal.fit.pso_search import Options, axis_weight_nT, objective_of, repaired
+from labcal.fit.swarm.loci import loci_of
+from labcal.fit.swarm.objectives import Magnitudes, Planes, RotationAxisObjective
+from labcal.fit.swarm.search import Options, axis_weight_nT, objective_of, repaired
 
 
 def particles(seed, count=35):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from labcal.fit.swarm import SwarmSettings, coefficients, minimise, refine
+from labcal.fit.swarm.particle_swarm import SwarmSettings, coefficients, minimise, refine
 
 LOW, HIGH = -np.array([1.0, 1.0, 5000.0]), np.array([1.0, 1.0, 5000.0])
 MINIMUM = np.array([0.3, -0.7, 8000.0])  # its last component lies outside the starting range

@@ -5,8 +5,8 @@ from scipy.spatial.transform import Rotation
 
 from labcal.errors import InputError
 from labcal.fit import METHODS, fit
-from labcal.fit.pso_axis import Options
-from labcal.fit.swarm import SwarmSettings
+from labcal.fit.swarm.particle_swarm import SwarmSettings
+from labcal.fit.swarm.pso_axis import Options
 from labcal.record import Dut, Reference, Run, Segment
 
 

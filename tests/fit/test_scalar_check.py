@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from labcal.fit import centered, fit, scalar_check, twostep
-from labcal.fit.moments import centred
+from labcal.fit import fit
+from labcal.fit.scalar import centered, scalar_check, twostep
+from labcal.fit.scalar.moments import centred
 from labcal.geometry import unit
 
 B, D = np.array([0.1, -0.06, 0.12]), np.array([[0.05, 0.03, -0.04], [0.03, 0.1, 0.02], [-0.04, 0.02, -0.03]])

@@ -2,12 +2,13 @@ import made_up_runs as lab
 import numpy as np
 import pytest
 
-from labcal.fit import fit, scalar_check, twostep
-from labcal.fit.centered_sequential import State, advance
-from labcal.fit.ekf import EKF, slope
-from labcal.fit.moments import centred, moments
-from labcal.fit.scalar_step import shared_gradient, terms
-from labcal.fit.ukf import UKF, AugmentedUKF
+from labcal.fit import fit
+from labcal.fit.filters.centered_sequential import State, advance
+from labcal.fit.filters.ekf import EKF, slope
+from labcal.fit.filters.scalar_step import shared_gradient, terms
+from labcal.fit.filters.ukf import UKF, AugmentedUKF
+from labcal.fit.scalar import scalar_check, twostep
+from labcal.fit.scalar.moments import centred, moments
 
 TRUTH = np.concatenate([lab.BIAS, scalar_check.stacked(lab.D)])
 NOISE = 25.0**2 * np.eye(3)

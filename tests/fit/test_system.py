@@ -7,10 +7,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from labcal.fit.declared import widen
-from labcal.fit.ml import estimate, ml
-from labcal.fit.observations import observe
-from labcal.fit.solve import LEAST_SQUARES, ROBUST, Loss, form, solve
-from labcal.fit.system import Noise, evaluate, normal
+from labcal.fit.vector.ml import estimate, ml
+from labcal.fit.vector.observations import observe
+from labcal.fit.vector.solve import LEAST_SQUARES, ROBUST, Loss, parameterise, solve
+from labcal.fit.vector.system import Noise, evaluate, normal
 from labcal.model import AffineMap
 
 
@@ -67,11 +67,11 @@ def test_angle_noise_weighs_only_along_the_turn(bench) -> None:
 
 def test_restricted_maps_find_their_own_parameters(bench) -> None:
     gain, _, _ = bench(K=1.04 * np.eye(3))
-    found = estimate(gain, allowed="gain-offset").affine
+    found = estimate(gain, parameterisation="gain-offset").affine
     assert np.allclose(found.K, found.K[0, 0] * np.eye(3))
     assert found.K[0, 0] == pytest.approx(1.04, abs=2e-4)
     offset, true, _ = bench(K=np.eye(3), axes="z")
-    found = estimate(offset, allowed="offset").affine
+    found = estimate(offset, parameterisation="offset").affine
     assert np.array_equal(found.K, np.eye(3))
     assert np.allclose(found.k_nT, true.k_nT, atol=20.0)
 
@@ -80,15 +80,15 @@ def test_the_loss_is_the_integral_of_its_weight() -> None:
     d = np.linspace(1e-3, 30, 4001)
     kind = np.full(len(d), 3, dtype=np.int8)
     for loss in (ROBUST, Loss(0.5, 2.0), Loss(1.0, np.inf), LEAST_SQUARES):
-        weight, value = loss.weigh(d**2, kind)
+        weight, value = loss.weights_and_losses(d**2, kind)
         assert np.allclose(np.gradient(value, d)[1:-1], (weight * d)[1:-1], atol=0.05)
 
 
 def test_the_robust_weight_costs_almost_no_efficiency() -> None:
     d = np.abs(np.random.default_rng(0).normal(size=400_000))
-    weight, _ = ROBUST.weigh(d**2, np.ones(len(d), dtype=np.int8))
+    weight, _ = ROBUST.weights_and_losses(d**2, np.ones(len(d), dtype=np.int8))
     psi, step = weight * d, 1e-4
-    slope = (ROBUST.weigh((d + step) ** 2, np.ones(len(d), dtype=np.int8))[0] * (d + step) - psi) / step
+    slope = (ROBUST.weights_and_losses((d + step) ** 2, np.ones(len(d), dtype=np.int8))[0] * (d + step) - psi) / step
     assert np.mean(slope) ** 2 / np.mean(psi**2) == pytest.approx(0.997, abs=5e-4)
 
 
@@ -97,7 +97,7 @@ def test_a_start_far_off_still_ends_at_the_minimum(bench) -> None:
     seen, noise = observe(run), Noise(25.0)
     best = ml(run)
     far = np.r_[(0.7 * np.eye(3)).ravel() * seen.scale, 9e3 * np.ones(3)]
-    found = solve(seen, noise, form("affine", 1.0), far, best.phase_rad + 0.5, LEAST_SQUARES)
+    found = solve(seen, noise, parameterise("affine", 1.0), far, best.phase_rad + 0.5, LEAST_SQUARES)
     assert found.converged
     assert np.allclose(found.theta[9:], true.k_nT, atol=40.0)
 

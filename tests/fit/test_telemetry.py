@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from labcal.errors import InputError
-from labcal.fit import fit, telemetry
+from labcal.fit import fit
+from labcal.fit.scalar import telemetry
 from labcal.model.effects import load
 from labcal.model.effects.protocol import Scene
 

@@ -15,10 +15,9 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.close import prepared
-from labcal.loop.evidence import search_of
-from labcal.loop.problem import Problem
-from labcal.loop.search import Search
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import prepare
+from labcal.loop.data.linear_problem import LinearProblem
 
 Rows = dict[str, np.ndarray]
 Writer = Callable[..., Path]
@@ -101,26 +100,26 @@ def closed_loop(capsys: pytest.CaptureFixture[str]) -> Callable[[Path], tuple[in
 
 
 @pytest.fixture
-def started(making: ModuleType, tmp_path: Path) -> Callable[..., Problem]:
+def started(making: ModuleType, tmp_path: Path) -> Callable[..., LinearProblem]:
     """The base fitted to a plain run with something added to its readings."""
 
-    def make(added: Callable[[Rows], np.ndarray] = lambda rows: np.zeros(3), seconds: float = 45.0) -> Problem:
+    def make(added: Callable[[Rows], np.ndarray] = lambda rows: np.zeros(3), seconds: float = 45.0) -> LinearProblem:
         rows, segments = making.recorded(seconds=seconds)
         rows["dut"] = rows["dut"] + added(rows)
-        return prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
+        return prepare(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
 
     return make
 
 
 @pytest.fixture
-def searching(making: ModuleType, tmp_path: Path) -> Callable[..., Search]:
+def searching(making: ModuleType, tmp_path: Path) -> Callable[..., CandidateSet]:
     """The search on a run with these channels, of these quantities, and something added to its readings."""
 
-    def make(channels: Rows, quantities: dict[str, str], added: Any = 0.0, seed: int = 5) -> Search:
+    def make(channels: Rows, quantities: dict[str, str], added: Any = 0.0, seed: int = 5) -> CandidateSet:
         rows, segments = making.recorded(seed=seed)
         rows["dut"] = rows["dut"] + added
         stated = {name: {"unit": UNITS[q], "quantity": q} for name, q in quantities.items()}
         folder = making.written(tmp_path / str(seed), rows | channels, segments, stated)
-        return search_of(prepared(session.load_run(str(folder)))[0], 0.85)
+        return CandidateSet.of(prepare(session.load_run(str(folder)))[0], 0.85)
 
     return make

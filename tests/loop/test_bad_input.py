@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.close import prepared
-from labcal.loop.reference_sanity import doubt
+from labcal.loop.close import prepare
+from labcal.loop.data.checks import check_data
 
 Closed = Callable[[Path], tuple[int, dict[str, Any], str]]
 
@@ -164,8 +164,8 @@ def test_another_unit_or_a_dead_axis_is_said(
 ) -> None:
     rows, segments = making.recorded()
     spoil(rows)
-    problem, level, _ = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))
-    finding = doubt(problem, level)
+    problem, level, _ = prepare(session.load_run(str(making.written(tmp_path, rows, segments))))
+    finding = check_data(problem, level)
     assert finding is not None
     assert finding.kind == kind
     assert words in finding.says
@@ -174,8 +174,8 @@ def test_another_unit_or_a_dead_axis_is_said(
 def test_a_large_offset_in_a_small_field_is_no_other_unit(making: ModuleType, tmp_path: Path) -> None:
     rows, segments = making.recorded()
     rows["dut"], rows["ref"] = 90_000 + rows["dut"] / 100, rows["ref"] / 100
-    problem, level, _ = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))
-    assert doubt(problem, level) is None
+    problem, level, _ = prepare(session.load_run(str(making.written(tmp_path, rows, segments))))
+    assert check_data(problem, level) is None
 
 
 @pytest.mark.parametrize("late", [5, -7])

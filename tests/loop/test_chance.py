@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.loop.decide import forward
-from labcal.loop.search import NAMED
-from labcal.loop.surrogates import by_chance
+from labcal.loop.selection.admission import MIN_EVIDENCE
+from labcal.loop.selection.stepwise import stepwise_forward
+from labcal.loop.selection.surrogates import null_distribution
 
 NOISE_nT, MEMORY_S, STEP_S = 25.0, 8.0, 0.5
 QUANTITIES = ("current", "temperature", "voltage", "power")
@@ -37,7 +37,7 @@ def test_correlated_noise_is_given_no_name_beside_twenty_smooth_channels(
         channels = {f"c{k}": values / np.std(values) for k, values in enumerate(smooth)}
         noise = NOISE_nT * _wander(draw, n, MEMORY_S / STEP_S, 3)
         quantities = {name: QUANTITIES[k % 4] for k, name in enumerate(channels)}
-        search = searching(channels, quantities, noise, seed=seed)
-        named += bool(forward(search)[0])
-    assert by_chance(search, ()).max() < NAMED
+        pool = searching(channels, quantities, noise, seed=seed)
+        named += bool(stepwise_forward(pool)[0])
+    assert null_distribution(pool, ()).max() < MIN_EVIDENCE
     assert named <= 0.02 * len(seeds)

@@ -15,7 +15,7 @@ import pytest
 
 from labcal import session
 from labcal.errors import InputError
-from labcal.model.effects import Family, Form, Scene, families
+from labcal.model.effects import Family, Scene, Term, families
 from labcal.model.effects.guard import guarded
 from labcal.model.effects.regressors import on_each_axis, per_axis
 
@@ -108,11 +108,11 @@ def test_a_formula_that_fails_is_said_with_its_name(formula: str, words: str) ->
     space: dict[str, Any] = {"np": np, "on_each_axis": on_each_axis}
     exec(f"def kernel(form, scene):\n    {formula}", space)
     kernel = space["kernel"]
-    family = guarded(Family("pump", "sensor", kernel, lambda run: [Form(kernel, per_axis("c", "nT"))]), "pump:PUMP")
-    (form,) = family.candidates(SimpleNamespace(run_id="any"))
+    family = guarded(Family("pump", "sensor", kernel, lambda run: [Term(kernel, per_axis("c", "nT"))]), "pump:PUMP")
+    (term,) = family.candidates(SimpleNamespace(run_id="any"))
     scene = Scene(np.arange(8.0), np.zeros(8, dtype=np.intp), np.ones((8, 3)))
     with pytest.raises(InputError) as fault:
-        form.columns(scene)
+        term.columns(scene)
     assert "the effect pump of another package (pump:PUMP)" in str(fault.value)
     assert words in str(fault.value)
 

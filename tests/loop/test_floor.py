@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.close import prepared
+from labcal.loop.close import prepare
 
 STEP_deg = 0.7
 
@@ -36,7 +36,7 @@ def test_the_angles_rounding_is_seen_where_the_motion_changes_by_its_steps(
     rows["angle"] = np.radians(told(np.degrees(rows["angle"])))
     for segment in segments:  # where it was started is not known
         del segment["body_from_cage"]
-    found = prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[1]
+    found = prepare(session.load_run(str(making.written(tmp_path, rows, segments))))[1]
     rounding = np.mean(np.sum(across**2, axis=1)) * np.radians(step_deg) ** 2 / 12
     assert found.nT == pytest.approx(np.sqrt(3 * (making.NOISE_nT / 1.05) ** 2 + rounding), rel=0.02)
 
@@ -55,6 +55,6 @@ def test_a_load_that_is_switched_at_rest_is_no_noise(making: ModuleType, tmp_pat
     run = session.load_run(str(making.written(tmp_path, rows, segments, noise_nT=None)))
     if not told:
         run = replace(run, row_mode=np.where(on, "full", "idle"))
-    _, found, _ = prepared(run)
+    _, found, _ = prepare(run)
     assert found.source == "static"
     assert found.nT == pytest.approx(np.sqrt(3) * 20.0, rel=0.06)

@@ -12,9 +12,9 @@ import pytest
 
 from labcal import session
 from labcal.geometry import rotate, rotation_vector
-from labcal.loop.close import prepared
-from labcal.loop.decide import forward
-from labcal.loop.evidence import search_of
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import prepare
+from labcal.loop.selection.stepwise import stepwise_forward
 
 Rows = dict[str, np.ndarray]
 Segments = list[dict[str, Any]]
@@ -73,8 +73,8 @@ def test_a_shape_from_the_bench_is_named_and_fitted_to_the_noise(
 ) -> None:
     rows, segments = making.recorded()
     shape(rows, segments)
-    search = search_of(prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0], 0.85)
-    assert np.sqrt(np.mean(search.residual(()) ** 2)) > 1.3
-    accepted, _ = forward(search)
+    pool = CandidateSet.of(prepare(session.load_run(str(making.written(tmp_path, rows, segments))))[0], 0.85)
+    assert np.sqrt(np.mean(pool.residual(()) ** 2)) > 1.3
+    accepted, _ = stepwise_forward(pool)
     assert [c.family.id for c in accepted] == [cause]
-    assert np.sqrt(np.mean(search.residual(accepted) ** 2)) < 1.05
+    assert np.sqrt(np.mean(pool.residual(accepted) ** 2)) < 1.05

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.gaps import untold
+from labcal.loop.data.gaps import unresolved_gaps
 from labcal.model.gaps import bridged
 
 T = np.arange(0.0, 600.0, 0.5)
@@ -63,4 +63,4 @@ def test_a_load_with_gaps_is_not_taken_for_its_square(
     named = {found["effect"], *(rival["effect"] for rival in found["rivals"])}
     both = {"offset-current", "offset-current-squared"}
     assert (result["verdict"], named) == (("ambiguous", both) if levels == 2 else ("explained", {"offset-current"}))
-    assert untold(session.load_run(str(bundle)), {"i_load"}).mean() > 0.05
+    assert unresolved_gaps(session.load_run(str(bundle)), {"i_load"}).mean() > 0.05

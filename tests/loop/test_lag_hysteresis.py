@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects import Form, Scene
+from labcal.model.effects import Scene, Term
 from labcal.model.effects.hysteresis import candidates, dahl, kernel, stop
 from labcal.model.effects.protocol import Shape
 from labcal.model.effects.regressors import low_passed, per_axis, shifted
@@ -50,7 +50,7 @@ def _saturating(s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Columns along x of the saturating loop about its curve, and of the curve alone."""
     scene = Scene(np.arange(float(len(s))), np.zeros(len(s), dtype=np.intp), s)
     shape = (Shape("r_nT", 2000.0, "nT"), Shape("s_nT", 10000.0, "nT"))
-    columns = kernel(Form(kernel, (("c_x", "nT"),), shape=shape), scene)[:, 0, ::3]
+    columns = kernel(Term(kernel, (("c_x", "nT"),), shape=shape), scene)[:, 0, ::3]
     columns = np.column_stack([columns / np.abs(columns).max(axis=0), s[:, 0] / 45e3, np.ones(len(s))])
     return columns, columns[:, 1:]
 
@@ -79,7 +79,7 @@ def test_a_demagnetised_sensor_has_followed_the_field_from_nought_and_remembers_
     field = np.array([20.0, 15.0, -5.0, -5.0])[:, None] * np.eye(3)[0]
     scene = Scene(np.arange(4.0), np.array([0, 0, 0, 1]), field)
     kept = (Shape("r_nT", 10.0, "nT"), Shape("kept", 0.0, "1"))
-    each, first = (Form(kernel, (("c_x", "1"),), shape=(kept[0], replace(kept[1], value=v))) for v in (0.0, 1.0))
+    each, first = (Term(kernel, (("c_x", "1"),), shape=(kept[0], replace(kept[1], value=v))) for v in (0.0, 1.0))
     assert kernel(each, scene)[:, 0, 0].tolist() == [10.0, 5.0, -10.0, -5.0]
     assert kernel(first, scene)[:, 0, 0].tolist() == [10.0, 5.0, -10.0, -10.0]
 
@@ -89,7 +89,7 @@ def test_a_soft_bar_follows_the_field_along_itself_and_its_own_field_points_anyw
     bar = np.array([np.cos(np.radians(30)), 0.0, np.sin(np.radians(30))])
     scene = Scene(np.arange(4.0), np.zeros(4, dtype=np.intp), along[:, None] * bar + [0.0, 7e3, 0.0])
     turned = (Shape("lon_deg", 0.0, "deg"), Shape("lat_deg", 30.0, "deg"), Shape("kept", 0.0, "1"))
-    columns = kernel(Form(kernel, per_axis("body_c6000", "1"), shape=turned), scene)
+    columns = kernel(Term(kernel, per_axis("body_c6000", "1"), shape=turned), scene)
     assert np.allclose(columns, np.array([0.0, 4000.0, 6000.0, 0.0])[:, None, None] * np.eye(3))
 
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.loop import decide, pairs
-from labcal.loop.decide import forward
+from labcal.loop.selection import pairs, stepwise
+from labcal.loop.selection.stepwise import stepwise_forward
 
 Channels = dict[str, np.ndarray]
 CYCLE_S = 47.0
@@ -39,24 +39,22 @@ def test_two_loads_that_hide_each_other_are_found_together(
     draw = np.random.default_rng(7)
     channels, size = case(t)
     channels = {name: i + draw.normal(0, 0.003, len(t)) for name, i in channels.items()}
-    search = searching(channels, dict.fromkeys(channels, "current"), size[:, None] * [1.0, -0.7, 0.5])
-    accepted, _ = forward(search)
-    assert {name for c in accepted for name in c.form.channels} == {"i_one", "i_other"}
+    pool = searching(channels, dict.fromkeys(channels, "current"), size[:, None] * [1.0, -0.7, 0.5])
+    accepted, _ = stepwise_forward(pool)
+    assert {name for c in accepted for name in c.term.channels} == {"i_one", "i_other"}
     assert {c.family.id for c in accepted} <= {"offset-current", "offset-current-squared"}
-    monkeypatch.setattr(decide, "pairs", lambda *given: [])
-    assert forward(search)[0] == []
+    monkeypatch.setattr(stepwise, "score_pairs", lambda *given: [])
+    assert stepwise_forward(pool)[0] == []
 
 
 def test_whatever_follows_a_channel_is_paired_in_its_plainest_look(making: ModuleType, searching: Any) -> None:
     channels, _ = _alike(making.recorded()[0]["t_s"])
-    search = searching(channels, {"i_one": "current", "i_other": "temperature"})
-    listed = pairs.listed(search, search.rank(search.candidates))
-    following = {c.cause for c in search.candidates if c.form.channels}
+    pool = searching(channels, {"i_one": "current", "i_other": "temperature"})
+    listed = pairs.shortlist(pool, pool.rank(pool.candidates))
+    following = {c.cause for c in pool.candidates if c.term.channels}
     assert {cause for cause, _ in following} > {"offset-current", "offset-current-squared", "gain-temperature"}
     for cause in following:
-        assert min(c.size for c in search.candidates if c.cause == cause) in {
-            c.size for c in listed if c.cause == cause
-        }
+        assert min(c.size for c in pool.candidates if c.cause == cause) in {c.size for c in listed if c.cause == cause}
 
 
 def _distracted(t: np.ndarray, seed: int) -> Channels:
@@ -82,18 +80,18 @@ def test_nothing_is_made_of_pairs_where_nothing_is_at_work(
     making: ModuleType, searching: Any, monkeypatch: pytest.MonkeyPatch, seeds: range
 ) -> None:
     """Of 120 runs none gains a name; the heaviest pair stays far below what a name needs."""
-    heaviest = list[float]()
-    plain = decide.pairs
+    null_distribution = list[float]()
+    plain = stepwise.score_pairs
 
     def noted(*given: Any) -> Any:
         found = plain(*given)
-        heaviest.extend(pair.weight for pair in found[:1])
+        null_distribution.extend(pair.evidence for pair in found[:1])
         return found
 
-    monkeypatch.setattr(decide, "pairs", noted)
+    monkeypatch.setattr(stepwise, "score_pairs", noted)
     quantities = {f"c{n}": QUANTITIES[n % 4] for n in range(8)}
     for seed in seeds:
         channels = _distracted(making.recorded()[0]["t_s"], seed)
-        assert forward(searching(channels, quantities, seed=seed))[0] == []
-    assert len(heaviest) == len(seeds)
-    assert max(heaviest) < 6.0
+        assert stepwise_forward(searching(channels, quantities, seed=seed))[0] == []
+    assert len(null_distribution) == len(seeds)
+    assert max(null_distribution) < 6.0

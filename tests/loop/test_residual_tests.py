@@ -10,22 +10,24 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop import whiteness, words
-from labcal.loop.close import prepared
-from labcal.loop.problem import Problem
-from labcal.loop.shape import describe
+from labcal.loop import narrative
+from labcal.loop.close import prepare
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.findings.residual_shape import describe
+from labcal.loop.findings.residual_tests import residual_tests as residual_tests
+from labcal.loop.noise.autocorrelation import LAGS, ljung_box
 
-Prepared = Callable[..., Problem]
+Prepared = Callable[..., LinearProblem]
 
 
 @pytest.fixture
 def with_offset(making: ModuleType, tmp_path: Path) -> Prepared:
     """The base fitted to a plain run with an offset (n, 3) [nT] in its readings."""
 
-    def make(offset: np.ndarray, seconds: float = 45.0) -> Problem:
+    def make(offset: np.ndarray, seconds: float = 45.0) -> LinearProblem:
         rows, segments = making.recorded(seconds=seconds)
         rows["dut"] = rows["dut"] + offset
-        return prepared(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
+        return prepare(session.load_run(str(making.written(tmp_path, rows, segments))))[0]
 
     return make
 
@@ -35,23 +37,23 @@ def t(making: ModuleType) -> np.ndarray:
     return making.recorded()[0]["t_s"]
 
 
-def _all(problem: Problem) -> np.ndarray:
+def _all(problem: LinearProblem) -> np.ndarray:
     return np.ones(len(problem), dtype=bool)
 
 
 def test_ljung_box_has_its_chi_squared_mean_and_spread_on_white_noise() -> None:
     draw = np.random.default_rng(0)
-    q = [whiteness.ljung_box(draw.normal(size=(120, 3))) for _ in range(400)]
-    free = 3 * whiteness.LAGS
+    q = [ljung_box(draw.normal(size=(120, 3))) for _ in range(400)]
+    free = 3 * LAGS
     assert abs(np.mean(q) - free) < 4 * np.sqrt(2 * free / 400) + 0.5  # half a unit: the mean is taken off each
     assert 0.85 < np.std(q) / np.sqrt(2 * free) < 1.15
 
 
 def test_white_noise_passes_every_test(with_offset: Prepared, t: np.ndarray) -> None:
-    found = whiteness.tests(with_offset(np.zeros((len(t), 3))), np.ones(len(t), dtype=bool))
+    found = residual_tests(with_offset(np.zeros((len(t), 3))), np.ones(len(t), dtype=bool))
     assert {test.test for test in found} == {"whiteness", "independence"}
     assert all(test.passes for test in found), [test.says for test in found if not test.passes]
-    assert "no material structure" in words.tested(found)
+    assert "no material structure" in narrative.tests_text(found)
 
 
 def test_a_residual_that_follows_a_channel_is_not_independent_of_it(
@@ -60,7 +62,7 @@ def test_a_residual_that_follows_a_channel_is_not_independent_of_it(
     load = making.recorded()[0]["i_load"]
     problem = with_offset(load[:, None] * [40.0, -20, 0])
     failed = {
-        test.of for test in whiteness.tests(problem, _all(problem)) if not test.passes and test.test == "independence"
+        test.of for test in residual_tests(problem, _all(problem)) if not test.passes and test.test == "independence"
     }
     assert "i_load" in failed
     assert "temp" not in failed
@@ -78,7 +80,7 @@ def test_two_correlated_but_unrelated_wanders_are_mostly_called_independent(
             wander[row] = 0.97 * wander[row - 1] + draw.normal(0, 10, 3)
         problem = with_offset(wander)
         failures += sum(
-            not test.passes and test.of in ("i_load", "temp") for test in whiteness.tests(problem, _all(problem))
+            not test.passes and test.of in ("i_load", "temp") for test in residual_tests(problem, _all(problem))
         )
     assert failures <= 2  # of 12
 
@@ -90,7 +92,7 @@ def test_what_comes_again_with_the_field_is_a_lack_of_fit_and_noise_is_none(
     x = rows["dut"][:, 0] / 50000
     for offset, passes in ((0.0 * x, True), (400 * x**3, False)):
         problem = with_offset(np.column_stack([offset, 0 * x, 0 * x]), seconds=170)
-        fit = [test for test in whiteness.tests(problem, _all(problem)) if test.test == "lack-of-fit"]
+        fit = [test for test in residual_tests(problem, _all(problem)) if test.test == "lack-of-fit"]
         assert [test.passes for test in fit] == [passes]
 
 

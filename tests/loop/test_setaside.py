@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.setaside import at_rail
+from labcal.loop.data.outliers import at_saturation_limit
 from labcal.record import Run
 
 
@@ -23,7 +23,7 @@ def test_readings_clipped_at_the_device_s_range_lie_at_its_rail(plain: Run) -> N
     cut = np.clip(plain.reading, -38e3, 38e3)
     clipped = (cut != plain.reading).any(axis=1)
     assert clipped.sum() > 20
-    assert np.array_equal(at_rail(replace(plain, reading=cut)), clipped)
+    assert np.array_equal(at_saturation_limit(replace(plain, reading=cut)), clipped)
 
 
 def test_a_coarse_reading_that_dwells_where_the_turn_comes_back_is_at_no_rail(plain: Run) -> None:
@@ -33,5 +33,5 @@ def test_a_coarse_reading_that_dwells_where_the_turn_comes_back_is_at_no_rail(pl
     false = 0
     for _ in range(200):
         read = 13.0 * np.round((dwelling + draw.normal(0, 15.0, dwelling.shape)) / 13.0)
-        false += bool(at_rail(replace(plain, reading=read)).any())
+        false += bool(at_saturation_limit(replace(plain, reading=read)).any())
     assert false == 0

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.close import prepared
-from labcal.loop.experiments import experiments
-from labcal.loop.problem import Problem
-from labcal.loop.twins import twins
+from labcal.loop.close import prepare
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.design.experiments import experiments
+from labcal.loop.findings.confounded import confounded
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -39,28 +39,28 @@ def test_a_lag_at_one_rate_is_the_phases_and_turning_backwards_tells_it(
     assert (("a lag at a constant rate", "the mounting's phase") in alike) is not backwards
 
 
-def _said(problem: Problem, *named: str) -> set[tuple[str, str]]:
-    return {(pair.one, pair.other) for pair in twins(problem, named)}
+def _said(problem: LinearProblem, *named: str) -> set[tuple[str, str]]:
+    return {(pair.one, pair.other) for pair in confounded(problem, named)}
 
 
 def test_a_current_that_follows_the_attitude_is_a_twin_of_soft_iron(making: ModuleType, tmp_path: Path) -> None:
     rows, segments = making.recorded()
-    plain = prepared(session.load_run(str(making.written(tmp_path / "plain", rows, segments))))[0]
+    plain = prepare(session.load_run(str(making.written(tmp_path / "plain", rows, segments))))[0]
     rows["i_load"] = rows["dut"][:, 0] / 50_000 + np.random.default_rng(1).normal(0, 0.01, len(rows["t_s"]))
-    locked = prepared(session.load_run(str(making.written(tmp_path / "locked", rows, segments))))[0]
+    locked = prepare(session.load_run(str(making.written(tmp_path / "locked", rows, segments))))[0]
     pair = ("what i_load does, which follows the attitude", "soft iron")
     assert pair in _said(locked)
     assert pair not in _said(plain)
 
 
-def test_every_turned_run_says_what_its_reference_and_fixture_leave_open(started: Callable[..., Problem]) -> None:
+def test_every_turned_run_says_what_its_reference_and_fixture_leave_open(started: Callable[..., LinearProblem]) -> None:
     said = _said(started())
     assert ("the reference's scale", "the device's gain") in said
     assert ("magnetism of what turns with the device", "the device's offset") in said
     assert ("a lag at a constant rate", "the mounting's phase") not in said  # the attitudes are declared
 
 
-def test_a_rival_brings_its_twins_as_an_accepted_cause_does(started: Callable[..., Problem]) -> None:
+def test_a_rival_brings_its_twins_as_an_accepted_cause_does(started: Callable[..., LinearProblem]) -> None:
     assert ("a temperature that only rises", "a drift") in _said(started(), "cage-field", "offset-drift")
 
 

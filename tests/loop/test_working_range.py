@@ -9,28 +9,28 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.close import prepared
-from labcal.loop.refit import Refit, refit
-from labcal.loop.search import Candidate
-from labcal.loop.working_range import findings, reach, unsupported
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.close import prepare
+from labcal.loop.findings.working_range import findings, range_uncertainty, unsupported
+from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.model.effects import family
 from labcal.record import Run
 
 
-def _warmed(making: ModuleType, folder: Path, warm: np.ndarray) -> tuple[Run, Candidate, Refit]:
+def _warmed(making: ModuleType, folder: Path, warm: np.ndarray) -> tuple[Run, Candidate, JointFit]:
     """A sensor whose gains follow `warm` [degC] by 1e-3, its base and gain-temperature fitted."""
     rows, segments = making.recorded()
     rows["temp"] = 20 + warm
     rows["dut"] += 1e-3 * warm[:, None] * (rows["dut"] - 800)
     run = session.load_run(str(making.written(folder, rows, segments)))
     gains = Candidate(family("gain-temperature"), family("gain-temperature").candidates(run)[0])
-    return run, gains, refit(prepared(run)[0], [gains.form])
+    return run, gains, joint_fit(prepare(run)[0], [gains.term])
 
 
 def test_a_gain_that_was_warmed_in_all_attitudes_is_supported(making: ModuleType, tmp_path: Path) -> None:
     t = making.recorded()[0]["t_s"]
     run, gains, after = _warmed(making, tmp_path, 10 * np.sin(t / 20))
-    of = reach(run, after, 0)
+    of = range_uncertainty(run, after, 0)
     assert of is not None
     assert of.supported
     assert of.rms_nT == pytest.approx(1e-3 * 10 * 50000, rel=0.1)  # 10 degC either way, in 50 µT

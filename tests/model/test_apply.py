@@ -8,8 +8,8 @@ import pytest
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.apply import apply, needed_columns
+from labcal.model.plausibility import saturation_limits
 from labcal.model.readings import Applied, Readings
-from labcal.model.wary import rails
 from labcal.record import Dut
 
 K = np.array([[1.1, 0.1, 0.0], [0.0, 0.9, -0.1], [0.05, 0.0, 1.0]])
@@ -213,9 +213,9 @@ def test_the_runs_own_saturation_limit_is_used() -> None:
 def test_rails_of_a_run_become_limits_that_flag_single_readings() -> None:
     clipped = readings().reading.copy()
     clipped[:, 0] = np.minimum(clipped[:, 0], 24e3)
-    finding = rails(clipped, "nT")
+    finding = saturation_limits(clipped, "nT")
     assert [(p.name, p.value) for p in finding.parameters] == [("upper_x", 24e3)]
-    assert rails(readings().reading, "nT") is None
+    assert saturation_limits(readings().reading, "nT") is None
     found = apply(calibration(findings=(finding,)), Readings(np.array([[24e3, 0.0, 0.0], [0.0, 0.0, 24e3]])))
     assert ["saturated" in flag for flag in found.flags] == [True, False]
 

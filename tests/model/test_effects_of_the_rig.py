@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from labcal.model.effects.field_gradient import SYMMETRIC, kernel
-from labcal.model.effects.protocol import Form, Rig, Scene
+from labcal.model.effects.protocol import Rig, Scene, Term
 
 
 def turned(n: int, rng: np.random.Generator) -> Scene:
@@ -29,6 +29,6 @@ def test_a_sensor_off_the_middle_of_the_device_is_carried_about_in_the_gradient(
     cage = np.linalg.norm(scene.rig.reference_nT, axis=1)[:, None] * (there @ gradient)
     seen = np.array([R @ c for R, c in zip(scene.rig.to_body, cage, strict=True)])
 
-    form = Form(kernel, tuple((f"g{w}_{a}", "1") for w in SYMMETRIC for a in "xyz"))
+    term = Term(kernel, tuple((f"g{w}_{a}", "1") for w in SYMMETRIC for a in "xyz"))
     beta = np.outer([gradient[at] for at in SYMMETRIC.values()], place).ravel()
-    assert np.allclose(form.columns(scene) @ beta, seen)
+    assert np.allclose(term.columns(scene) @ beta, seen)

@@ -7,7 +7,7 @@ import pytest
 
 from labcal.errors import InputError
 from labcal.model import EffectRecord, Parameter
-from labcal.model.effects import Form, families, load_shipped
+from labcal.model.effects import Term, families, load_shipped
 from labcal.record import Channel, Dut, Reference, Run, Segment
 
 
@@ -33,21 +33,21 @@ def measured() -> Run:
     )
 
 
-def shipped(effect: str, form: Form) -> EffectRecord:
+def shipped(effect: str, term: Term) -> EffectRecord:
     """What a calibration file says of `form`."""
-    stated = [Parameter(s.name, s.grid[0] if s.grid else s.value, 0.0, s.unit) for s in form.shape]
-    stated += [Parameter(name, 1.0, 0.1, unit) for name, unit in form.parameters]
-    return EffectRecord(effect, form.channels, form.reference_value, "sensor", tuple(stated))
+    stated = [Parameter(s.name, s.grid[0] if s.grid else s.value, 0.0, s.unit) for s in term.shape]
+    stated += [Parameter(name, 1.0, 0.1, unit) for name, unit in term.parameters]
+    return EffectRecord(effect, term.channels, term.reference_value, "sensor", tuple(stated))
 
 
 @pytest.mark.parametrize("effect", [f.id for f in families() if f.belongs_to == "sensor"])
 def test_every_form_that_a_fit_may_find_loads_from_its_file(effect: str) -> None:
     run = measured()
     (family,) = (f for f in families() if f.id == effect)
-    forms = family.candidates(run)
-    assert forms
-    for form in forms:
-        assert load_shipped(shipped(effect, form)).form.parameters == form.parameters
+    terms = family.candidates(run)
+    assert terms
+    for term in terms:
+        assert load_shipped(shipped(effect, term)).term.parameters == term.parameters
 
 
 def record(effect: str, names: str, channels: str = "", reference: dict[str, float] | None = None, value: float = 1.0):

@@ -1,6 +1,6 @@
 """The Kalman filters of Crassidis, Lai & Harman 2003 as they are printed: start (48), no noise mean in (25a) and (30).
 
-For the reproduction of Table 1 alone; `labcal.fit.ekf` and `labcal.fit.ukf` are the ones to use. With `carried` the
+For the reproduction of Table 1 alone; `labcal.fit.filters.ekf` and `.ukf` are the ones to use. With `carried` the
 start (48), which is written for (b, D), is carried to (c, E), and the innovation subtracts the noise mean: the two
 mendings that suggest themselves, and that do not suffice.
 """
@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.fit import scalar_check
+from labcal.fit.scalar import scalar_check
 
 Array = NDArray[np.float64]
 ALPHA, BETA, STATES = 0.1, 2.0, 9

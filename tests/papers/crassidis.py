@@ -16,11 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 from orbit import circular, field
 
-from labcal.fit import centered, scalar_check, twostep
-from labcal.fit.ekf import EKF
-from labcal.fit.live import LiveFilter
-from labcal.fit.scalar_check import Estimate
-from labcal.fit.ukf import UKF, AugmentedUKF
+from labcal.fit.filters.ekf import EKF
+from labcal.fit.filters.live import LiveFilter
+from labcal.fit.filters.ukf import UKF, AugmentedUKF
+from labcal.fit.scalar import centered, scalar_check, twostep
+from labcal.fit.scalar.scalar_check import Estimate
 
 Array = NDArray[np.float64]
 NAMES = ("b1", "b2", "b3", "D11", "D22", "D33", "D12", "D13", "D23")

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit import fit
-from labcal.fit.ml import estimate
-from labcal.fit.pso_loci import loci_of
-from labcal.fit.pso_polish import WhiteIn, polish
-from labcal.fit.pso_search import PUBLISHED, Found, objective_of, search
+from labcal.fit.swarm.loci import loci_of
+from labcal.fit.swarm.polish import WhiteIn, polish
+from labcal.fit.swarm.search import PUBLISHED, Found, objective_of, search
+from labcal.fit.vector.ml import estimate
 from labcal.geometry import rotate
 from labcal.model.affine import jacobian
 from labcal.record import Dut, Reference, Run, Segment

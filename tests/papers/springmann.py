@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 from orbit import EARTH_KM, circular, field
 
-from labcal.fit import foster_elkaim, telemetry
-from labcal.fit.scalar_run import Scalars
-from labcal.fit.telemetry import TelemetryEstimate
+from labcal.fit.scalar import foster_elkaim, telemetry
+from labcal.fit.scalar.scalar_run import Scalars
+from labcal.fit.scalar.telemetry import TelemetryEstimate
 from labcal.geometry import rotation
 
 Array = NDArray[np.float64]

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from crassidis import batch, column, our_filter, over_phases, printed_filter
 
-from labcal.fit import centered, twostep
-from labcal.fit.ekf import EKF
-from labcal.fit.ukf import UKF, AugmentedUKF
+from labcal.fit.filters.ekf import EKF
+from labcal.fit.filters.ukf import UKF, AugmentedUKF
+from labcal.fit.scalar import centered, twostep
 
 SEEDS = range(30)
 

@@ -5,7 +5,7 @@ import pytest
 import riwanto
 from riwanto import MODELS, TRUTH, bound, campaign, errors, over_bound, simulate, table_ii
 
-from labcal.fit.ml import estimate
+from labcal.fit.vector.ml import estimate
 
 MODEL_1, MODEL_5 = MODELS[0], MODELS[4]
 

@@ -3,8 +3,8 @@ import pytest
 import springmann
 from springmann import SENSORS, calibrate, fly, normalised
 
-from labcal.fit import foster_elkaim
-from labcal.fit.scalar_check import Estimate
+from labcal.fit.scalar import foster_elkaim
+from labcal.fit.scalar.scalar_check import Estimate
 
 
 @pytest.mark.parametrize("sensor", SENSORS, ids=lambda s: s.name)

@@ -14,7 +14,7 @@ from scipy.linalg import sqrtm
 from labcal import session
 from labcal.bench.clock import RealClock
 from labcal.errors import InputError, LimitNotMet
-from labcal.fit.ml import ml
+from labcal.fit.vector.ml import ml
 from labcal.record.stream import Event, Measurement, Prompt
 from labcal.store import Store
 from labcal.twin.config import TwinTruth

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.geometry import skew
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.record import Run, offers
 from labcal.record.run import Vector
 
@@ -20,17 +20,17 @@ WAVES = {"cos": np.cos, "sin": np.sin}
 WOBBLE = tuple(f"{wave}:" for wave in WAVES)
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """`cage_x` turns the axis in C, `cage_2:x` for the second mounted axis alone, `body_2:x` in B. Per degree.
 
     `cage_cos:x` and `cage_sin:x` turn it by the cosine and the sine of the platform angle, `body_m2:x` in the second
     mounting alone.
     """
     assert scene.rig is not None
-    out = np.zeros((len(scene), 3, len(form.parameters)))
+    out = np.zeros((len(scene), 3, len(term.parameters)))
     turning = np.isfinite(scene.rig.angle_rad)
     axes, mountings = _mounted(scene.rig.axis_body), scene.rig.mounting + 1
-    for column, (name, _) in enumerate(form.parameters):
+    for column, (name, _) in enumerate(term.parameters):
         where, _, direction = name.rpartition(":" if ":" in name else "_")
         frame, _, number = where.partition("_")
         rows = turning
@@ -57,7 +57,7 @@ def _mounted(axis_body: Array) -> NDArray[np.intp]:
     return number
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """A tilt in the cage, common to all, wobbling, or for each mounted axis; in the body; both.
 
     In the body it is one for each mounted axis, or for each mounting.
@@ -67,17 +67,17 @@ def candidates(run: Run) -> list[Form]:
         return []
     across_cage = _across([s.axis_cage for s in segments if s.axis_cage is not None])
     common, wobble = (tuple((f"cage_{w}{a}", "deg") for w in ws for a in across_cage) for ws in (("",), WOBBLE))
-    forms = [Form(kernel, common), Form(kernel, common + wobble)]
+    terms = [Term(kernel, common), Term(kernel, common + wobble)]
     mounted = np.unique(np.round([s.axis_body for s in segments if s.axis_body is not None], 6), axis=0)
     if len(mounted) > 1:
         numbered = list(enumerate(mounted, start=1))
-        forms.append(Form(kernel, tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)))
+        terms.append(Term(kernel, tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)))
         body = tuple((f"body_{i}:{a}", "deg") for i, axis in numbered for a in _across([tuple(axis)]))
-        forms.append(Form(kernel, body))
-        forms.append(Form(kernel, (*common, *body)))  # levelled on the cage: its axis is tilted in both
+        terms.append(Term(kernel, body))
+        terms.append(Term(kernel, (*common, *body)))  # levelled on the cage: its axis is tilted in both
     if len(each := _mountings(run)) > len(mounted):
-        forms.append(Form(kernel, tuple((f"body_m{i}:{a}", "deg") for i, axis in each for a in _across([axis]))))
-    return forms
+        terms.append(Term(kernel, tuple((f"body_m{i}:{a}", "deg") for i, axis in each for a in _across([axis]))))
+    return terms
 
 
 def _mountings(run: Run) -> list[tuple[int, Vector]]:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES, of_the_rig, some_moment
 from labcal.record import Run, offers
 from labcal.record.run import Channel
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body, θ the platform angle; `rest_x` … where none is.
 
     `q_x` … for each unit of a channel, `step_x` … from t_step on.
@@ -18,16 +18,16 @@ def kernel(form: Form, scene: Scene) -> Array:
     assert scene.rig is not None
     angle = np.nan_to_num(scene.rig.angle_rad)
     turning = np.isfinite(scene.rig.angle_rad)
-    out = np.empty((len(scene), 3, len(form.parameters)))
-    for column, (name, _) in enumerate(form.parameters):
+    out = np.empty((len(scene), 3, len(term.parameters)))
+    for column, (name, _) in enumerate(term.parameters):
         kind, axis = name.split("_")
         drive = np.ones(len(scene))
         if kind == "rest":
             drive = (~turning).astype(float)
         elif kind == "q":
-            drive = form.drive(scene)
+            drive = term.drive(scene)
         elif kind == "step":
-            drive = (scene.t_s >= form.at("t_step_s")).astype(float)
+            drive = (scene.t_s >= term.at("t_step_s")).astype(float)
         elif kind != "c":
             wave = np.cos if kind.startswith("cos") else np.sin
             drive = wave(int(kind[3:]) * angle) * turning
@@ -35,7 +35,7 @@ def kernel(form: Form, scene: Scene) -> Array:
     return out
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """A constant; one that changes with the angle, up to the second harmonic; with the platform or the room; a step.
 
     Segments at rest do not say at which angle the platform stands: what changes with it is another constant there.
@@ -45,19 +45,19 @@ def candidates(run: Run) -> list[Form]:
         return []
     rest = ("rest",) if any(s.kind != "rotation" for s in seen) else ()
     sets = (("c",), ("c", *rest, "cos1", "sin1"), ("c", *rest, "cos1", "sin1", "cos2", "sin2"))
-    standing = [Form(kernel, tuple((f"{k}_{a}", "nT") for k in kinds for a in AXES)) for kinds in sets]
+    standing = [Term(kernel, tuple((f"{k}_{a}", "nT") for k in kinds for a in AXES)) for kinds in sets]
     return [*standing, *map(_with, of_the_rig(run)), _from_a_moment(run)]
 
 
-def _with(channel: Channel) -> Form:
-    """Nothing where the channel says nought: a motor at rest, a current that does not flow."""
+def _with(channel: Channel) -> Term:
+    """Zero where the channel is zero: a motor at rest, a current that does not flow."""
     parameters = tuple((f"q_{a}", f"nT/{channel.unit}") for a in AXES)
-    return Form(kernel, parameters, (channel.name,), {channel.name: 0.0})
+    return Term(kernel, parameters, (channel.name,), {channel.name: 0.0})
 
 
-def _from_a_moment(run: Run) -> Form:
+def _from_a_moment(run: Run) -> Term:
     """Something large was moved: a lift, a car, a cupboard."""
-    return Form(kernel, tuple((f"step_{a}", "nT") for a in AXES), shape=(some_moment(run),))
+    return Term(kernel, tuple((f"step_{a}", "nT") for a in AXES), shape=(some_moment(run),))
 
 
 FAMILY = Family(

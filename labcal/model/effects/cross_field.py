@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES, BODY, driving
 from labcal.record import Run
 
@@ -18,11 +18,11 @@ OPPOSITE = tuple((i, (i + 1) % 3, (i + 2) % 3) for i in range(3))
 CUBIC = tuple((i, i, j, j) for i in range(3) for j in range(3) if j != i)
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """Each parameter `q_x:xy` adds c s_x s_y to the reading along sensor axis x, s along B's axes for `body_q_…`."""
-    s = driving(form, scene)
-    out = np.empty((len(scene), 3, len(form.parameters)))
-    for column, (name, _) in enumerate(form.parameters):
+    s = driving(term, scene)
+    out = np.empty((len(scene), 3, len(term.parameters)))
+    for column, (name, _) in enumerate(term.parameters):
         axis, factors = name.removeprefix(BODY)[2:].split(":")
         product = np.prod([s[:, AXES.index(f)] for f in factors], axis=0)
         out[:, :, column] = product[:, None] * scene.axes[:, AXES.index(axis)]
@@ -34,10 +34,10 @@ def _parameters(drive: str, terms: tuple[tuple[int, ...], ...]) -> tuple[tuple[s
     return tuple((f"{drive}q_{AXES[t[0]]}:{''.join(AXES[f] for f in t[1:])}", unit[len(t) - 1]) for t in terms)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """Products with the axis' own component, of the two others, all of second order, and the even cubic ones."""
     sets = (MIXED, SQUARES, OPPOSITE, MIXED + SQUARES + OPPOSITE, CUBIC)
-    return [Form(kernel, _parameters(drive, terms)) for drive in ("", BODY) for terms in sets]
+    return [Term(kernel, _parameters(drive, terms)) for drive in ("", BODY) for terms in sets]
 
 
 FAMILY = Family(

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.model.effects.field_gradient import SYMMETRIC, traceless
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import AXES
 from labcal.record import Run, offers
 
@@ -16,16 +16,16 @@ MU0_OVER_4PI_nT = 100.0  # nT m³ / (A m²)
 AT = ("at_x_m", "at_y_m", "at_z_m")
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = −R B(Rᵀ m): what the reference reads too much, for a moment m [A m²] fixed in the body.
 
     B(m) = (μ0/4π)(3 r̂ (r̂·m) − m)/r³ at the reference's place (Jackson, 5.56); `dxy_z` is an element of that matrix
     times m_z.
     """
     assert scene.rig is not None
-    if not form.shape:
-        return _anywhere(form, scene.rig.to_body)
-    place = np.array([form.at(name) for name in AT])
+    if not term.shape:
+        return _anywhere(term, scene.rig.to_body)
+    place = np.array([term.at(name) for name in AT])
     distance = float(np.linalg.norm(place))
     along = place / distance
     dipole = MU0_OVER_4PI_nT * (3 * np.outer(along, along) - np.eye(3)) / distance**3
@@ -33,24 +33,24 @@ def kernel(form: Form, scene: Scene) -> Array:
     return np.asarray(-np.einsum("nij,jk,nlk->nil", turn, dipole, turn))
 
 
-def _anywhere(form: Form, turn: Array) -> Array:
-    names = [name.removeprefix("d").split("_") for name, _ in form.parameters]
+def _anywhere(term: Term, turn: Array) -> Array:
+    names = [name.removeprefix("d").split("_") for name, _ in term.parameters]
     columns = [-(turn @ traceless(which) * turn[:, [AXES.index(axis)]]).sum(axis=2) for which, axis in names]
     return np.stack(columns, axis=2)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """One moment, at the reference's place; where that is not stated, anywhere near."""
     near, place = run.reference.position_m, run.reference.place
     if not any(offers(run, s) == "vector" and s.kind == "rotation" for s in run.segments):
         return []
     if near is None:
         unknown = tuple((f"d{w}_{a}", "nT") for w in SYMMETRIC for a in AXES)
-        return [] if place in ("remote", "computed") else [Form(kernel, unknown)]
+        return [] if place in ("remote", "computed") else [Term(kernel, unknown)]
     if not 0.01 < float(np.linalg.norm(near)) < 3.0:
         return []
     there = tuple(Shape(name, float(x), "m") for name, x in zip(AT, near, strict=True))
-    return [Form(kernel, tuple((f"m_{a}", "A m^2") for a in AXES), shape=there)]
+    return [Term(kernel, tuple((f"m_{a}", "A m^2") for a in AXES), shape=there)]
 
 
 FAMILY = Family(

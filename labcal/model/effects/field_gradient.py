@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES
 from labcal.record import Run, offers
 
 SYMMETRIC = {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """`a_xy` … an element of A; `cos_x` … along x of C in proportion to |v| and the cosine of the angle.
 
     `gxy_z` … an element of G times z of the place in the body.
@@ -25,8 +25,8 @@ def kernel(form: Form, scene: Scene) -> Array:
     v, angle = scene.rig.reference_nT, scene.rig.angle_rad
     turning = np.isfinite(angle)
     size = np.linalg.norm(v, axis=1)
-    out = np.empty((len(scene), 3, len(form.parameters)))
-    for column, (name, _) in enumerate(form.parameters):
+    out = np.empty((len(scene), 3, len(term.parameters)))
+    for column, (name, _) in enumerate(term.parameters):
         kind, which = name.split("_")
         if kind == "a":
             cage = v @ traceless(which)
@@ -47,14 +47,14 @@ def traceless(which: str) -> Array:
     return out - np.diag([0, 0, 1.0]) if i == j else out
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """A constant place off the centre; a circle about the platform axis; both; a place fixed in the body."""
     if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
         return []
     place = tuple((f"a_{w}", "1") for w in SYMMETRIC)
     circle = tuple((f"{w}_{a}", "1") for w in ("cos", "sin") for a in AXES)
     aboard = tuple((f"g{w}_{a}", "1") for w in SYMMETRIC for a in AXES)
-    return [Form(kernel, p) for p in (place, circle, place + circle, aboard)]
+    return [Term(kernel, p) for p in (place, circle, place + circle, aboard)]
 
 
 FAMILY = Family(

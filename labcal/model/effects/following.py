@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Form, Kernel, Scene, Shape
+from labcal.model.effects.protocol import Array, Kernel, Scene, Shape, Term
 from labcal.model.effects.regressors import LEAD, delayed, low_passed, middle, on_each_axis, per_axis
 from labcal.record import Run, period_s
 from labcal.record.run import Channel
@@ -17,25 +17,25 @@ ROWS = 4  # the same where rows are far apart
 POINTS = 20  # of the grid on either side
 
 
-def prompt(channel: Channel, kernel: Kernel) -> Form:
+def instantaneous(channel: Channel, kernel: Kernel) -> Term:
     """C in nT of B for each unit of the channel."""
-    return Form(kernel, per_axis("c", f"nT/{channel.unit}"), (channel.name,), {channel.name: middle(channel)})
+    return Term(kernel, per_axis("c", f"nT/{channel.unit}"), (channel.name,), {channel.name: middle(channel)})
 
 
-def late(channel: Channel, kernel: Kernel, tau: Shape) -> Form:
+def first_order(channel: Channel, kernel: Kernel, tau: Shape) -> Term:
     """The same through a first-order response of time constant `tau`."""
-    form = prompt(channel, kernel)
-    return Form(kernel, form.parameters, form.channels, form.reference_value, (tau,))
+    term = instantaneous(channel, kernel)
+    return Term(kernel, term.parameters, term.channels, term.reference_value, (tau,))
 
 
-def shifted(channel: Channel, kernel: Kernel, run: Run) -> list[Form]:
+def delayed_terms(channel: Channel, kernel: Kernel, run: Run) -> list[Term]:
     """The same after a delay: E(t) = c (q(t − delay_s) − q_ref), a negative one where the channel's clock is behind."""
     grid = _delays(run.t_s)
     if not grid:
         return []
-    form = prompt(channel, kernel)
+    term = instantaneous(channel, kernel)
     shape = Shape("delay_s", grid[0], "s", grid)
-    return [Form(kernel, form.parameters, form.channels, form.reference_value, (shape,))]
+    return [Term(kernel, term.parameters, term.channels, term.reference_value, (shape,))]
 
 
 def _delays(t_s: Array) -> tuple[float, ...]:
@@ -48,22 +48,22 @@ def _delays(t_s: Array) -> tuple[float, ...]:
     return tuple(reach / count * k for k in (*range(-count, 0), *range(1, count + 1)))
 
 
-def several(channel: Channel, kernel: Kernel, taus_s: Sequence[int]) -> Form:
+def multi_tau(channel: Channel, kernel: Kernel, taus_s: Sequence[int]) -> Term:
     """A sum of responses, each with its own c: `c12s_x` belongs to 12 s, `c0s_x` to none."""
-    form = prompt(channel, kernel)
+    term = instantaneous(channel, kernel)
     parameters = tuple(p for tau in taus_s for p in per_axis(f"c{tau}s", f"nT/{channel.unit}"))
-    return Form(kernel, parameters, form.channels, form.reference_value)
+    return Term(kernel, parameters, term.channels, term.reference_value)
 
 
-def responding(form: Form, scene: Scene) -> Array:
+def responses(term: Term, scene: Scene) -> Array:
     """The columns (n, 3, p) of all four."""
-    drive = form.drive(scene)
-    names = {shape.name for shape in form.shape}
+    drive = term.drive(scene)
+    names = {shape.name for shape in term.shape}
     if "delay_s" in names:
-        return on_each_axis(delayed(scene.t_s, scene.segment, drive, form.at("delay_s")))
+        return on_each_axis(delayed(scene.t_s, scene.segment, drive, term.at("delay_s")))
     if names:
-        return on_each_axis(_behind(scene, drive, form.at("tau_s")))
-    taus = time_constants(form)
+        return on_each_axis(_behind(scene, drive, term.at("tau_s")))
+    taus = time_constants(term)
     return np.concatenate([on_each_axis(_behind(scene, drive, tau)) for tau in taus], axis=2)
 
 
@@ -71,21 +71,21 @@ def _behind(scene: Scene, drive: Array, tau_s: float) -> Array:
     return low_passed(scene.t_s, scene.segment, drive, tau_s, scene.past)
 
 
-def behind(form: Form) -> bool:
-    """Whether the form looks at other rows."""
-    return any(s.name == "delay_s" for s in form.shape) or any(time_constants(form))
+def has_memory(term: Term) -> bool:
+    """Whether a row's effect depends on other rows."""
+    return any(s.name == "delay_s" for s in term.shape) or any(time_constants(term))
 
 
-def reach_s(form: Form) -> float:
+def reach_s(term: Term) -> float:
     """How far [s] from a row, either way, the rows lie that it looks at; what follows as a state reaches nowhere."""
-    values = {shape.name: shape.value for shape in form.shape}
+    values = {shape.name: shape.value for shape in term.shape}
     lead_s = max(-values.get("tau_s", 0.0), 0.0)
     return max(abs(values.get("delay_s", 0.0)), abs(values.get("secant_s", 0.0)), lead_s * LEAD)
 
 
-def time_constants(form: Form) -> list[float]:
+def time_constants(term: Term) -> list[float]:
     """Of each response to a channel: `tau_s`, or 12 for `c12s_x`; 0 for one that is prompt."""
-    if any(shape.name == "tau_s" for shape in form.shape):
-        return [form.at("tau_s")] if form.channels else []
-    found = [re.match(r"c(\d+)s_", name) for name, _ in form.parameters[::3]]
+    if any(shape.name == "tau_s" for shape in term.shape):
+        return [term.at("tau_s")] if term.channels else []
+    found = [re.match(r"c(\d+)s_", name) for name, _ in term.parameters[::3]]
     return [float(match[1]) if match else 0.0 for match in found]

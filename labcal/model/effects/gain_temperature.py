@@ -4,31 +4,31 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import AXES, low_passed, middle, moving, per_axis
 from labcal.record import Run
 
 TAU_S = (10.0, 30.0, 100.0, 300.0)
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = Σ g_i s_i (T − T_ref) along sensor axis i; with nine parameters along every axis j; T behind by tau_s."""
-    tau_s = form.at("tau_s") if form.shape else 0.0
-    s, warm = scene.along_axes_nT, low_passed(scene.t_s, scene.segment, form.drive(scene), tau_s, scene.past)[:, None]
-    if len(form.parameters) == 3:
+    tau_s = term.at("tau_s") if term.shape else 0.0
+    s, warm = scene.along_axes_nT, low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)[:, None]
+    if len(term.parameters) == 3:
         return np.asarray((warm * s)[:, None, :] * scene.axes)
     return np.asarray(np.einsum("ji,nk->njik", scene.axes, warm * s).reshape(len(scene), 3, 9))
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """Each temperature that moves: gains alone, at once and behind, and the whole matrix."""
     found = []
     for c in moving(run, ("temperature",)):
         unit = f"1/{c.unit}"
         whole = tuple((f"g_{i}{j}", unit) for i in AXES for j in AXES)
         gains, tau = per_axis("g", unit), (Shape("tau_s", 100.0, "s", TAU_S),)
-        looks = ((gains, ()), (gains, tau), (whole, ()))
-        found += [Form(kernel, p, (c.name,), {c.name: middle(c)}, shape) for p, shape in looks]
+        variants = ((gains, ()), (gains, tau), (whole, ()))
+        found += [Term(kernel, p, (c.name,), {c.name: middle(c)}, shape) for p, shape in variants]
     return found
 
 

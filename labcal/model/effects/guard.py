@@ -9,7 +9,7 @@ from functools import wraps
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.model.effects.protocol import Array, Family, Form, Kernel, Scene
+from labcal.model.effects.protocol import Array, Family, Kernel, Scene, Term
 from labcal.outside import blamed
 from labcal.record import Run
 
@@ -20,24 +20,24 @@ def guarded(family: Family, where: str) -> Family:
     return replace(family, kernel=_checked(family.kernel, named), candidates=_candidates(family.candidates, named))
 
 
-def _candidates(candidates: Callable[[Run], Sequence[Form]], named: str) -> Callable[[Run], Sequence[Form]]:
+def _candidates(candidates: Callable[[Run], Sequence[Term]], named: str) -> Callable[[Run], Sequence[Term]]:
     @wraps(candidates)
-    def found(run: Run) -> Sequence[Form]:
+    def found(run: Run) -> Sequence[Term]:
         with blamed(named, f"on run {run.run_id}"):
-            return [replace(form, kernel=_checked(form.kernel, named)) for form in candidates(run)]
+            return [replace(term, kernel=_checked(term.kernel, named)) for term in candidates(run)]
 
     return found
 
 
 def _checked(kernel: Kernel, named: str) -> Kernel:
     @wraps(kernel)
-    def columns(form: Form, scene: Scene) -> Array:
+    def columns(term: Term, scene: Scene) -> Array:
         with blamed(named, "in its formula"):
-            found = np.asarray(kernel(form, scene), dtype=float)
-        wanted = (len(scene), 3, len(form.parameters))
+            found = np.asarray(kernel(term, scene), dtype=float)
+        wanted = (len(scene), 3, len(term.parameters))
         if found.shape != wanted:
             raise InputError(f"{named} gives columns of shape {found.shape}, not (rows, 3, parameters) = {wanted}")
-        known = np.isfinite(scene.field_nT).all() and all(np.isfinite(scene.channels[c]).all() for c in form.channels)
+        known = np.isfinite(scene.field_nT).all() and all(np.isfinite(scene.channels[c]).all() for c in term.channels)
         if known and not np.isfinite(found).all():
             raise InputError(f"{named} gives numbers that are not finite")
         return found

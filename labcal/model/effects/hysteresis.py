@@ -21,8 +21,8 @@ import numpy as np
 
 from labcal.model.effects.nonlinearity import SATURATION_nT, bend
 from labcal.model.effects.past import Past
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
-from labcal.model.effects.recursion import affine, clipped
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from labcal.model.effects.recursion import affine_recursion, clipped_recursion
 from labcal.model.effects.regressors import BODY, driving, on_each_axis, per_axis, powered, stretches
 from labcal.record import Run, offers
 
@@ -56,9 +56,9 @@ def stop(
     steps, first = np.diff(drive, axis=0, prepend=drive[:1]), np.asarray(starts, dtype=np.intp)
     steps[first] = 0.0 if at_rest else drive[first]
     if before is None:
-        return clipped(steps, threshold, first)
+        return clipped_recursion(steps, threshold, first)
     steps[0] = before[1] + (drive[0] - before[0])
-    return clipped(steps, threshold, np.r_[0, first])
+    return clipped_recursion(steps, threshold, np.r_[0, first])
 
 
 def dahl(drive: Array, width: float, starts: Sequence[int] = (0,), before: Before | None = None) -> Array:
@@ -68,29 +68,29 @@ def dahl(drive: Array, width: float, starts: Sequence[int] = (0,), before: Befor
     steps[first] = 0.0
     keep = np.exp(-np.abs(steps) / width)
     keep[first] = 0.0
-    return affine(keep, np.sign(steps) * (1 - keep), state)
+    return affine_recursion(keep, np.sign(steps) * (1 - keep), state)
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """The loops z(s_i) along each axis: Dahl's of a width, saturating ones, or stops of the thresholds.
 
     Against a vector reference s is the reference's: the reading's own noise would drive the loop, and in a field that
     stands still be taken off by it.
     """
-    s = driving(form, scene if scene.rig is None else replace(scene, quiet_nT=scene.rig.prediction_nT))
-    names = {shape.name for shape in form.shape}
+    s = driving(term, scene if scene.rig is None else replace(scene, denoised_field_nT=scene.rig.prediction_nT))
+    names = {shape.name for shape in term.shape}
     if "w_nT" in names:
-        loops = [_along(scene, s, lambda starts, before: dahl(s, form.at("w_nT"), starts, before))]
+        loops = [_along(scene, s, lambda starts, before: dahl(s, term.at("w_nT"), starts, before))]
     elif "s_nT" in names:
-        play = s - _along(scene, s, lambda starts, before: stop(s, form.at("r_nT"), starts, before=before))
-        level = form.at("s_nT")
+        play = s - _along(scene, s, lambda starts, before: stop(s, term.at("r_nT"), starts, before=before))
+        level = term.at("s_nT")
         loops = [np.tanh(play / level) - np.tanh(s / level), bend(s / level), *(s**k for k in BENDS)]
     elif "lon_deg" in names:
-        along = s @ _direction(form.at("lon_deg"), form.at("lat_deg"))
-        loops = _stopped(form, scene, along[:, None])
+        along = s @ _direction(term.at("lon_deg"), term.at("lat_deg"))
+        loops = _stopped(term, scene, along[:, None])
         return np.concatenate([on_each_axis(loop[:, 0]) for loop in loops], axis=2)
     else:
-        loops = _stopped(form, scene, s)
+        loops = _stopped(term, scene, s)
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
 
 
@@ -99,10 +99,10 @@ def _direction(lon_deg: float, lat_deg: float) -> Array:
     return np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
 
 
-def _stopped(form: Form, scene: Scene, s: Array) -> list[Array]:
+def _stopped(term: Term, scene: Scene, s: Array) -> list[Array]:
     """The stop of each threshold (n, k), all in one pass."""
-    kept = next((shape.value for shape in form.shape if shape.name == "kept"), None)
-    thresholds, k = _thresholds(form), s.shape[1]
+    kept = next((shape.value for shape in term.shape if shape.name == "kept"), None)
+    thresholds, k = _thresholds(term), s.shape[1]
     drive, limits = np.tile(s, len(thresholds)), np.repeat(thresholds, k)
 
     def stopped(starts: Sequence[int], before: Before | None) -> Array:
@@ -126,13 +126,13 @@ def _along(
     return state
 
 
-def _thresholds(form: Form) -> list[float]:
-    if any(shape.name == "r_nT" for shape in form.shape):
-        return [form.at("r_nT")]
-    return [float(name.removeprefix(BODY)[1:].split("_")[0]) for name, _ in form.parameters[::3]]
+def _thresholds(term: Term) -> list[float]:
+    if any(shape.name == "r_nT" for shape in term.shape):
+        return [term.at("r_nT")]
+    return [float(name.removeprefix(BODY)[1:].split("_")[0]) for name, _ in term.parameters[::3]]
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """Dahl's loop, one stop, several, and a saturating loop about a curve, along either axes; and a bar.
 
     Stops are tried from rest, and demagnetised before the first segment or before each. From rest no loop is seen that
@@ -146,22 +146,22 @@ def candidates(run: Run) -> list[Form]:
     for drive in ("", BODY) if travel > THRESHOLDS_nT[0] else ():
         seen = tuple(r for r in thresholds if r <= travel)
         units = [("nT", Shape("w_nT", 0.0, "nT", seen)), ("1", Shape("r_nT", 0.0, "nT", seen))]
-        found += [Form(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if seen]
+        found += [Term(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if seen]
         if several:
-            found.append(Form(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
+            found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
         if widths:
             shapes = (Shape("r_nT", 0.0, "nT", widths), Shape("s_nT", 0.0, "nT", SATURATION_nT))
             curve = (*per_axis(f"{drive}t1", "nT"), *(p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k))))
-            found.append(Form(kernel, (*per_axis(f"{drive}c", "nT"), *curve), shape=shapes))
+            found.append(Term(kernel, (*per_axis(f"{drive}c", "nT"), *curve), shape=shapes))
     bar = tuple(p for r in BAR_nT if r >= least for p in per_axis(f"{BODY}c{r:.0f}", "1"))
     turned = (Shape("lon_deg", 0.0, "deg", LON_deg), Shape("lat_deg", 0.0, "deg", LAT_deg))
     for kept in (Shape("kept", 0.0, "1"), Shape("kept", 1.0, "1")):
         if thresholds:
-            found.append(Form(kernel, per_axis("c", "1"), shape=(Shape("r_nT", 0.0, "nT", thresholds), kept)))
+            found.append(Term(kernel, per_axis("c", "1"), shape=(Shape("r_nT", 0.0, "nT", thresholds), kept)))
         if several:
-            found.append(Form(kernel, tuple(p for r in several for p in per_axis(f"c{r:.0f}", "1")), shape=(kept,)))
+            found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"c{r:.0f}", "1")), shape=(kept,)))
         if bar:
-            found.append(Form(kernel, bar, shape=(*turned, kept)))
+            found.append(Term(kernel, bar, shape=(*turned, kept)))
     return found
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import BODY, driving, per_axis, powered
 from labcal.record import Run
 
@@ -17,22 +17,22 @@ SATURATING = (("t1",), ("t1", "c2", "c3", "c4", "c5"))
 SATURATION_nT = (10000.0, 20000.0, 40000.0)
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = Σ_k c_k s_i^k + o2 s_i |s_i| + k1 |s_i| + t1 (tanh u_i − u_i), u = s / s_nT, along sensor axis i.
 
     Here s is the field along the sensor's axes, for `body_…` along the body's. What is proportional to it is the map's.
     """
-    s = driving(form, scene)
-    terms = dict.fromkeys(name.removeprefix(BODY)[:2] for name, _ in form.parameters)
-    return np.concatenate([_bent(s, term, form)[:, None, :] * scene.axes for term in terms], axis=2)
+    s = driving(term, scene)
+    powers = dict.fromkeys(name.removeprefix(BODY)[:2] for name, _ in term.parameters)
+    return np.concatenate([_bent(s, power, term)[:, None, :] * scene.axes for power in powers], axis=2)
 
 
-def _bent(s: Array, term: str, form: Form) -> Array:
-    if term == "t1":
-        return bend(s / form.at("s_nT"))
-    if term == "k1":
+def _bent(s: Array, power: str, term: Term) -> Array:
+    if power == "t1":
+        return bend(s / term.at("s_nT"))
+    if power == "k1":
         return np.abs(s)
-    return s * np.abs(s) if term == "o2" else s ** int(term[1])
+    return s * np.abs(s) if power == "o2" else s ** int(power[1])
 
 
 def bend(u: Array) -> Array:
@@ -40,18 +40,18 @@ def bend(u: Array) -> Array:
     return np.asarray(np.tanh(u) - u)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """The sums of powers worth trying, and a saturation alone and with them."""
     level = (Shape("s_nT", SATURATION_nT[0], "nT", SATURATION_nT),)
     return [
-        Form(kernel, tuple(p for term in terms for p in per_axis(f"{drive}{term}", _unit(term))), shape=shape)
+        Term(kernel, tuple(p for power in powers for p in per_axis(f"{drive}{power}", _unit(power))), shape=shape)
         for drive in ("", BODY)
-        for terms, shape in (*((t, ()) for t in TERMS), *((t, level) for t in SATURATING))
+        for powers, shape in (*((t, ()) for t in TERMS), *((t, level) for t in SATURATING))
     ]
 
 
-def _unit(term: str) -> str:
-    return {"t1": "nT", "k1": "1"}.get(term) or powered(int(term[1]))
+def _unit(power: str) -> str:
+    return {"t1": "nT", "k1": "1"}.get(power) or powered(int(power[1]))
 
 
 FAMILY = Family(

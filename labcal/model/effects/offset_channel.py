@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from labcal.model.effects.following import prompt, responding, shifted
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.following import delayed_terms, instantaneous, responses
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import moving
 from labcal.record import Run
 
 QUANTITIES = ("voltage", "power", "rate", "pressure", "humidity", "count", "other")
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = c (q − q_ref), one c per body axis; q at once or after a delay."""
-    return responding(form, scene)
+    return responses(term, scene)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """Each channel that moves: prompt, and delayed."""
     channels = moving(run, QUANTITIES)
-    return [form for c in channels for form in (prompt(c, kernel), *shifted(c, kernel, run))]
+    return [term for c in channels for term in (instantaneous(c, kernel), *delayed_terms(c, kernel, run))]
 
 
 FAMILY = Family(

@@ -5,8 +5,8 @@ Springmann & Cutler 2011, (7): the bias varies as S i(t). Eddy currents and filt
 
 from __future__ import annotations
 
-from labcal.model.effects.following import late, prompt, responding, several, shifted
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.following import delayed_terms, first_order, instantaneous, multi_tau, responses
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import moving
 from labcal.record import Run
 
@@ -14,18 +14,23 @@ TAU_S = (1.0, 3.0, 10.0, 30.0)
 SEVERAL_S = (0, 3, 12, 50)  # a response that no single time constant describes
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = c (i * h)(t), h a delay, a first-order response of tau_s, or a sum of several (`c12s_x`: of 12 s)."""
-    return responding(form, scene)
+    return responses(term, scene)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """Each current that moves: prompt, filtered, with several time constants, and delayed."""
     tau = Shape("tau_s", 3.0, "s", TAU_S)
     return [
-        form
+        term
         for c in moving(run, ("current",))
-        for form in (prompt(c, kernel), late(c, kernel, tau), several(c, kernel, SEVERAL_S), *shifted(c, kernel, run))
+        for term in (
+            instantaneous(c, kernel),
+            first_order(c, kernel, tau),
+            multi_tau(c, kernel, SEVERAL_S),
+            *delayed_terms(c, kernel, run),
+        )
     ]
 
 
@@ -36,6 +41,6 @@ FAMILY = Family(
     candidates,
     shapes=("tau_s", "delay_s"),
     experiment="hold the attitude and switch the load that draws this current on and off",
-    akin=("offset-current-squared",),
+    related=("offset-current-squared",),
     in_pieces=True,
 )

@@ -4,33 +4,33 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import AXES, on_each_axis
 from labcal.record import Run
 
 DEGREES = (1, 2, 3, 5)  # the last follows a slow wave once through the run
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = Σ c_k (t − t_ref)^k, or c exp(−(t − t_ref)/tau) where the form has a tau."""
-    t = scene.t_s - form.at("t_ref_s")
-    if any(s.name == "tau_s" for s in form.shape):
-        return on_each_axis(np.exp(-t / form.at("tau_s")))
-    powers = range(1, len(form.parameters) // 3 + 1)
+    t = scene.t_s - term.at("t_ref_s")
+    if any(s.name == "tau_s" for s in term.shape):
+        return on_each_axis(np.exp(-t / term.at("tau_s")))
+    powers = range(1, len(term.parameters) // 3 + 1)
     return np.concatenate([on_each_axis(t**k) for k in powers], axis=2)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """Polynomials about the middle of the run, and a settling from its start."""
     first, last = float(run.t_s[0]), float(run.t_s[-1])
     span = last - first
     if span <= 0:
         return []
     centre = (Shape("t_ref_s", (first + last) / 2, "s"),)
-    found = [Form(kernel, _polynomial(degree), shape=centre) for degree in DEGREES]
+    found = [Term(kernel, _polynomial(degree), shape=centre) for degree in DEGREES]
     grid = tuple(span * f for f in (0.05, 0.15, 0.4))
     settling = (Shape("t_ref_s", first, "s"), Shape("tau_s", grid[1], "s", grid))
-    return [*found, Form(kernel, tuple((f"c_{a}", "nT") for a in AXES), shape=settling)]
+    return [*found, Term(kernel, tuple((f"c_{a}", "nT") for a in AXES), shape=settling)]
 
 
 def _polynomial(degree: int) -> tuple[tuple[str, str], ...]:

@@ -5,28 +5,28 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import per_axis
 from labcal.record import Run
 
 ROWS = 10  # a mode with fewer rows is not a candidate
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = c_m in mode m, against the mode that the offset k belongs to."""
     if scene.mode is None:
         raise InputError("the calibration needs the power mode of each row", column="mode")
-    names = [name.removeprefix("c_x ") for name, _ in form.parameters if name.startswith("c_x ")]
+    names = [name.removeprefix("c_x ") for name, _ in term.parameters if name.startswith("c_x ")]
     return np.concatenate([(scene.mode == name)[:, None, None] * np.eye(3) for name in names], axis=2)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """One form: every mode against the most frequent one."""
     names, counts = np.unique(run.mode, return_counts=True)
     base = names[np.argmax(counts)]
     others = [str(name) for name, count in zip(names, counts, strict=True) if name != base and count >= ROWS]
     parameters = tuple((f"{c} {mode}", unit) for mode in others for c, unit in per_axis("c", "nT"))
-    return [Form(kernel, parameters)] if others else []
+    return [Term(kernel, parameters)] if others else []
 
 
 FAMILY = Family(

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import on_each_axis, per_axis, some_moment
 from labcal.record import Run
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = c from t_step on."""
-    return on_each_axis((scene.t_s >= form.at("t_step_s")).astype(float))
+    return on_each_axis((scene.t_s >= term.at("t_step_s")).astype(float))
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """One step, anywhere but at the ends."""
-    return [Form(kernel, per_axis("c", "nT"), shape=(some_moment(run),))] if len(run) > 2 else []
+    return [Term(kernel, per_axis("c", "nT"), shape=(some_moment(run),))] if len(run) > 2 else []
 
 
 FAMILY = Family(
@@ -25,5 +25,5 @@ FAMILY = Family(
     shapes=("t_step_s",),
     experiment="repeat the segments before and after the step",
     bound_to_run=True,
-    sought="moments",
+    search_strategy="moments",
 )

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects.following import late, prompt, responding, several, shifted
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.following import delayed_terms, first_order, instantaneous, multi_tau, responses
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
 
@@ -19,29 +19,29 @@ TAU_S = (10.0, 30.0, 100.0, 300.0)
 SEVERAL_S = (0, 60, 300)  # a housing and what is inside it
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = c (T − T_ref) + d (T − T_ref)², T through a first-order response of time constant tau_s, or of several."""
-    if not any(name.startswith("d_") for name, _ in form.parameters):
-        return responding(form, scene)
-    tau_s = form.at("tau_s") if form.shape else 0.0
-    T = low_passed(scene.t_s, scene.segment, form.drive(scene), tau_s, scene.past)
+    if not any(name.startswith("d_") for name, _ in term.parameters):
+        return responses(term, scene)
+    tau_s = term.at("tau_s") if term.shape else 0.0
+    T = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)
     return np.concatenate([on_each_axis(T), on_each_axis(T**2)], axis=2)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """Each temperature that moves: prompt, behind, with several time constants, curved, and delayed."""
     tau, either = Shape("tau_s", 100.0, "s", TAU_S), Shape("tau_s", 100.0, "s", (*LEADS_S, *TAU_S))
     found = []
     for c in moving(run, ("temperature",)):
-        straight = (prompt(c, kernel), late(c, kernel, tau))
-        found += [straight[0], late(c, kernel, either), several(c, kernel, SEVERAL_S), *map(_curved, straight)]
-        found += shifted(c, kernel, run)
+        straight = (instantaneous(c, kernel), first_order(c, kernel, tau))
+        found += [straight[0], first_order(c, kernel, either), multi_tau(c, kernel, SEVERAL_S), *map(_curved, straight)]
+        found += delayed_terms(c, kernel, run)
     return found
 
 
-def _curved(form: Form) -> Form:
-    unit = form.parameters[0][1].removeprefix("nT/")
-    return replace(form, parameters=(*form.parameters, *per_axis("d", f"nT/{unit}^2")))
+def _curved(term: Term) -> Term:
+    unit = term.parameters[0][1].removeprefix("nT/")
+    return replace(term, parameters=(*term.parameters, *per_axis("d", f"nT/{unit}^2")))
 
 
 FAMILY = Family(

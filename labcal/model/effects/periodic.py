@@ -4,24 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import AXES, on_each_axis
 from labcal.record import Run, period_s
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = c cos(2π f t) + s sin(2π f t), each per body axis."""
-    phase = 2 * np.pi * form.at("f_Hz") * scene.t_s
+    phase = 2 * np.pi * term.at("f_Hz") * scene.t_s
     return np.concatenate([on_each_axis(np.cos(phase)), on_each_axis(np.sin(phase))], axis=2)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """One frequency between a few cycles a segment and the Nyquist frequency; the loop finds where to look."""
     if len(run) < 20:
         return []
     nyquist = 0.5 / period_s(run.t_s)
     parameters = tuple((f"{w}_{a}", "nT") for w in ("cos", "sin") for a in AXES)
-    return [Form(kernel, parameters, shape=(Shape("f_Hz", nyquist / 2, "Hz"),))] if np.isfinite(nyquist) else []
+    return [Term(kernel, parameters, shape=(Shape("f_Hz", nyquist / 2, "Hz"),))] if np.isfinite(nyquist) else []
 
 
 FAMILY = Family(
@@ -32,6 +32,6 @@ FAMILY = Family(
     shapes=("f_Hz",),
     experiment="record at rest, and again at another sampling rate: an alias moves",
     bound_to_run=True,
-    sought="lines",
+    search_strategy="lines",
     harmonics=True,
 )

@@ -41,7 +41,7 @@ class Scene:
     mode: NDArray[np.str_] | None = None  # (n,)
     axes: Array = field(default_factory=lambda: np.eye(3))  # (3, 3) K per nominal unit: column i moves with reading i
     rig: Rig | None = None
-    quiet_nT: Array | None = None  # (n, 3) a at the estimated true reading, where a fit knows it
+    denoised_field_nT: Array | None = None  # (n, 3) a at the estimated true reading, where a fit knows it
     past: Past | None = None  # where the rows are a piece of a recording (`Family.in_pieces`)
 
     def __len__(self) -> int:
@@ -53,12 +53,12 @@ class Scene:
         return self.on_axes(self.field_nT)
 
     @property
-    def smooth_nT(self) -> Array:
+    def driving_field_nT(self) -> Array:
         """The field (n, 3) [nT] that drives a curve: without the readings' noise as far as a fit knows it.
 
         A curve that nearly undoes the map would take that noise off itself.
         """
-        return self.field_nT if self.quiet_nT is None else self.quiet_nT
+        return self.field_nT if self.denoised_field_nT is None else self.denoised_field_nT
 
     def on_axes(self, field_nT: Array) -> Array:
         """A field (n, 3) along the sensor's own axes."""
@@ -66,8 +66,8 @@ class Scene:
 
     def moved(self, by_nT: Array | float) -> Scene:
         """The same in a field that is `by_nT` (n, 3) or (3,) larger."""
-        quiet = None if self.quiet_nT is None else self.quiet_nT + by_nT
-        return replace(self, field_nT=self.field_nT + by_nT, quiet_nT=quiet)
+        quiet = None if self.denoised_field_nT is None else self.denoised_field_nT + by_nT
+        return replace(self, field_nT=self.field_nT + by_nT, denoised_field_nT=quiet)
 
     def select(self, rows: NDArray[Any]) -> Scene:
         """The same scene with only these rows (mask or numbers, in time order)."""
@@ -80,7 +80,7 @@ class Scene:
             channels={name: values[rows] for name, values in self.channels.items()},
             mode=None if self.mode is None else self.mode[rows],
             rig=rig,
-            quiet_nT=None if self.quiet_nT is None else self.quiet_nT[rows],
+            denoised_field_nT=None if self.denoised_field_nT is None else self.denoised_field_nT[rows],
         )
 
 
@@ -94,13 +94,15 @@ class Shape:
     grid: tuple[float, ...] = ()
 
 
-Kernel = Callable[["Form", Scene], Array]
-Sought = Literal["grid", "lines", "moments"]  # at its grid's points, or at the residual's own frequencies or jumps
+Kernel = Callable[["Term", Scene], Array]
+SearchStrategy = Literal[
+    "grid", "lines", "moments"
+]  # at its grid's points, or at the residual's own frequencies or jumps
 
 
 @dataclass(frozen=True, slots=True)
-class Form:
-    """One way an effect can look: `kernel` is all its physics, the linear parameters are left open.
+class Term:
+    """One form that an effect can take: `kernel` is all its physics, the linear parameters are left open.
 
     `kernel(form, scene)` gives the derivative of e by each linear parameter, (n, 3, p) [nT of B per unit].
     """
@@ -122,7 +124,7 @@ class Form:
                 return shape.value
         raise InputError(f"the effect lacks its parameter {name}")
 
-    def reshaped(self, **values: float) -> Form:
+    def with_values(self, **values: float) -> Term:
         """The same form at other shape parameters."""
         return replace(self, shape=tuple(replace(s, value=values.get(s.name, s.value)) for s in self.shape))
 
@@ -134,30 +136,32 @@ class Form:
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """All that is known about one effect id: whose it is, how it can look, and what would show it."""
+    """All that is known about one effect id: whose it is, the terms it can take, and what would show it."""
 
     id: str
     belongs_to: Owner
     kernel: Kernel
-    candidates: Callable[[Run], Sequence[Form]]  # the forms that this run could show; empty where its needs are not met
+    candidates: Callable[[Run], Sequence[Term]]  # the forms that this run could show; empty where its needs are not met
     shapes: tuple[str, ...] = ()  # names of the parameters that do not enter linearly
     experiment: str = ""  # what would show it, one sentence
     bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
     of_field: bool = False  # grows with the field itself: cannot be told from a gain that the run does not determine
     from_vectors: bool = False  # only vectors show it: on magnitudes the noise alone would
-    sought: Sought = "grid"  # where to look; what is read off the residual may come again at another place
+    search_strategy: SearchStrategy = (
+        "grid"  # where to look; what is read off the residual may come again at another place
+    )
     harmonics: bool = False  # what is left of it may be its own overtones
-    generic: bool = False  # follows whatever a channel measures: a cause with physics that does as well goes first
-    second_order: bool = False  # of a higher order than a cause that may do as well: that one goes first
-    extends: tuple[str, ...] = ()  # families that it is, where its own part is nought: it has to earn that part
-    akin: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
+    generic: bool = False  # follows whatever a channel measures: an equivalent cause with a mechanism goes first
+    second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first
+    extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
+    related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
     in_pieces: bool = False  # goes on from `scene.past`, or sees as far as `reach_s` says: a recording may be cut
 
-    def restore(self, record: EffectRecord) -> Form:
+    def restore(self, record: EffectRecord) -> Term:
         """The form that a calibration file describes."""
         linear = tuple((p.name, p.unit) for p in record.parameters if p.name not in self.shapes)
         shape = tuple(Shape(p.name, p.value, p.unit) for p in record.parameters if p.name in self.shapes)
-        return Form(self.kernel, linear, record.channels, dict(record.reference_value), shape)
+        return Term(self.kernel, linear, record.channels, dict(record.reference_value), shape)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -165,9 +169,9 @@ class Fitted:
     """A form with its linear parameters: what `apply` subtracts."""
 
     family: Family
-    form: Form
+    term: Term
     beta: Array  # (p,)
 
     def predict(self, scene: Scene) -> Array:
         """The effect e (n, 3) [nT of B]."""
-        return np.asarray(self.form.columns(scene) @ self.beta)
+        return np.asarray(self.term.columns(scene) @ self.beta)

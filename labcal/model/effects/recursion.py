@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-def affine(keep: Array, add: Array, start: Array | float) -> Array:
+def affine_recursion(keep: Array, add: Array, start: Array | float) -> Array:
     """z_i = keep_i z_{i−1} + add_i along rows (n, ...), from z = `start` before the first row."""
     keep, add = keep.copy(), add.copy()
     reach = 1
@@ -23,7 +23,7 @@ def affine(keep: Array, add: Array, start: Array | float) -> Array:
     return np.asarray(keep * start + add)
 
 
-def clipped(step: Array, limit: Array | float, anew: NDArray[np.intp]) -> Array:
+def clipped_recursion(step: Array, limit: Array | float, anew: NDArray[np.intp]) -> Array:
     """z_i = min(max(z_{i−1} + step_i, −limit), limit) along rows (n, k), from z = 0 before each row of `anew` (starts).
 
     `limit` is one for all columns, or (k,). The first row is one of `anew`.

@@ -4,29 +4,29 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene, Shape
+from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
 from labcal.model.effects.regressors import AXES
 from labcal.record import Run, offers
 
 DEGREES = (1, 2, 5)
 
 
-def kernel(form: Form, scene: Scene) -> Array:
+def kernel(term: Term, scene: Scene) -> Array:
     """E = R Σ c_k (t − t_ref)^k, fixed in the cage and seen from the body."""
     assert scene.rig is not None
-    t = scene.t_s - form.at("t_ref_s")
-    powers = range(len(form.parameters) // 3)
+    t = scene.t_s - term.at("t_ref_s")
+    powers = range(len(term.parameters) // 3)
     return np.concatenate([scene.rig.to_body * (t**k)[:, None, None] for k in powers], axis=2)
 
 
-def candidates(run: Run) -> list[Form]:
+def candidates(run: Run) -> list[Term]:
     """A line, a parabola, and a polynomial that follows a slow wave once through the run."""
     if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
         return []
     middle = (Shape("t_ref_s", float(run.t_s[0] + run.t_s[-1]) / 2, "s"),)
     units = ("nT", "nT/s", *(f"nT/s^{k}" for k in range(2, max(DEGREES) + 1)))
     return [
-        Form(kernel, tuple((f"c{k}_{a}", units[k]) for k in range(degree + 1) for a in AXES), shape=middle)
+        Term(kernel, tuple((f"c{k}_{a}", units[k]) for k in range(degree + 1) for a in AXES), shape=middle)
         for degree in DEGREES
     ]
 

@@ -46,9 +46,9 @@ def family(effect_id: str) -> Family:
 def load(record: EffectRecord) -> Fitted:
     """The effect that a calibration describes, ready to predict. Raises InputError where a parameter is missing."""
     kind = family(record.effect)
-    form = kind.restore(record)
+    term = kind.restore(record)
     values = {p.name: p.value for p in record.parameters}
-    return Fitted(kind, form, np.array([values[name] for name, _ in form.parameters]))
+    return Fitted(kind, term, np.array([values[name] for name, _ in term.parameters]))
 
 
 def load_shipped(record: EffectRecord) -> Fitted:
@@ -68,7 +68,7 @@ def load_shipped(record: EffectRecord) -> Fitted:
         raise InputError(f"{fault}: its parameters are there twice, or not in the order x, y, z")
     try:
         with np.errstate(all="ignore"):
-            columns = loaded.form.columns(_few_rows(record))
+            columns = loaded.term.columns(_few_rows(record))
     except InputError:
         raise
     except Exception as error:  # the formulas, other packages' too, may stumble over names and counts in many ways

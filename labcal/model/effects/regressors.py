@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.effects.past import Past
-from labcal.model.effects.protocol import Array, Form, Scene, Shape
-from labcal.model.effects.recursion import affine
+from labcal.model.effects.protocol import Array, Scene, Shape, Term
+from labcal.model.effects.recursion import affine_recursion
 from labcal.record import Run
 from labcal.record.run import Channel
 
@@ -37,9 +37,9 @@ def on_each_axis(drive: Array) -> Array:
     return np.asarray(drive[:, None, None] * np.eye(3))
 
 
-def driving(form: Form, scene: Scene) -> Array:
+def driving(term: Term, scene: Scene) -> Array:
     """The field (n, 3) [nT] that drives the form: along the sensor's own axes, or along those of the body."""
-    return scene.smooth_nT if form.parameters[0][0].startswith(BODY) else scene.on_axes(scene.smooth_nT)
+    return scene.driving_field_nT if term.parameters[0][0].startswith(BODY) else scene.on_axes(scene.driving_field_nT)
 
 
 def moving(run: Run, quantities: Iterable[str]) -> list[Channel]:
@@ -106,7 +106,7 @@ def low_passed(t_s: Array, segment: NDArray[np.intp], drive: Array, tau_s: float
         if start < past.own:
             past.until_s = max(past.until_s, t_s[start] + tau_s)
     keep[anew] = 0.0
-    followed, last = affine(keep, add, state), past.own - 1
+    followed, last = affine_recursion(keep, add, state), past.own - 1
     past.after[name] = t_s[last], segment[last], drive[last], followed[last]
     return followed
 

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Form, Scene
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.record import Run
 
 
-def nothing(form: Form, scene: Scene) -> Array:
+def nothing(term: Term, scene: Scene) -> Array:
     """No columns."""
     return np.zeros((len(scene), 3, 0))
 
 
-def no_candidates(run: Run) -> list[Form]:
+def no_candidates(run: Run) -> list[Term]:
     """None: `labcal.loop` finds these rows before any effect is tried."""
     return []
 

@@ -1,0 +1,1 @@
+"""Estimators from magnitudes alone, one reading at a time."""

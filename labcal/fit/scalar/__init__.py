@@ -1,0 +1,1 @@
+"""Estimators from magnitudes alone, all rows at once."""

@@ -1,0 +1,1 @@
+"""Maximum likelihood for vectors, axes and magnitudes."""

@@ -1,0 +1,219 @@
+"""Maximum likelihood for whatever a run offers: the default method."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.autocorrelation import variance_inflation
+from labcal.fit.declared import widen
+from labcal.fit.result import Fit
+from labcal.fit.vector.identify import Identified, identify
+from labcal.fit.vector.observations import SCALAR, Observations, observe
+from labcal.fit.vector.solve import (
+    HUBER_THRESHOLD,
+    LEAST_SQUARES,
+    ROBUST,
+    Loss,
+    Parameterisation,
+    ParameterisationName,
+    Solution,
+    parameterise,
+    solve,
+)
+from labcal.fit.vector.start import starts
+from labcal.fit.vector.system import Noise, WhiteIn, blocks, evaluate, map_of
+from labcal.model import AffineMap
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
+SUBSAMPLE = 500  # rows on which the starts compete
+ROUNDS = 8  # of noise and fit
+POLISHED = 2  # starts that are followed to their minimum
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Estimate:
+    """All that a maximum-likelihood fit knows: what the loop builds on, where `Fit` is for people and files."""
+
+    observations: Observations
+    noise: Noise  # as used in the weights
+    parameterisation: Parameterisation
+    solution: Solution
+    identified: Identified
+    scale: float  # observed over expected standard deviation of the normalised residuals
+
+    @property
+    def affine(self) -> AffineMap:
+        """The map in the DUT's unit."""
+        return AffineMap(*map_of(self.solution.theta, self.observations.scale))
+
+    @property
+    def covariance(self) -> Array:
+        """Covariance (12, 12) of K row by row, then k, in the DUT's unit."""
+        unit = np.r_[np.full(9, 1 / self.observations.scale), np.ones(3)]
+        return np.asarray(self.identified.covariance * np.outer(unit, unit))
+
+
+def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
+    """Maximum likelihood: K and k (and the starting phases) from vectors, axes and magnitudes, with covariance.
+
+    `white_in` says where the sensor's noise is white, its axes alike: in the readings, as instruments have it, or in
+    the field before K⁻¹ distorts it (Riwanto et al. 2017, (2a)); `dut.noise_nT` and `noise_nT` are meant there.
+    Where the rotation cannot be seen K is symmetric, the covariance has rank 9 and `frame_known` is False; a run that
+    does not determine the map gets `ok=False` with the reason. `robust=False` is least squares.
+    """
+    if run.reference.kind == "none":
+        return _refused("there is no reference, so the scale is open: a field of known magnitude is needed")
+    try:
+        found = estimate(run, robust=robust, white_in=white_in)
+        if found.identified.why_not and (found.observations.kind != SCALAR).any():
+            scalar = estimate(run, as_scalar=True, robust=robust, white_in=white_in)
+            found = scalar if scalar.identified.why_not is None else found
+    except (np.linalg.LinAlgError, ArithmeticError):
+        return _refused("no map comes near these readings: they do not follow the reference at all")
+    except ValueError as error:
+        return _refused(str(error))
+    if found.identified.why_not:
+        return _refused(found.identified.why_not)
+    frame_known = found.parameterisation.name != "symmetric"
+    return Fit(
+        method="ml",
+        ok=True,
+        affine=found.affine,
+        covariance=widen(run, found.affine, found.covariance * _inflation(found), frame_known=frame_known),
+        frame_known=frame_known,
+        phase_rad=found.solution.phase,
+        noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
+    )
+
+
+def estimate(
+    run: Run,
+    *,
+    parameterisation: ParameterisationName | None = None,
+    as_scalar: bool = False,
+    robust: bool = True,
+    white_in: WhiteIn = "reading",
+) -> Estimate:
+    """Fit the form `allowed` (affine, or symmetric where all rows are magnitudes) to the usable rows of `run`.
+
+    Raises ValueError where the rows are too few, or the sensor or the reference is dead.
+    Look at `identified.why_not` before using the numbers.
+    """
+    seen = observe(run, as_scalar=as_scalar)
+    nominal = seen.scale * run.dut.nominal_nT_per_unit
+    name = parameterisation or ("symmetric" if (seen.kind == SCALAR).all() else "affine")
+    shape = parameterise(name, nominal)
+    _require_excitation(seen, shape)
+    noise = _declared_noise(run, seen)
+    start = _best_start(seen, noise, shape, nominal)
+    found, noise, loss, scale = _iterate(run, seen, noise, shape, start, robust=robust, white_in=white_in)
+    identified = identify(seen, noise, shape, found, loss, scale)
+    return Estimate(seen, noise, shape, found, identified, scale)
+
+
+def _inflation(found: Estimate) -> float:
+    """How much correlated residuals widen the covariance; 1 where they are independent."""
+    theta, phase = found.solution.theta, found.solution.phase
+    parts = [evaluate(part, noise, theta, phase).residual for _, part, noise in blocks(found.observations, found.noise)]
+    residual = np.sqrt(found.solution.weight)[:, None] * np.concatenate(parts)
+    return variance_inflation(residual, found.observations.segment)
+
+
+def _require_excitation(seen: Observations, shape: Parameterisation) -> None:
+    free, given = shape.basis.shape[1] + len(seen.phase_names), int(seen.kind.sum())
+    if given <= free:
+        raise ValueError(f"{len(seen)} usable rows give {given} numbers; the map needs more than {free}")
+    if not seen.magnitude.any():
+        raise ValueError("the reference is zero throughout")
+    for name, column in zip(("dut_x", "dut_y", "dut_z"), seen.reading.T, strict=True):
+        if shape.name in ("affine", "symmetric") and np.ptp(column) == 0:
+            raise ValueError(f"{name} never changes: nothing determines its scale; turn the sensor or look at the axis")
+
+
+def _refused(why: str) -> Fit:
+    return Fit(method="ml", ok=False, why_not=why)
+
+
+def _declared_noise(run: Run, seen: Observations) -> Noise:
+    """The declared noise; a DUT whose noise is not declared starts at 1 nT and is estimated."""
+    angle = np.radians([s.angle_noise_deg or 0.0 for s in run.segments])[seen.segment]
+    shared = run.reference.u_time_s or 0.0
+    time = np.array([s.u_time_s or shared for s in run.segments])[seen.segment]
+    reading = (run.dut.noise_nT or 1.0) / run.dut.nominal_nT_per_unit
+    return Noise(reading, run.reference.noise_nT or 0.0, angle, time)
+
+
+def _best_start(seen: Observations, noise: Noise, shape: Parameterisation, nominal: float) -> Solution:
+    """Of the closed-form starts, polished on a subsample with Huber's loss, the one with the smallest residuals."""
+    rows = np.unique(np.linspace(0, len(seen) - 1, SUBSAMPLE).astype(np.intp))
+    few, few_noise = seen.select(rows), noise.select(rows)
+
+    def polish(start: Solution, loss: Loss, iterations: int) -> Solution:
+        return solve(few, few_noise, shape, start.theta, start.phase, loss, iterations=iterations)
+
+    candidates = starts(few, nominal, symmetric=shape.name == "symmetric")
+    rough = [solve(few, few_noise, shape, *start, LEAST_SQUARES, iterations=0) for start in candidates]
+    best = sorted(rough, key=lambda one: typical(few, one))[:POLISHED]
+    rough = [polish(one, LEAST_SQUARES, 6) for one in best]
+    return min((polish(r, Loss(typical(few, r), np.inf), 6) for r in rough), key=lambda end: typical(few, end))
+
+
+def _iterate(
+    run: Run,
+    seen: Observations,
+    noise: Noise,
+    shape: Parameterisation,
+    start: Solution,
+    *,
+    robust: bool,
+    white_in: WhiteIn,
+) -> tuple[Solution, Noise, Loss, float]:
+    """Alternate the fit with the scale of its residuals until both stand: solution, noise, loss, scale left over.
+
+    The scale goes into the reading's noise where none is declared; else it widens the covariance, never narrows it.
+    """
+    found, scale, loss = start, 1.0, LEAST_SQUARES
+    for _ in range(ROUNDS):
+        last = found.theta
+        if white_in == "field":
+            noise = replace(noise, shape=_through(found.theta, seen.scale * run.dut.nominal_nT_per_unit))
+        at_start = solve(seen, noise, shape, found.theta, found.phase, LEAST_SQUARES, iterations=0)
+        loss = replace(ROBUST, threshold=_huber_threshold(seen, at_start)) if robust else LEAST_SQUARES
+        found = solve(seen, noise, shape, found.theta, found.phase, loss)
+        before, scale = scale, _scale(seen, found, shape)
+        if run.dut.noise_nT is None:
+            noise, before, scale = replace(noise, reading=noise.reading * scale), 1.0 / scale, 1.0
+        moved = np.linalg.norm(found.theta - last) / np.linalg.norm(last)
+        if abs(scale / before - 1) < 0.005 and (white_in == "reading" or moved < 1e-6):
+            break
+    return found, noise, loss, max(scale, 1.0)
+
+
+def _through(theta: Array, nominal: float) -> Array:
+    """Covariance (3, 3) that noise white in the field has in the readings, over its own in nominal units."""
+    inverse = nominal * np.linalg.inv(theta[:9].reshape(3, 3))
+    return np.asarray(inverse @ inverse.T)
+
+
+def _huber_threshold(seen: Observations, found: Solution) -> float:
+    """Where weights begin to fall: by the residuals' median, but so that at most a tenth of the rows lose any.
+
+    More rows than that are no outliers: the model lacks something, and to leave them out would hide it.
+    """
+    return max(typical(seen, found), float(np.quantile(np.sqrt(found.cost) / HUBER_THRESHOLD[seen.kind], 0.9)), 1.0)
+
+
+def typical(seen: Observations, found: Solution) -> float:
+    """Observed over expected length of the normalised residuals, by their median."""
+    return float(np.sqrt(np.median(found.cost / MEDIAN_CHI2[seen.kind])))
+
+
+def _scale(seen: Observations, found: Solution, shape: Parameterisation) -> float:
+    """Observed over expected standard deviation of the normalised residuals, degrees of freedom taken off."""
+    free = float(np.sum(found.weight * seen.kind)) - shape.basis.shape[1] - len(found.phase)
+    return float(np.sqrt(np.sum(found.weight * found.cost) / max(free, 1.0)))

@@ -1,0 +1,228 @@
+"""The result of the loop from the evidence: verdict, records of effects, errors, findings."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.vector.observations import SCALAR
+from labcal.loop.candidates.scorer import Scored
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.design.proposal import next_experiment
+from labcal.loop.findings import working_range
+from labcal.loop.findings.confounded import confounded
+from labcal.loop.findings.residual_shape import describe
+from labcal.loop.findings.residual_tests import residual_tests as residual_tests
+from labcal.loop.findings.run_findings import findings
+from labcal.loop.narrative import summary, tests_text, why_accepted, why_equivalent, why_rejected
+from labcal.loop.noise.autocorrelation import serially_correlated
+from labcal.loop.result import ClosedLoop, Errors, Pictures, Verdict
+from labcal.loop.selection.crossval import HeldOutErrors, cross_validate, fixed_choice, rms
+from labcal.loop.selection.equivalents import AT_FLOOR, Equivalent
+from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.proof import Evidence
+from labcal.loop.selection.surrogates import p_value
+from labcal.model import EffectRecord, Parameter
+from labcal.model.calibration import Rival
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+GROSS_SIGMAS = 10.0  # standard deviations: nearer rows may be a detail that an effect's shape lacks
+MIN_SET_ASIDE = 3  # rows set aside before they are named as a cause
+MOST_OUTLIERS = 0.05
+
+
+def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside: dict[str, int]) -> ClosedLoop:
+    """The result: verdict, accepted and rejected effects, errors before and after, findings and the next experiment."""
+    problem = after.problem
+    rows = found.pool.valid
+    in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
+    found = replace(found, cv_error=_as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
+    verdict = _verdict(found, aside, len(problem))
+    of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
+    accepted = [*of_the_data, *_records(found, after)]
+    unsupported = working_range.unsupported(run, found.accepted, after)
+    shipped, errors = _shipped(found, after, unsupported)
+    noticed = (*findings(run, problem, found.level), *working_range.findings(run, found.accepted, after))
+    tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
+    left = describe(problem, rows) if verdict in ("unexplained", "partly-explained") else None
+    return ClosedLoop(
+        run_id=run.run_id,
+        residual_kind=problem.kind,
+        base=problem.base,
+        noise_floor_nT=found.level.nT,
+        noise_floor_source=found.level.source,
+        before=Errors(in_sample[0], found.cv_error.before),
+        after=Errors(in_sample[1], found.cv_error.after),
+        set_aside=aside,
+        accepted=tuple(accepted),
+        rejected=tuple(_rejected(found)),
+        verdict=verdict,
+        summary=summary(found, verdict, aside, left),
+        next_experiment=next_experiment(found, verdict, after, left),
+        affine=shipped.problem.affine,
+        covariance=_covariance(shipped),
+        frame_known=not bool((problem.observations.kind == SCALAR).all()),
+        noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
+        findings=noticed,
+        tests=tests,
+        shape=left,
+        unsupported=frozenset(len(of_the_data) + i for i in unsupported),
+        shipped=errors,
+        twins=confounded(problem, {c.scored.candidate.family.id for rivals in found.equivalents for c in rivals}),
+        remarks=(tests_text(tests["after"]), *(finding.says for finding in noticed)),
+        pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
+    )
+
+
+def _as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
+    """The held-out error, no smaller than what the shipped map and effects leave on the rows of their fit.
+
+    Blocks are predicted to first order about the last fit; where an effect is too nonlinear, the file is worse.
+    Where nothing was `added`, before is what is after.
+    """
+    shipped = max(cv_error.after, in_sample)
+    after_nT = cv_error.after_nT * (shipped / cv_error.after) if cv_error.after > 0 else cv_error.after_nT
+    return replace(cv_error, after_nT=after_nT, before_nT=cv_error.before_nT if added else after_nT)
+
+
+def _shipped(found: Evidence, after: JointFit, unsupported: Collection[int]) -> tuple[JointFit, Errors | None]:
+    """The map that goes with the effects that are shipped, fitted without the others, and its errors.
+
+    A map fitted beside an effect that the run does not pin down is as uncertain as the effect.
+    """
+    if not unsupported:
+        return after, None
+    kept = [chosen for i, chosen in enumerate(found.accepted) if i not in unsupported]
+    rows = found.pool.valid
+    fitted = joint_fit(found.pool.whole, [c.term for c in kept], rows)
+    left = rms(fitted.problem.length_nT(fitted.problem.residual_nT)[rows])
+    return fitted, Errors(left, max(cross_validate(found.pool, found.blocks, fixed_choice(kept)).after, left))
+
+
+def residual_pictures(before: LinearProblem, after: LinearProblem) -> Pictures:
+    """The residual as it was and as it is, for pictures."""
+    return Pictures(after.scene.t_s, after.scene.segment, _shown(before), _shown(after))
+
+
+def _both(cv_error: HeldOutErrors) -> Array:
+    """Held-out lengths before and after (n, 2), NaN on rows that were never held out."""
+    lengths = np.full((len(cv_error.rows), 2), np.nan)
+    lengths[cv_error.rows] = np.column_stack([cv_error.before_nT, cv_error.after_nT])
+    return lengths
+
+
+def _shown(problem: LinearProblem) -> Array:
+    if problem.kind == "vector":
+        return problem.residual_nT
+    b = problem.scene.field_nT
+    return np.asarray(np.sum(problem.residual_nT * b, axis=1) / np.linalg.norm(b, axis=1))[:, None]
+
+
+def _covariance(after: JointFit) -> Array:
+    """Of K row by row [nT per DUT unit], then k [nT]."""
+    problem = after.problem
+    q = problem.parameterisation.basis.shape[1]
+    B = problem.parameterisation.basis * np.r_[np.full(9, 1 / problem.observations.scale), np.ones(3)][:, None]
+    C = B @ after.covariance[:q, :q] @ B.T
+    return np.asarray((C + C.T) / 2)
+
+
+def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
+    reaches = found.cv_error.after <= AT_FLOOR * found.level.nT
+    known = found.level.source != "differences" or not _correlated(found)
+    outlying = aside["outliers"] > MOST_OUTLIERS * rows
+    if any(len(r) > 1 for r in found.equivalents):
+        return "ambiguous"
+    if found.accepted:
+        return "explained" if reaches and known and not outlying else "partly-explained"
+    if outlying:
+        return "partly-explained"
+    if (
+        aside["saturation"] >= MIN_SET_ASIDE
+        or (aside["outliers"] >= MIN_SET_ASIDE and found.outlier_distance > GROSS_SIGMAS)
+    ) and reaches:
+        return "explained"
+    return "clean" if reaches else "unexplained"
+
+
+def _correlated(found: Evidence) -> bool:
+    """Whether what the accepted effects leave of the valid rows still correlates from row to row."""
+    left = found.pool.residual_everywhere(found.accepted)[0] * found.pool.valid[:, None]
+    return serially_correlated(left, found.pool.whole.scene.segment)
+
+
+def _records(found: Evidence, after: JointFit) -> list[EffectRecord]:
+    out = []
+    lists = zip(found.accepted, after.terms, after.parameters(), found.contributions, found.equivalents, strict=True)
+    for chosen, term, parameters, step, rivals in lists:
+        low, high = step.improvement()
+        own, others = rivals[0], rivals[1:]
+        out.append(
+            EffectRecord(
+                effect=chosen.family.id,
+                channels=term.channels,
+                reference_value=dict(term.reference_value),
+                belongs_to=chosen.family.belongs_to,
+                parameters=parameters,
+                provisional=bool(others),
+                holdout_rms_before_nT=step.before,
+                holdout_rms_after_nT=step.after,
+                improvement_ci95_nT=(low, high),
+                p_value=p_value(own.scored, found.null_distribution),
+                rivals=tuple(_rival(other) for other in others),
+                why=why_accepted(step, own.scored),
+            )
+        )
+    return out
+
+
+def _rival(equivalent: Equivalent) -> Rival:
+    term = equivalent.scored.candidate.term
+    return Rival(equivalent.scored.candidate.family.id, term.channels, equivalent.after_nT)
+
+
+def _data_effects(aside: dict[str, int], problem: LinearProblem, verdict: Verdict, far: float) -> list[EffectRecord]:
+    """Rows set aside are named as a cause where they are more than chance and the rest is understood."""
+    found = []
+    for effect, count in aside.items():
+        gross = effect != "outliers" or far > GROSS_SIGMAS
+        if count >= MIN_SET_ASIDE and gross and verdict != "unexplained":
+            part = count / (len(problem) + count)
+            rows = Parameter("rows", float(count), 0.0, "1")
+            why = f"{count} rows ({100 * part:.1f} %) set aside"
+            found.append(EffectRecord(effect, (), {}, "data", (rows,), why=why))
+    return found
+
+
+def _rejected(found: Evidence) -> list[EffectRecord]:
+    """Every cause that was scored and not accepted, at the last step that scored it."""
+    last = {w.candidate.cause: w for ranking in found.rankings for w in ranking}
+    taken = {c.cause for c in found.accepted}
+    return [_rejected_record(found, w) for cause, w in last.items() if cause not in taken]
+
+
+def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
+    """Its record; with the held-out error where it is equivalent to an accepted one, or was selected and refused."""
+    term, step = w.candidate.term, found.refused.get(w.candidate.cause)
+    before, after, said = (step.before, step.after, why_rejected(w, step)) if step else (None, None, why_rejected(w))
+    gain = step.improvement() if step else None
+    for chosen, proof, rivals in zip(found.accepted, found.contributions, found.equivalents, strict=True):
+        for rival in rivals[1:]:
+            if rival.scored.candidate.cause == w.candidate.cause:
+                before, after, gain, said = proof.before, rival.after_nT, None, why_equivalent(chosen, rival.after_nT)
+    return EffectRecord(
+        effect=w.candidate.family.id,
+        channels=term.channels,
+        reference_value=dict(term.reference_value),
+        belongs_to=w.candidate.family.belongs_to,
+        parameters=(),
+        holdout_rms_before_nT=before,
+        holdout_rms_after_nT=after,
+        improvement_ci95_nT=gain,
+        p_value=p_value(w, found.null_distribution),
+        why=said,
+    )

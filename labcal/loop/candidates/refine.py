@@ -1,0 +1,101 @@
+"""Nonlinear parameters of a candidate at their best, by variable projection near the grid point that was found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.whitening import WhitenedNull
+
+Array = NDArray[np.float64]
+SECANT = "secant_s"  # the nonlinear parameter of a lag
+SECANT_ROUNDS = 6
+ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several parameters are searched in turn, and in the end
+
+
+def refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    """The candidate at its best nonlinear parameters beside the accepted ones, by line searches in turn."""
+    return pool.cached("refined", (candidate, *accepted), lambda: _refined(pool, candidate, accepted))
+
+
+def has_own_secant(candidate: Candidate) -> bool:
+    """Whether its columns are a secant over the very lag that is fitted."""
+    return any(shape.name == SECANT for shape in candidate.term.shape)
+
+
+def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    if has_own_secant(candidate):
+        return _on_own_secant(pool, candidate, accepted)
+    searched = [shape.name for shape in candidate.term.shape if shape.grid]
+    for name in searched if len(searched) > 1 else ():
+        candidate = _line_search(pool, candidate, name, _fixed_noise_gain(pool, candidate, accepted), ROUGHLY)
+    null_model = pool.null_model(accepted)
+    for name in searched:
+        candidate = _line_search(pool, candidate, name, lambda X: null_model.with_columns(X)[0].log, EXACTLY)
+    return candidate
+
+
+def _fixed_noise_gain(
+    pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]
+) -> Callable[[Array], float]:
+    """What transformed columns gain under the noise that goes with the candidate: cheaper than under every one."""
+    null_model = pool.null_model(accepted)
+    spectrum = null_model.with_columns(pool.transformed_columns(candidate))[0].spectrum
+    return pool.cached(("whitened", spectrum), (null_model,), lambda: WhitenedNull.of(null_model, spectrum)).gain
+
+
+def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
+    """A lag's columns are a secant: taken over the lag that they give, until it no longer changes."""
+    for _ in range(SECANT_ROUNDS):
+        lag = float(pool.coefficients([*accepted, candidate])[-1])
+        converged = abs(lag - candidate.term.at(SECANT)) < 1e-3 * abs(lag) + 1e-6
+        if converged or abs(lag) < 1e-6:
+            break
+        candidate = replace(candidate, term=candidate.term.with_values(**{SECANT: lag}))
+    return candidate
+
+
+def _line_search(
+    pool: CandidateSet, candidate: Candidate, name: str, gain: Callable[[Array], float], within: float
+) -> Candidate:
+    from scipy.optimize import minimize_scalar
+
+    low, high = _bracket(pool, candidate, name)
+
+    def cost(value: float) -> float:
+        columns = pool.problem.columns(candidate.term.with_values(**{name: value}))[pool.transformed_rows]
+        return -gain(cosine_transform(columns))
+
+    found = minimize_scalar(
+        cost, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": within * (high - low)}
+    )
+    if found.fun < cost(candidate.term.at(name)):
+        return replace(candidate, term=candidate.term.with_values(**{name: float(found.x)}))
+    return candidate
+
+
+def _bracket(pool: CandidateSet, candidate: Candidate, name: str) -> tuple[float, float]:
+    """Between the neighbours on the grid; for a frequency half the resolution, for a delay a step of it either way.
+
+    A loop or a curve narrower than any on the grid is not searched: it would be driven by ripple and noise.
+    """
+    shape = next(s for s in candidate.term.shape if s.name == name)
+    if name == "f_Hz":
+        width = 0.6 / float(np.ptp(pool.problem.scene.t_s))
+        return shape.value - width, shape.value + width
+    if name == "delay_s":
+        width = min(abs(g) for g in shape.grid)
+        return shape.value - width, shape.value + width
+    if name.endswith("_deg"):
+        width = float(np.min(np.diff(shape.grid)))
+        return shape.value - width, shape.value + width
+    below = [g for g in shape.grid if g < shape.value]
+    above = [g for g in shape.grid if g > shape.value]
+    lower, upper = (3, 1 / 3) if shape.value < 0 else (1 if name.endswith("_nT") else 1 / 3, 3)
+    return (max(below) if below else shape.value * lower), (min(above) if above else shape.value * upper)

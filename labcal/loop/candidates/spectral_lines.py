@@ -1,0 +1,53 @@
+"""Spectral lines of the residual: a periodic effect is tried at the highest peaks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.noise.periodogram import periodogram, running_median
+from labcal.model.effects import families
+from labcal.model.effects.regressors import stretches
+
+Array = NDArray[np.float64]
+PEAKS = 3  # frequencies that a periodic effect is tried at
+CYCLES = 3.0  # a period must fit this often into the run, and into a median segment where it keeps step with them:
+PHASE_LOCKED = 0.7  # resultant length of its phases at their starts: a turn there and back repeats at twice the rate
+
+
+def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
+    """What shows as a line, at the highest peaks against their neighbourhood, for a residual (n, q).
+
+    What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
+    the turning of the field.
+    """
+    terms = [(f, term) for f in families() if f.search_strategy == "lines" for term in f.candidates(problem.run)]
+    if not terms:
+        return []
+    offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
+    frequency, power = periodogram(problem.scene.t_s, offsets)
+    contrast = np.where(_admissible(problem, frequency), power / running_median(power), 0.0)
+    found: list[Candidate] = []
+    for _ in range(PEAKS):
+        peak = int(np.argmax(contrast))
+        if contrast[peak] <= 0:
+            break
+        for family, term in terms:
+            at = replace(term.shape[0], value=float(frequency[peak]), grid=(0.0,))
+            found.append(Candidate(family, replace(term, shape=(at,)), len(frequency)))
+        contrast[max(peak - 8, 0) : peak + 9] = 0.0
+    return found
+
+
+def _admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:
+    """Which frequencies [Hz] are neither a drift's nor those of a motion that repeats in each segment."""
+    times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
+    few = frequency < CYCLES / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
+    in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > PHASE_LOCKED
+    own = (frequency > CYCLES / max(times[-1][-1] - times[0][0], 1e-9)) & (frequency < 0.98 * frequency[-1])
+    own[few] &= ~in_step
+    return np.asarray(own)

@@ -1,0 +1,129 @@
+"""The rows that the loop works on, and the base model fitted to them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.errors import InputError
+from labcal.fit.vector.identify import Identified, identify
+from labcal.fit.vector.ml import Estimate, estimate
+from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
+from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solution, solve
+from labcal.fit.vector.system import Noise, evaluate
+from labcal.loop.data.linear_problem import Base
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+MAX_FIELD_UNCERTAINTY = 0.02  # a base whose field is uncertain by more than this part of the largest is not determined
+MIN_ROWS = 30  # fewer usable rows than this are refused
+
+
+def select_rows(run: Run) -> tuple[Run, Observations]:
+    """The rows that the loop works on: vectors where most rows offer them, else axes, or magnitudes.
+
+    Raises InputError where there are too few.
+    """
+    if run.reference.kind == "none":
+        raise InputError(f"run {run.run_id} has no reference: there is no residual to explain")
+    try:
+        seen = observe(run)
+    except ValueError as error:
+        raise InputError(f"run {run.run_id}: {error}") from None
+    vector = seen.kind == VECTOR
+    if 2 * vector.sum() >= len(seen):
+        rows = seen.rows[vector]
+        cut = run.select(rows)
+        seen = observe(cut)
+    elif vector.any():
+        cut = along_axes(run.select(seen.rows))
+        seen = observe(cut)
+        if bool((seen.kind == VECTOR).any()) or 2 * (seen.kind == AXIS).sum() < len(seen):
+            cut = run.select(seen.rows)
+            seen = observe(cut, as_scalar=True)
+    else:
+        cut = run.select(seen.rows)
+        seen = observe(cut)
+    if len(seen) < MIN_ROWS:
+        raise InputError(f"run {run.run_id} has {len(seen)} rows with a reading and a reference; {MIN_ROWS} are needed")
+    return cut, seen
+
+
+def along_axes(run: Run) -> Run:
+    """The run without its angles, where a segment at rest that knows its attitude offers one axis, as those turned do.
+
+    The rows of one run have to offer equally many numbers here; the frame is known from axes as well.
+    """
+    segments = tuple(
+        replace(s, kind="rotation", axis_cage=(0.0, 0.0, 1.0), axis_body=_third(s.body_from_cage), body_from_cage=None)
+        if s.kind == "static" and s.body_from_cage is not None and s.reference_frame == "cage"
+        else s
+        for s in run.segments
+    )
+    return replace(run, segments=segments, angle_deg=None)
+
+
+def _third(body_from_cage: tuple[tuple[float, ...], ...]) -> tuple[float, float, float]:
+    x, y, z = (row[2] for row in body_from_cage)
+    return x, y, z
+
+
+def declared_noise(run: Run) -> float:
+    """Noise of one axis of one reading [DUT units]; a thousandth of the reading where nothing is declared."""
+    if run.dut.noise_nT:
+        return run.dut.noise_nT / run.dut.nominal_nT_per_unit
+    return 1e-3 * float(np.sqrt(np.mean(run.reading**2)))
+
+
+def noise_model(run: Run, seen: Observations) -> Noise:
+    """The declared noise of reading, reference, angle and time."""
+    angle = np.array([np.radians(s.angle_noise_deg or 0.0) for s in run.segments])[run.segment_index]
+    time = np.array([s.u_time_s or 0.0 for s in run.segments])[run.segment_index]
+    return Noise(declared_noise(run), run.reference.noise_nT or 0.0, angle, time)
+
+
+def fit_base(run: Run, seen: Observations) -> tuple[Base, Estimate]:
+    """The largest base that the run determines, fitted robustly. Raises InputError where not even an offset is."""
+    scalar = bool((seen.kind == SCALAR).all())
+    full: ParameterisationName = "symmetric" if scalar else "affine"
+    names: tuple[tuple[Base, ParameterisationName], ...] = (
+        ("affine", full),
+        ("gain-offset", "gain-offset"),
+        ("offset", "offset"),
+    )
+    why = ""
+    for base, name in names:
+        with np.errstate(all="ignore"):
+            try:
+                found = estimate(run, parameterisation=name, as_scalar=scalar)
+            except (ValueError, np.linalg.LinAlgError) as error:
+                why = str(error)
+                continue
+        if _is_determined(found, base) or (
+            scalar and _is_determined(replace(found, identified=determined_by_geometry(found)), base)
+        ):
+            return base, found
+        why = found.identified.why_not or why
+    raise InputError(f"run {run.run_id} does not even determine an offset: {why}")
+
+
+def _is_determined(found: Estimate, base: Base) -> bool:
+    loose = found.identified.worst_u_nT >= MAX_FIELD_UNCERTAINTY * float(found.observations.magnitude.max())
+    return found.identified.why_not is None and (base == "offset" or not loose)
+
+
+def determined_by_geometry(found: Estimate) -> Identified:
+    """What these readings would determine if the fitted map were true: a strong effect is no lack of excitation."""
+    start = found.solution
+    field = evaluate(found.observations, found.noise, start.theta, start.phase).field
+    seen = replace(found.observations, magnitude=np.linalg.norm(field, axis=1))
+    exact = solve(seen, found.noise, found.parameterisation, start.theta, start.phase, LEAST_SQUARES)
+    return identify(seen, found.noise, found.parameterisation, exact, LEAST_SQUARES)
+
+
+def least_squares(seen: Observations, noise: Noise, near: Estimate) -> Solution:
+    """The base fit without robust weights, once outliers are set aside."""
+    start = near.solution
+    return solve(seen, noise, near.parameterisation, start.theta, start.phase, LEAST_SQUARES, iterations=30)

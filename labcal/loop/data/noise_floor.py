@@ -1,0 +1,108 @@
+"""The noise floor: the rms that noise alone would leave, and where it is known from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.vector.system import Noise
+from labcal.loop.data.linear_problem import LinearProblem, linearise
+from labcal.loop.noise.differences import white_level
+from labcal.model.effects import Scene
+from labcal.model.effects.regressors import stretches
+
+Array = NDArray[np.float64]
+Source = Literal["declared", "static", "differences"]
+MIN_STEPS_PER_ROW = 3.0  # steps of the encoder between two rows
+STEP_TOLERANCE = 0.1  # of a step, that a change may be off a multiple of it
+STILL = 0.002  # of the field: the field of a static stretch varies no more than this
+ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
+
+
+@dataclass(frozen=True, slots=True)
+class NoiseFloor:
+    """The noise floor [nT], its source, and the ratio of measured to declared noise where both are known."""
+
+    nT: float
+    source: Source
+    measured_over_declared: float | None
+
+
+def noise_floor(problem: LinearProblem) -> tuple[LinearProblem, NoiseFloor]:
+    """The problem whitened by the actual noise, and its floor: declared, else static stretches, else differences."""
+    level, source = _static_noise(problem), "static"
+    if level is None:
+        level, source = white_level(problem.y, problem.scene.segment), "differences"
+    if problem.run.dut.noise_nT:
+        ratio = level if source == "static" else None
+        return problem, NoiseFloor(_expected_rms(problem), "declared", ratio)
+    noise = scaled(problem.noise, max(level, 1e-6))
+    p = problem
+    problem = linearise(p.run, p.observations, noise, p.base, p.parameterisation, p.theta, p.phase)
+    return problem, NoiseFloor(_expected_rms(problem), "static" if source == "static" else "differences", None)
+
+
+def scaled(noise: Noise, factor: float) -> Noise:
+    """All of the noise times a factor."""
+    return replace(noise, reading=noise.reading * factor)
+
+
+def _expected_rms(problem: LinearProblem) -> float:
+    """Contract: sqrt(tr C + quantisation), its projection for magnitudes, times sqrt(1 + p / n)."""
+    W = problem.whiten
+    if problem.kind == "vector":
+        variance = float(np.mean(np.sum(np.linalg.inv(W) ** 2, axis=(1, 2)))) + _angle_step(problem)
+    else:
+        variance = float(np.mean(1 / np.sum(W[:, 0] ** 2, axis=1)))
+    return float(np.sqrt(variance * (1 + problem.T.shape[2] / problem.y.size)))
+
+
+def _angle_step(problem: LinearProblem) -> float:
+    """Variance [nT²] of the field across the axis from the angle's rounding.
+
+    Rounding lets the motion between rows change by whole steps within a segment; the smallest such change is the step
+    where the motion itself is several times that.
+    """
+    rig, angle = problem.scene.rig, problem.run.angle_deg
+    if rig is None or angle is None or not np.isfinite(rig.angle_rad).any():
+        return 0.0
+    turning = np.isfinite(rig.angle_rad)
+    segment, turned = problem.scene.segment[turning], np.unwrap(angle[turning], period=360.0)
+    changes = np.abs(np.round(np.diff(turned, 2)[segment[2:] == segment[:-2]], 6))
+    step = float(changes[changes > 0].min(initial=np.inf))
+    if not np.isfinite(step) or step * MIN_STEPS_PER_ROW > np.median(np.abs(np.diff(turned))):
+        return 0.0
+    if np.median(np.abs(changes / step - np.round(changes / step))) > STEP_TOLERANCE:
+        return 0.0
+    across = np.cross(np.nan_to_num(rig.axis_body), rig.prediction_nT)
+    return float(np.mean(np.sum(across**2, axis=1)) * np.radians(step) ** 2 / 12)
+
+
+def _static_noise(problem: LinearProblem) -> float | None:
+    """Spread of the residual in segments whose field stands still; None without any.
+
+    Counted about what follows a channel or the power mode there: a load that is switched at rest is no noise.
+    """
+    square, free = 0.0, 0
+    for part in stretches(problem.scene.segment):
+        field = problem.scene.field_nT[part]
+        still = float(field.std(axis=0).max()) < STILL * float(np.linalg.norm(field.mean(axis=0)))
+        known = _regressors_at_rest(problem.scene, part)
+        if still and len(field) > ROWS_EACH * known.shape[1]:
+            y = problem.y[part]
+            found, _, rank, _ = np.linalg.lstsq(known, y, rcond=1e-9)
+            square += float(np.sum((y - known @ found) ** 2))
+            free += (len(y) - int(rank)) * y.shape[1]
+    return float(np.sqrt(square / free)) if free else None
+
+
+def _regressors_at_rest(scene: Scene, part: slice) -> Array:
+    """Regressors of the residual in a stretch at rest (n, columns): a constant, and channels and modes that change."""
+    drives = [values[part] for values in scene.channels.values()]
+    if scene.mode is not None:
+        drives += [(scene.mode[part] == mode).astype(float) for mode in np.unique(scene.mode[part])[1:]]
+    moving = [(x - x.mean()) / x.std() for x in drives if x.std() > 0]
+    return np.column_stack([np.ones(part.stop - part.start), *moving])

@@ -1,0 +1,97 @@
+"""Rows without information about the sensor: saturated readings, and single readings far from their neighbours."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.effects.regressors import stretches
+from labcal.record import Run
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+SATURATION_SIGNIFICANCE = 1e-6  # chance of so many rows at an extreme, below which the device saturates there
+OTHER_LIMIT_SIGNIFICANCE = 0.05  # the same for other axes and ends of a device that saturates somewhere
+NEIGHBOUR_READINGS = 10  # distinct readings next to an extreme that it is compared with
+OUTLIER_SIGMAS = 6.0  # robust standard deviations from the neighbours
+WINDOW = 4  # neighbours on either side
+LONGEST_OUTLIER = 2  # rows in a row: more is structure, not an outlier
+
+
+def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
+    """Rows (n,) whose whitened residual (n, q) is far from the median of its neighbours (Hampel's identifier).
+
+    A residual stands still where the model is right, so the median serves; the field itself, which `apply` has to judge
+    by, moves, and is compared with the line through two neighbours (`labcal.model.plausibility`).
+
+    Where the accepted `effects` (n, q) themselves jump, as a switched current does, a row between the levels is none.
+    """
+    away, around = _neighbourhood(residual, segment)
+    spread = 1.4826 * np.median(np.abs(away), axis=0)
+    limit = OUTLIER_SIGMAS * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
+    if effects is not None:
+        limit = limit + _local_span(effects)
+    far = (np.abs(away) > limit).any(axis=1)
+    return np.asarray(far & ~_in_long_runs(np.asarray(far)))
+
+
+def outlier_distance(residual: Array, good: Mask) -> float:
+    """The median size of the rows set aside, over the rms of the others; 0 where none is."""
+    if good.all():
+        return 0.0
+    sizes = np.abs(residual).max(axis=1)
+    return float(np.median(sizes[~good]) / np.sqrt(np.mean(residual[good] ** 2)))
+
+
+def _local_span(effects: Array) -> Array:
+    """The span of the effects over each row and its two neighbours (n, q)."""
+    padded = np.pad(effects, ((1, 1), (0, 0)), mode="edge")
+    near = np.stack([padded[:-2], padded[1:-1], padded[2:]])
+    return np.asarray(near.max(axis=0) - near.min(axis=0))
+
+
+def _neighbourhood(residual: Array, segment: NDArray[np.intp]) -> tuple[Array, Array]:
+    """Distance of each row from the median of its neighbours (n, q), and their own median distance from it."""
+    away, around = np.zeros_like(residual), np.zeros_like(residual)
+    for part in stretches(segment):
+        y = residual[part]
+        if len(y) < 2 * WINDOW + 1:
+            continue
+        padded = np.pad(y, ((WINDOW, WINDOW), (0, 0)), mode="reflect")
+        near = np.stack([padded[k : k + len(y)] for k in range(2 * WINDOW + 1) if k != WINDOW])
+        middle = np.median(near, axis=0)
+        away[part], around[part] = y - middle, np.median(np.abs(near - middle), axis=0)
+    return away, around
+
+
+def _in_long_runs(mask: Mask) -> Mask:
+    """Members of stretches longer than LONGEST_OUTLIER rows."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
+    out = np.zeros_like(mask)
+    for start, stop in zip(edges[::2], edges[1::2], strict=True):
+        out[start:stop] = stop - start > LONGEST_OUTLIER
+    return out
+
+
+def at_saturation_limit(run: Run) -> Mask:
+    """Rows (n,) with an axis at its saturation limit: a reading that it reaches often and never exceeds.
+
+    Where chance piles up no extreme of the run as high, the others of the same device may be low.
+    """
+    ends = [(values, extreme) for values in run.reading.T for extreme in (np.nanmax(values), np.nanmin(values))]
+    found = [(values == extreme, _chance_of_pile_up(values, float(extreme))) for values, extreme in ends]
+    if min(chance for _, chance in found) > SATURATION_SIGNIFICANCE:
+        return np.zeros(len(run), dtype=bool)
+    return np.asarray(np.any([stuck for stuck, chance in found if chance < OTHER_LIMIT_SIGNIFICANCE], axis=0))
+
+
+def _chance_of_pile_up(values: Array, extreme: float) -> float:
+    """How often as many rows or more would lie at the extreme if it were as frequent as the readings next to it."""
+    from scipy.special import pdtrc
+
+    distinct = np.unique(np.abs(values[np.isfinite(values)] - extreme))
+    if len(distinct) < 2 * NEIGHBOUR_READINGS:
+        return 1.0
+    stuck = int((values == extreme).sum())
+    near = int((np.abs(values - extreme) <= distinct[NEIGHBOUR_READINGS]).sum()) - stuck
+    return float(pdtrc(stuck - 1, (near + 1) / NEIGHBOUR_READINGS))

@@ -1,0 +1,1 @@
+"""Beside effects: residual tests, the residual's shape, confounded explanations, the working range."""

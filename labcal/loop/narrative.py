@@ -1,0 +1,113 @@
+"""The result in words: one sentence for the technician, and why each cause was accepted or rejected."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import Scored
+from labcal.loop.result import Finding, NextExperiment, ResidualShape, ResidualTest, Verdict
+from labcal.loop.selection.admission import MATERIAL, MIN_EVIDENCE
+from labcal.loop.selection.crossval import HeldOutErrors
+
+if TYPE_CHECKING:
+    from labcal.loop.selection.proof import Evidence
+
+
+def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: ResidualShape | None = None) -> str:
+    """One sentence for the technician, the shape of what is left, and the rows that were set aside."""
+    names = [c.label for c in found.accepted]
+    named = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "Rows set aside"
+    verb = "explains" if len(names) == 1 else "explain"
+    change = (
+        f"{found.cv_error.before:.0f} to {found.cv_error.after:.0f} nT held out (noise alone: {found.level.nT:.0f} nT)"
+    )
+    rows = ", ".join(f"{n} row{'s' * (n != 1)} set aside as {what}" for what, n in aside.items() if n)
+    sentences = {
+        "clean": f"The base model reaches the noise: {change}.",
+        "explained": f"{named} {verb} the residual: {change}.",
+        "partly-explained": f"{named} {verb} part of the residual: {change}.",
+        "ambiguous": f"{named} {verb} the residual: {change}; but {_others(found)} as well on this run.",
+        "unexplained": f"There is structure that no known effect carries: {change}.",
+    }
+    left = f" What is left: {shape.says}" if shape is not None else ""
+    return sentences[verdict] + left + (f" {rows}." if rows else "")
+
+
+def _others(found: Evidence) -> str:
+    """The equivalents of what is accepted."""
+    names = dict.fromkeys(c.scored.candidate.label for rivals in found.equivalents for c in rivals[1:])
+    return f"{' and '.join(names)} {'does' if len(names) == 1 else 'do'}"
+
+
+def of_faulty_data(finding: Finding) -> dict[str, Any]:
+    """What a result says where the data themselves are wrong."""
+    return {
+        "verdict": "unexplained",
+        "summary": f"{finding.says} No effect was searched in such data.",
+        "next_experiment": _remedy(finding),
+        "findings": (finding,),
+        "remarks": (finding.says,),
+    }
+
+
+def _remedy(finding: Finding) -> NextExperiment:
+    if finding.kind == "excitation":
+        why, do = "the run does not determine the whole map", "turn about all three body axes, in two fields at least"
+        return NextExperiment(why, do, "preflight")
+    why = "an effect found in such data would be wrong"
+    return NextExperiment(why, "put the bundle or the wiring right, and close the loop again")
+
+
+def why_accepted(step: HeldOutErrors, own: Scored) -> str:
+    """Why an effect was accepted."""
+    change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
+    return f"{change}; evidence over a slow wander without a name: {_nats(own.evidence)}"
+
+
+def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
+    """Why a scored cause is not named; `step` is its contribution where held-out data did not support it."""
+    if step is not None:
+        return _why_refused(step)
+    if w.evidence < 0:
+        return f"no better than chance or a slow wander: evidence {_nats(w.evidence)}"
+    if w.evidence < MIN_EVIDENCE:
+        return f"too little evidence: {_nats(w.evidence)}"
+    taken = f"takes {w.drop:.2g} times the noise's square off the residual"
+    if w.drop < MATERIAL:
+        return f"{taken}: not worth its parameters"
+    return f"{taken} in sample, but other forms of what is accepted take as much"
+
+
+def why_equivalent(accepted: Candidate, after_nT: float) -> str:
+    """Why an equivalent cause is not named in the place of the accepted one."""
+    return f"does as well as {accepted.label} in its place ({after_nT:.1f} nT held out): a rival, neither is sure"
+
+
+def _why_refused(step: HeldOutErrors) -> str:
+    low, high = step.improvement()
+    change = f"taken, and given up on held-out blocks: {step.before:.1f} to {step.after:.1f} nT"
+    if low <= 0:
+        return f"{change}, a gain of {_signed(low)} to {_signed(high)} nT that may be none"
+    return f"{change}, but it is a detail beside others, or too much is left for its name to be sure"
+
+
+def _nats(weight: float) -> str:
+    return f"{_signed(weight)} nats, {MIN_EVIDENCE:.0f} needed"
+
+
+def _signed(value: float) -> str:
+    return f"{value:.1f}".replace("-", "−")
+
+
+def tests_text(tests: Sequence[ResidualTest]) -> str:
+    """One sentence on the tests of a residual."""
+    failed = [test.says for test in tests if not test.passes]
+    if not failed:
+        return (
+            "What is left shows no material structure: white in each segment, independent of every channel, of field, "
+            "angle and time."
+        )
+    more = [f"{len(failed) - 3} more tests fail"] if len(failed) > 3 else []
+    return f"What is left {'; '.join([*failed[:3], *more])}."

@@ -1,0 +1,1 @@
+"""Statistics of residuals, arrays in and out: coloured noise, projections, correlation, spectra."""

@@ -1,0 +1,46 @@
+"""Autocorrelation of a residual: how long it lasts, and whether there is any (Ljung & Box, Biometrika 65, 1978)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.autocorrelation import autocorrelation, lagged_products
+
+Array = NDArray[np.float64]
+LAGS = 10  # rows, of Ljung and Box's sum
+SIGNIFICANCE = 0.01  # a residual without structure fails one test this often
+MATERIAL = 0.03  # of the residual's square: less is no structure worth a name, however certain it is
+
+
+def ljung_box(y: Array) -> float:
+    """Ljung and Box's Q over LAGS lags, summed over the components of y (n, q); chi-squared with LAGS · q freedoms."""
+    n, y = len(y), y - y.mean(axis=0)
+    power = np.maximum(np.sum(y**2, axis=0), 1e-300)
+    lags = np.arange(1, LAGS + 1)
+    rho = np.array([lagged_products(y, lag) / power for lag in lags.tolist()])
+    return float(np.sum(n * (n + 2) * rho**2 / (n - lags)[:, None]))
+
+
+def predictable_share(y: Array) -> float:
+    """The share of the square of y (n, q) that an earlier row predicts: its largest squared autocorrelation."""
+    y = y - y.mean(axis=0)
+    return max(autocorrelation(y, lag) ** 2 for lag in range(1, LAGS + 1))
+
+
+def serially_correlated(y: Array, segment: NDArray[np.intp]) -> bool:
+    """Whether y (n, q) correlates significantly and materially with its past rows inside segments."""
+    from scipy.special import chdtrc
+
+    rho = np.array([autocorrelation(y, lag, segment) for lag in range(1, LAGS + 1)])
+    statistic = y.size * (y.size + 2) * float(np.sum(rho**2 / (y.size - np.arange(1, LAGS + 1))))
+    return bool(chdtrc(LAGS, statistic) < SIGNIFICANCE) and float(np.max(rho**2)) >= MATERIAL
+
+
+def correlation_time_s(t_s: Array, y: Array) -> float:
+    """The first lag [s] at which the autocorrelation of y (n, q) falls below 1/e, times evenly spaced."""
+    n = len(y)
+    power = np.sum(np.abs(np.fft.rfft(y - y.mean(axis=0), n=2 * n, axis=0)) ** 2, axis=1)
+    correlation = np.fft.irfft(power)[: n // 4]
+    below = np.flatnonzero(correlation < correlation[0] / np.e)
+    return float(below[0] if len(below) else n // 4) * float(np.median(np.diff(t_s)))

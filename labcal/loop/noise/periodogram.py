@@ -1,0 +1,36 @@
+"""Lines in the spectrum of a residual."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def periodogram(t_s: Array, residual: Array) -> tuple[Array, Array]:
+    """Frequencies [Hz] up to half the sampling rate and the power of all components; gaps count as zeros.
+
+    Times are rounded to a quarter of the sampling interval.
+    """
+    from scipy.fft import next_fast_len, rfft
+
+    step = float(np.median(np.diff(t_s)))
+    place = np.round((t_s - t_s[0]) / (step / 4)).astype(int)
+    if place[-1] > 64 * len(t_s) + 1024:  # gaps far longer than the record: close them
+        place = np.cumsum(np.concatenate([[0], np.minimum(np.diff(place), 64)]))
+    grid = np.zeros((int(place[-1]) + 1, residual.shape[1]))
+    np.add.at(grid, place, residual - residual.mean(axis=0))
+    length = next_fast_len(2 * len(grid), real=True)
+    power = np.sum(np.abs(rfft(grid, n=length, axis=0)) ** 2, axis=1)
+    frequency = np.fft.rfftfreq(length, step / 4)
+    inside = frequency <= 0.5 / step
+    return np.asarray(frequency[inside]), np.asarray(power[inside])
+
+
+def running_median(power: Array, width: int = 201) -> Array:
+    """The running median of a spectrum (k,)."""
+    blocks = max(len(power) // width, 1)
+    centres = (np.arange(blocks) + 0.5) * len(power) / blocks
+    medians = [float(np.median(part)) for part in np.array_split(power, blocks)]
+    return np.maximum(np.interp(np.arange(len(power)), centres, medians), 1e-300)

@@ -1,0 +1,1 @@
+"""Which candidates are accepted: stepwise selection, cross-validation, equivalent models."""

@@ -1,0 +1,163 @@
+"""Cross-validation by blocks of time: errors on rows that neither the fit nor the selection saw, with guard gaps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.parallel import parallel_map
+from labcal.model.effects.regressors import stretches
+
+Array = NDArray[np.float64]
+FOLDS = 5
+NEVER = -1
+BLOCKS = 40  # about so many blocks in a run
+DRAWS = 500
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BlockFolds:
+    """Which block and which fold each row belongs to, and how far training keeps away."""
+
+    block: NDArray[np.intp]  # (n,)
+    fold: NDArray[np.intp]  # (n,) NOWHERE where a row is never held out
+    guard_s: float
+
+    def training(self, t_s: Array, fold: int) -> NDArray[np.bool_]:
+        """Rows that a fit may see when `fold` is held out: none within the guard of a held-out row."""
+        held = self.fold == fold
+        times = t_s[held]
+        place = np.searchsorted(times, t_s)
+        before = np.abs(t_s - times[np.maximum(place - 1, 0)])
+        after = np.abs(times[np.minimum(place, len(times) - 1)] - t_s)
+        return np.asarray(~held & (np.minimum(before, after) > self.guard_s))
+
+    def restricted_to(self, rows: NDArray[np.bool_]) -> BlockFolds:
+        """The same blocks where no other rows than these are ever held out."""
+        return BlockFolds(self.block, np.where(rows, self.fold, NEVER), self.guard_s)
+
+
+def block_folds(
+    problem: LinearProblem, correlation_s: float, block_s: float | None = None, seed: int = 0
+) -> BlockFolds:
+    """Blocks of `block_s` (a fortieth of the recorded time, not less than five correlation times) in random folds.
+
+    A segment is at least two blocks; the guard is at most a third of the shortest, so that training keeps its rows.
+    """
+    t, segment = problem.scene.t_s, problem.scene.segment
+    parts = stretches(segment)
+    recorded = sum(float(t[p][-1] - t[p][0]) for p in parts)
+    length = block_s or max(recorded / BLOCKS, 5 * correlation_s, 8 * float(np.median(np.diff(t))))
+    block, count, shortest = np.empty(len(t), dtype=np.intp), 0, length
+    fold_of: list[int] = []
+    draw = np.random.default_rng(seed)
+    for part in parts:
+        span = float(t[part][-1] - t[part][0])
+        pieces = max(round(span / length), 2 if len(t[part]) >= 24 else 1)
+        inside = np.minimum((t[part] - t[part][0]) / max(span, 1e-9) * pieces, pieces - 1e-9).astype(int)
+        block[part] = count + inside
+        count, shortest = count + pieces, min(shortest, span / pieces)
+        while len(fold_of) < count:
+            fold_of += draw.permutation(FOLDS).tolist()
+    folds = np.array(fold_of)[:count][block]
+    return BlockFolds(block, folds, min(correlation_s, shortest / 3))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HeldOutErrors:
+    """Held-out residual lengths of each row [nT], with the base alone and with the effects."""
+
+    block: NDArray[np.intp]
+    before_nT: Array  # (n,)
+    after_nT: Array  # (n,)
+    rows: NDArray[np.bool_]  # (N,) which of the whole problem's they are
+
+    @property
+    def before(self) -> float:
+        """Rms before [nT]."""
+        return rms(self.before_nT)
+
+    @property
+    def after(self) -> float:
+        """Rms after [nT]."""
+        return rms(self.after_nT)
+
+    def improvement(self) -> tuple[float, float]:
+        """95 % interval of the fall of the rms [nT], over draws of whole blocks."""
+        blocks = np.unique(self.block)
+        place = np.searchsorted(blocks, self.block)
+        count = np.bincount(place)
+        sums = np.stack([np.bincount(place, v**2) for v in (self.before_nT, self.after_nT)])
+        drawn = np.random.default_rng(1).integers(len(blocks), size=(DRAWS, len(blocks)))
+        means = sums[:, drawn].sum(axis=2) / count[drawn].sum(axis=1)
+        low, high = np.percentile(np.sqrt(means[0]) - np.sqrt(means[1]), [2.5, 97.5])
+        return float(low), float(high)
+
+
+def rms(values: Array) -> float:
+    """Root mean square over the rows."""
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def cross_validate(
+    pool: CandidateSet,
+    blocks: BlockFolds,
+    choose: Callable[[CandidateSet], Sequence[Candidate]],
+    before: Sequence[Candidate] = (),
+) -> HeldOutErrors:
+    """Residuals of every row by fits that did not see its block; `choose` picks the effects on the training rows.
+
+    Left out are the rows between the last training row before a step and the first one after it: a fit that did not see
+    them cannot know on which side of the step they lie.
+    """
+    problem, whole = pool.problem, pool.whole
+    block, folds = (part if problem.bins is None else problem.bins.spread(part) for part in (blocks.block, blocks.fold))
+    out, known = np.full((2, len(whole)), np.nan), list[tuple[Candidate, Array]]()
+    numbers = np.unique(blocks.fold[blocks.fold != NEVER]).tolist()
+    parts = [pool.on(blocks.training(problem.scene.t_s, fold) & pool.rows) for fold in numbers]
+    for fold, part, chosen in zip(numbers, parts, parallel_map(choose, parts), strict=True):
+        seen_s = problem.scene.t_s[part.rows]
+        test = (folds == fold) & pool.valid & ~_beside_changepoint(whole.scene.t_s, seen_s, [*before, *chosen])
+        known = [(c, _columns_of(c, known, pool)) for c in (*before, *chosen)]
+        for which, effects in enumerate((before, chosen)):
+            A = np.concatenate([whole.T[test], *(_columns_of(c, known, pool)[test] for c in effects)], axis=2)
+            out[which, test] = residual_lengths(whole, whole.y[test] - A @ part.coefficients(effects), test)
+    seen = np.isfinite(out).all(axis=0)
+    return HeldOutErrors(block[seen], out[0, seen], out[1, seen], seen)
+
+
+def fixed_choice(accepted: Sequence[Candidate]) -> Callable[[CandidateSet], Sequence[Candidate]]:
+    """The same effects whatever the training rows."""
+    return lambda part: accepted
+
+
+def _beside_changepoint(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDArray[np.bool_]:
+    """Rows (n,) between the two known times that a step of one of these effects lies between."""
+    out = np.zeros(len(t_s), dtype=bool)
+    for shape in (shape for c in effects for shape in c.term.shape if shape.name == "t_step_s"):
+        after = int(np.searchsorted(known_s, shape.value))
+        low, high = np.concatenate([[-np.inf], known_s, [np.inf]])[after : after + 2]
+        out |= (t_s > low) & (t_s < high)
+    return out
+
+
+def _columns_of(candidate: Candidate, known: Sequence[tuple[Candidate, Array]], pool: CandidateSet) -> Array:
+    """Its columns on every row, from what is known where they are there."""
+    for other, columns in known:
+        if other is candidate:
+            return columns
+    return pool.full_columns(candidate)
+
+
+def residual_lengths(problem: LinearProblem, whitened: Array, rows: NDArray[np.bool_]) -> Array:
+    """Length [nT] of whitened residuals (m, q) of some rows: of the vector, or of the magnitude."""
+    W = problem.whiten[rows]
+    if problem.kind == "vector":
+        return np.asarray(np.linalg.norm(np.linalg.solve(W, whitened[:, :, None])[:, :, 0], axis=1))
+    return np.asarray(np.abs(whitened[:, 0]) / np.linalg.norm(W[:, 0], axis=1))

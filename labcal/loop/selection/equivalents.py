@@ -1,0 +1,109 @@
+"""Equivalent models: which other causes explain the run as well in the place of an accepted one."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.library import Candidate, Cause
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.selection.admission import MATERIAL, MIN_EVIDENCE, earns_its_extension
+from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.related import related_columns
+from labcal.loop.selection.stepwise import is_same_source
+
+AT_FLOOR = 1.15  # held-out rms over the noise floor up to which nothing is left to explain
+EQUIVALENT_RMS = 1.03  # times the held-out rms of the effect in whose place another cause stands
+MAX_TRIED = 4  # causes that are tried on held-out data
+EQUIVALENT_NATS = 8.0  # a smaller difference in evidence is none
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Equivalent:
+    """A cause in the place of an accepted one, and the held-out rms that it reaches."""
+
+    scored: Scored
+    after_nT: float
+
+
+def equivalent_models(
+    pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], chosen: Candidate
+) -> list[Equivalent]:
+    """`chosen`, and the causes that are not worse in its place on held-out data either."""
+    out: list[Equivalent] = []
+    for w in equally_likely(pool, accepted, chosen)[: MAX_TRIED + 1]:
+        mine = chosen if w.candidate.cause == chosen.cause else w.candidate
+        swapped = [mine if c is chosen else c for c in accepted]
+        if chosen.family.id in mine.family.extends:
+            swapped = [*accepted, mine]
+        either = cross_validate(pool, blocks, fixed_choice(swapped), accepted)
+        if not out or not_worse(either):
+            out.append(Equivalent(w, either.after))
+    return out
+
+
+def not_worse(either: HeldOutErrors) -> bool:
+    """Whether the effects after are as good as those before, or better on some bootstrap draws of the blocks."""
+    return either.after <= EQUIVALENT_RMS * either.before or either.improvement()[1] > 0
+
+
+def equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:
+    """`chosen`, and the causes that are as likely in its place."""
+    about = [chosen, *accepted]
+    return pool.cached("equally likely", about, lambda: _equally_likely(pool, accepted, chosen))
+
+
+def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:
+    others = [c for c in accepted if c is not chosen]
+    open_to = [c for c in all_candidates(pool, others) if not any(is_same_source(o, c) for o in others)]
+    related = [refined(pool, c, others) for c in _same_response(open_to, chosen)]
+    misfit = float(np.mean(pool.residual(accepted)[pool.rows] ** 2)) > AT_FLOOR**2
+    always = {c.cause for c in related if misfit and chosen.family.second_order}
+    near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, always)
+    if pool.problem.whole is not None and len(near) > 1:
+        near = within_reach(pool.undecimated().rank([w.candidate for w in near], others), chosen, always)
+    earning = [w for w in near[1:] if earns_its_extension(pool, others, w)]
+    return [near[0], *earning, *plausible_extensions(pool, accepted, chosen)]
+
+
+def plausible_extensions(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:
+    """Causes that extend `chosen` and whose own part is more probable than not; a certain one must be material."""
+    larger = [c for c in pool.candidates if chosen.family.id in c.family.extends]
+    causes = {c.cause for c in accepted}
+    beside = pool.rank(larger, accepted, related_columns(pool, accepted)) if larger else []
+    open_to = [w for w in beside if w.candidate.cause not in causes]
+    return [w for w in open_to if w.evidence > 0 and (w.evidence < MIN_EVIDENCE or w.drop >= MATERIAL)]
+
+
+def _same_response(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """Of a current or its square that acts slowly, the other one, to be refined from the same time constant."""
+    shape = {s.name: s.value for s in chosen.term.shape}
+    related = [
+        c for c in candidates if c.family.id in chosen.family.related and c.term.channels == chosen.term.channels
+    ]
+    alike = {len(c.term.parameters): c for c in related if shape and {s.name for s in c.term.shape} == shape.keys()}
+    return [replace(c, term=c.term.with_values(**shape)) for c in alike.values()]
+
+
+def within_reach(ranking: Sequence[Scored], chosen: Candidate, always: Collection[Cause]) -> list[Scored]:
+    """`chosen`, what has nearly its evidence, and causes that count as near `always`."""
+    own = next(w for w in ranking if w.candidate.cause == chosen.cause)
+    others = (w for w in ranking if w.candidate.cause != chosen.cause)
+    least = _g_prior_evidence(own) - EQUIVALENT_NATS
+    return [own, *(w for w in others if _g_prior_evidence(w) > least or w.candidate.cause in always)]
+
+
+def _g_prior_evidence(w: Scored) -> float:
+    """Gain less a penalty for comparing models of unlike size [nats].
+
+    Schwarz's penalty, one row's information for each parameter, would give a weak effect to the smaller of two models
+    that fit as well. A g-prior at its likeliest g (Liang et al., JASA 103, 410, 2008, section 2.4) goes by the effect's
+    own size.
+    """
+    size = w.rank + w.candidate.size - len(w.candidate.term.parameters)
+    each = max(2 * w.gain / max(size, 1), 1.0)
+    return float(w.gain - 0.5 * size * (1 + np.log(each)) - np.log(w.candidate.trials))

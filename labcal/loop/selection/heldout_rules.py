@@ -1,0 +1,155 @@
+"""Which accepted effects held-out data support, and how many of them may be reported."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.noise_floor import NoiseFloor
+from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.equivalents import AT_FLOOR, Equivalent, equally_likely
+from labcal.model.effects.regressors import WEATHER, stretches
+
+MIN_EXPLAINED = 0.75  # of the mean square above the noise, by all effects together
+MIN_EXPLAINED_BY_SWITCHES = 0.5  # the same where each of them follows a channel that somebody switches
+MISFIT_SHARE = 0.03  # of what an effect took off: more left means an unnamed process, not a drift, a step or a mode
+MISFIT_SHARE_OF_A_LINE = 0.1  # the same for a line with its harmonics
+MISFIT_SHARE_OF_LATER = 1 / 3  # the same for a later cause: it took misfit of an earlier one's form
+MIN_SHARE_OF_A_SECOND = 0.03  # of what all take off together: a second effect has to take off as much,
+MIN_SECOND_OF_NOISE = 0.25  # or this part of the noise's square
+ALTERNATIVES = 2  # causes of other families that a doubtful one is compared with
+MAX_EQUIVALENTS_NAMED = 3  # more names for one effect are no answer
+
+
+def first_unsupported(
+    pool: CandidateSet, accepted: Sequence[Candidate], steps: Sequence[HeldOutErrors], level: NoiseFloor
+) -> int | None:
+    """The place of the first accepted effect that held-out data do not support; None where they support all."""
+    for i, step in enumerate(steps):
+        if not (improves(step) and is_more_than_detail(steps[: i + 1], level)):
+            return i
+    for i, chosen in reversed(list(enumerate(accepted))):
+        share = MISFIT_SHARE_OF_A_LINE if chosen.family.harmonics else MISFIT_SHARE
+        mine = steps if level.source == "differences" else steps[_first_of_its_cause(accepted, i) :]
+        if is_time_bound(pool, chosen) and misfit_remains(mine, level, share):
+            return i
+    if level.source == "differences":
+        return None
+    for i in range(len(steps) - 1, 0, -1):
+        begins = _first_of_its_cause(accepted, i)
+        if begins and misfit_remains(steps[begins:], level, MISFIT_SHARE_OF_LATER):
+            return i
+    return None
+
+
+def _first_of_its_cause(accepted: Sequence[Candidate], place: int) -> int:
+    """The first of the consecutive effects of one cause: harmonics of one wave are judged together."""
+    return next(i for i in range(place, -1, -1) if i == 0 or accepted[i - 1].cause != accepted[place].cause)
+
+
+def first_doubtful(
+    pool: CandidateSet,
+    blocks: BlockFolds,
+    accepted: Sequence[Candidate],
+    steps: Sequence[HeldOutErrors],
+    level: NoiseFloor,
+) -> int | None:
+    """The first accepted effect whose lead over other families is smaller than what its own form misses; else None.
+
+    Where no form reaches the noise, the nearest one may be so by coincidence.
+    """
+    missed = steps[-1].after ** 2 - level.nT**2 if steps else 0.0
+    if not steps or level.source == "differences" or steps[-1].after <= AT_FLOOR * level.nT:
+        return None
+    for i, chosen in enumerate(accepted):
+        for other in _other_explanations(pool, accepted, chosen) if _first_of_its_cause(accepted, i) == i else ():
+            swapped = [other if c is chosen else c for c in accepted if c is chosen or c.cause != chosen.cause]
+            if cross_validate(pool, blocks, fixed_choice(swapped)).after ** 2 - steps[-1].after ** 2 < missed:
+                return i
+    return None
+
+
+def _other_explanations(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    """The causes of other families that would take most off the residual in the place of `chosen`.
+
+    Its equivalents are not among them: they are named beside it.
+    """
+    others = [c for c in accepted if c is not chosen]
+    named = {o.cause for o in others} | {w.candidate.cause for w in equally_likely(pool, accepted, chosen)}
+    related = (chosen.family.id, *chosen.family.extends, *chosen.family.related)
+    unrelated = [
+        c
+        for c in all_candidates(pool, others)
+        if c.family.id not in related and chosen.family.id not in c.family.extends and c.cause not in named
+    ]
+    return [w.candidate for w in sorted(pool.rank(unrelated, others), key=lambda w: -w.drop)[:ALTERNATIVES]]
+
+
+def is_time_bound(pool: CandidateSet, chosen: Candidate) -> bool:
+    """Whether it depends on time or segment alone: any process in time would resemble it."""
+    scene = pool.whole.scene
+    if chosen.family.bound_to_run:
+        return True
+    columns = chosen.term.columns(scene)
+    return not any(bool(np.ptp(columns[part], axis=0).any()) for part in stretches(scene.segment))
+
+
+def misfit_remains(steps: Sequence[HeldOutErrors], level: NoiseFloor, share: float) -> bool:
+    """Whether what all effects leave above the noise exceeds this share of what they took off."""
+    before, after = steps[0].before, steps[-1].after
+    return after > AT_FLOOR * level.nT and after**2 - level.nT**2 > share * (before**2 - after**2)
+
+
+def improves(step: HeldOutErrors) -> bool:
+    """Whether the held-out error falls, with its whole 95 % interval."""
+    return step.improvement()[0] > 0
+
+
+def is_more_than_detail(steps: Sequence[HeldOutErrors], level: NoiseFloor) -> bool:
+    """Whether the last of some effects takes off more than a detail of the others would, on held-out data."""
+    fall, total = (step.before**2 - steps[-1].after ** 2 for step in (steps[-1], steps[0]))
+    return len(steps) == 1 or fall > min(MIN_SHARE_OF_A_SECOND * total, MIN_SECOND_OF_NOISE * level.nT**2)
+
+
+def explains_excess(
+    pool: CandidateSet, cv_error: HeldOutErrors, level: NoiseFloor, accepted: Sequence[Candidate]
+) -> bool:
+    """Whether the effects explain most of what lies above the noise: less is no explanation.
+
+    Effects that follow switched channels may leave more: misfit of another cause may resemble a curve, a drift or the
+    weather, but not a load that somebody switches.
+    """
+    excess = cv_error.before**2 - level.nT**2
+    share = MIN_EXPLAINED_BY_SWITCHES if all(_follows_a_switch(pool, c) for c in accepted) else MIN_EXPLAINED
+    return cv_error.after <= AT_FLOOR * level.nT or cv_error.before**2 - cv_error.after**2 > share * excess
+
+
+def _follows_a_switch(pool: CandidateSet, candidate: Candidate) -> bool:
+    """Whether the effect follows channels, none of them one that moves slowly by itself."""
+    names, run = candidate.term.channels, pool.whole.run
+    return bool(names) and all(run.channel(name).quantity not in WEATHER for name in names)
+
+
+def n_reportable(
+    pool: CandidateSet,
+    cv_error: HeldOutErrors,
+    level: NoiseFloor,
+    accepted: Sequence[Candidate],
+    models: Sequence[Sequence[Equivalent]],
+) -> int:
+    """How many of the accepted effects, from the first on, may be named; `models` are the equivalents of each.
+
+    Not the last where together they explain too little; nor, where they do not reach the noise, one with too many
+    equivalents: whatever resembles an unknown shape a little is equivalent there.
+    """
+    if not accepted or cv_error.after <= AT_FLOOR * level.nT:
+        return len(accepted)
+    if not explains_excess(pool, cv_error, level, accepted):
+        return len(accepted) - 1
+    if level.source == "differences":
+        return len(accepted)
+    return next((i for i, equivalents in enumerate(models) if len(equivalents) > MAX_EQUIVALENTS_NAMED), len(accepted))

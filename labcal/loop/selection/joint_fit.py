@@ -1,0 +1,231 @@
+"""The joint fit of map, phases and all effects, by Gauss-Newton on the full residual."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.data.linear_problem import LinearProblem, linearise
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
+from labcal.loop.noise.nuisance import MIN_NEW_SHARE, inverse_gram, ols_with_nuisance
+from labcal.model import Parameter
+from labcal.model.effects import Scene, Term, families
+from labcal.model.effects.protocol import Shape
+
+Array = NDArray[np.float64]
+STEPS = 8
+HALVINGS = 6  # of a step that does not lower the sum of squares
+ROUNDS = 30  # of fixed-point iteration: an effect of the field acts on the field that contains the effect
+SETTLED_nT = 0.1  # change that ends it
+SLOPE_STEP_nT = 5.0  # over which the slope of an effect in the field is taken
+Point = tuple[LinearProblem, tuple[Term, ...], tuple[Array, ...]]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class JointFit:
+    """The joint solution."""
+
+    problem: LinearProblem  # about the solution, effects subtracted
+    terms: tuple[Term, ...]
+    beta: tuple[Array, ...]  # of each term
+    covariance: Array  # of the base's coordinates, phases, betas and searched parameters, coloured noise included
+
+    def effects(self, scene: Scene) -> Array | float:
+        """Σ e (n, 3) [nT]."""
+        return sum_of_effects(self.terms, self.beta, scene)
+
+    def uncorrected(self) -> LinearProblem:
+        """The problem about the same map and phases with the effects still in its residual.
+
+        With vectors the base's columns do not contain them: readings with the effects, less a reference without, would
+        let an effect of the rig imitate all of them.
+        """
+        p = self.problem
+        if p.kind == "vector":
+            return linearise(p.run, p.observations, p.noise, p.base, p.parameterisation, p.theta, p.phase)
+        effects = self.effects(p.scene)
+        here = linearise(p.run, p.observations, p.noise, p.base, p.parameterisation, p.theta, p.phase, effects)
+        y = sum((here.columns(term) @ b for term, b in zip(self.terms, self.beta, strict=True)), here.y)
+        return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + effects)
+
+    def parameters(self) -> tuple[tuple[Parameter, ...], ...]:
+        """The parameters of each effect with their standard uncertainties."""
+        u = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))[self.problem.T.shape[2] :]
+        linear = sum(len(b) for b in self.beta)
+        shapes = iter(u[linear:].tolist())
+        out, at = [], 0
+        for term, beta in zip(self.terms, self.beta, strict=True):
+            found = [
+                Parameter(name, float(value), float(spread), unit)
+                for (name, unit), value, spread in zip(term.parameters, beta, u[at : at + len(beta)], strict=True)
+            ]
+            at += len(beta)
+            found += [
+                Parameter(s.name, s.value, self._uncertain(s, shapes) if s.grid else 0.0, s.unit) for s in term.shape
+            ]
+            out.append(tuple(found))
+        return tuple(out)
+
+    def _uncertain(self, shape: Shape, by_slope: Iterator[float]) -> float:
+        """The standard uncertainty of a searched parameter: a step may lie anywhere between two rows (uniform)."""
+        u, t = next(by_slope), self.problem.scene.t_s
+        if shape.name != "t_step_s":
+            return u
+        after = min(max(int(np.searchsorted(t, shape.value)), 1), len(t) - 1)
+        return float((t[after] - t[after - 1]) / np.sqrt(12))
+
+
+def sum_of_effects(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array | float:
+    """The sum of the effects (n, 3) [nT]; 0.0 where there is none."""
+    return sum((term.columns(scene) @ b for term, b in zip(terms, beta, strict=True)), 0.0)
+
+
+def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bool_] | None = None) -> JointFit:
+    """Fit all from the problem's own parameters, on `rows` where they are given."""
+    used = np.ones(len(problem), dtype=bool) if rows is None else rows
+    here, terms = problem, tuple(terms)
+    beta = tuple(np.zeros(len(term.parameters)) for term in terms)
+    for _ in range(STEPS):
+        A = np.concatenate([here.T, *(-here.columns(term) for term in terms)], axis=2)[used]
+        step = -ols_with_nuisance(A, here.y[used], here.T.shape[2], _min_new_share(here, terms, beta, used))
+        there = _line_search(here, terms, beta, step, used)
+        if there is None:
+            break
+        here, terms, beta = there
+        if _negligible(A, step):
+            break
+    return JointFit(here, terms, beta, _covariance(here, terms, beta, used))
+
+
+def _line_search(
+    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], step: Array, used: NDArray[np.bool_]
+) -> Point | None:
+    """The point a step on, or a part of it that does not raise the sum of squares; None where none does."""
+    limit = float(np.sum(here.y[used] ** 2)) * (1 + 1e-9)
+    for _ in range(HALVINGS):
+        bare, moved = _stepped(here, terms, beta, step)
+        settled = tuple(_on_own_secant(term, b) for term, b in zip(terms, moved, strict=True))
+        there = _relinearised(bare, settled, moved)
+        if float(np.sum(there.y[used] ** 2)) <= limit:
+            return there, settled, moved
+        step = step / 2
+    return None
+
+
+def _min_new_share(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
+    """The part of a column's square that has to be new to the base.
+
+    The map is driven by readings, the rig's effects by the reference: a turn common to all mountings, which no run
+    shows, seems to differ from a turn of the map by twice the angle between the two (two standard deviations).
+    """
+    if not any(family.kernel is term.kernel for family in families() if family.belongs_to == "rig" for term in terms):
+        return MIN_NEW_SHARE
+    apart = here.residual_nT + sum_of_effects(terms, beta, here.scene)
+    return max(MIN_NEW_SHARE, float(4 * np.sum(apart[used] ** 2) / np.sum(here.scene.field_nT[used] ** 2)))
+
+
+def _negligible(A: Array, step: Array) -> bool:
+    return bool(np.sqrt(np.mean((A @ step) ** 2)) < 1e-4)
+
+
+def _stepped(
+    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], step: Array
+) -> tuple[LinearProblem, tuple[Array, ...]]:
+    q = here.parameterisation.basis.shape[1]
+    theta = here.theta + here.parameterisation.basis @ step[:q]
+    phase = here.phase.copy()
+    phase[here.phase_groups] += step[q : q + len(here.phase_groups)]
+    ends = np.cumsum([q + len(here.phase_groups), *(len(b) for b in beta)])
+    moved = tuple(b + step[start : start + len(b)] for b, start in zip(beta, ends, strict=False))
+    bare = linearise(here.run, here.observations, here.noise, here.base, here.parameterisation, theta, phase)
+    return bare, moved
+
+
+def _relinearised(bare: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...]) -> LinearProblem:
+    if not terms:
+        return bare
+    effects = _self_consistent(terms, beta, bare.scene)
+    slope = _field_slope(terms, beta, _with_effects(effects, bare.scene))
+    return linearise(
+        bare.run,
+        bare.observations,
+        bare.noise,
+        bare.base,
+        bare.parameterisation,
+        bare.theta,
+        bare.phase,
+        effects,
+        slope,
+    )
+
+
+def _self_consistent(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array | float:
+    """Σ e (n, 3) [nT] on the field a that holds these effects themselves, for a scene whose quiet field lacks them.
+
+    Parameters so large that no field holds its own effect are as far off as their first round says.
+    """
+    effects, change = sum_of_effects(terms, beta, scene), np.inf
+    for _ in range(ROUNDS):
+        held = sum_of_effects(terms, beta, _with_effects(effects, scene))
+        last, change = change, float(np.max(np.abs(held - effects)))
+        if not change < last:
+            break
+        effects = held
+        if change < SETTLED_nT:
+            break
+    return effects
+
+
+def _with_effects(effects: Array | float, scene: Scene) -> Scene:
+    return replace(scene, denoised_field_nT=scene.driving_field_nT + effects)
+
+
+def _field_slope(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array:
+    """∂e/∂a (n, 3, 3), by small changes of the field along each axis: what the map adds to a moves e as well."""
+    here = sum_of_effects(terms, beta, scene)
+    moved = (sum_of_effects(terms, beta, scene.moved(step)) for step in SLOPE_STEP_nT * np.eye(3))
+    return np.stack([(there - here) / SLOPE_STEP_nT for there in moved], axis=2)
+
+
+def _on_own_secant(term: Term, beta: Array) -> Term:
+    """A lag's secant is taken over the lag itself."""
+    if any(s.name == "secant_s" for s in term.shape) and abs(float(beta[0])) > 1e-6:
+        return term.with_values(secant_s=float(beta[0]))
+    return term
+
+
+def _covariance(
+    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], used: NDArray[np.bool_]
+) -> Array:
+    """A⁻¹ (Σ S_k G_k) A⁻¹ for plain least squares under the noise spectrum S that the residual shows."""
+    shapes = [_nonlinear_slopes(term, b, here) for term, b in zip(terms, beta, strict=True)]
+    columns = [here.columns(term) for term in terms]
+    parts = np.concatenate([here.T, *columns, *(s for s in shapes if s.shape[2])], axis=2)[used]
+    moved = cosine_transform(parts)
+    bands, spectrum = noise_spectrum(moved, here.y[used])
+    A = weighted_gram(moved, bands, np.ones_like(spectrum))
+    inverse = inverse_gram(A, here.T.shape[2], _min_new_share(here, terms, beta, used))
+    return np.asarray(inverse @ weighted_gram(moved, bands, spectrum) @ inverse)
+
+
+def _nonlinear_slopes(term: Term, beta: Array, here: LinearProblem) -> Array:
+    """Derivatives by the searched shapes, whitened (n, q, shapes)."""
+    out = [np.zeros((len(here), here.y.shape[1], 0))]
+    for shape in term.shape:
+        if shape.grid:
+            step = _difference_step(shape, here.scene.t_s)
+            up, down = (term.with_values(**{shape.name: shape.value + s}) for s in (step, -step))
+            slope = (up.columns(here.scene) - down.columns(here.scene)) @ beta / (2 * step)
+            out.append(here.whiten @ slope[:, :, None])
+    return np.concatenate(out, axis=2)
+
+
+def _difference_step(shape: Shape, t_s: Array) -> float:
+    """A step of the shape over which the effect is straight."""
+    if shape.name == "f_Hz":
+        return 1e-3 / float(np.ptp(t_s))
+    return 0.05 * float(np.median(np.diff(t_s))) if shape.name == "delay_s" else 1e-3 * abs(shape.value)

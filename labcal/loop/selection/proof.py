@@ -1,0 +1,139 @@
+"""The proof of a selection: cross-validated error, equivalent models, null distribution."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.candidates.library import Candidate, Cause
+from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.data.noise_floor import NoiseFloor
+from labcal.loop.data.outliers import hampel_outliers, outlier_distance
+from labcal.loop.selection.admission import MATERIAL
+from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.equivalents import Equivalent, equivalent_models
+from labcal.loop.selection.heldout_rules import n_reportable
+from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.select import Selection, select, stepwise
+from labcal.loop.selection.stepwise import MAX_EFFECTS
+from labcal.loop.selection.surrogates import null_distribution
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """All that the verdict rests on."""
+
+    pool: CandidateSet
+    base_set: CandidateSet  # about the base's own map
+    accepted: tuple[Candidate, ...]
+    rankings: tuple[list[Scored], ...]
+    equivalents: tuple[tuple[Equivalent, ...], ...]  # of each accepted effect, itself first
+    cv_error: HeldOutErrors
+    contributions: tuple[HeldOutErrors, ...]  # of each accepted effect, those before it already in
+    level: NoiseFloor
+    blocks: BlockFolds
+    null_distribution: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
+    refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
+    outlier_distance: float  # of the rows set aside, in standard deviations of the others
+
+
+def select_and_prove(pool: CandidateSet, level: NoiseFloor) -> Evidence:
+    """Select effects about the map that goes with them, and cross-validate them."""
+    around = relinearised(pool)
+    return prove(pool, around, select(around, level), level)
+
+
+def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, level: NoiseFloor) -> Evidence:
+    """Cross-validate a selection: its error is that of selections repeated without each held-out fold."""
+    accepted, blocks = selection.accepted, selection.blocks
+    while True:
+        cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted)))
+        equivalents = tuple(tuple(equivalent_models(pool, blocks, accepted, one)) for one in accepted)
+        reportable = n_reportable(pool, cv_error, level, accepted, equivalents)
+        if reportable == len(accepted):
+            break
+        accepted = accepted[:reportable]
+    contributions = {c.cause: held for c, held in zip(selection.accepted, selection.contributions, strict=True)}
+    return Evidence(
+        pool=pool,
+        base_set=base_set,
+        accepted=accepted,
+        rankings=selection.rankings,
+        equivalents=equivalents,
+        cv_error=against_own_base(base_set, pool, blocks, cv_error),
+        contributions=selection.contributions[: len(accepted)],
+        level=level,
+        blocks=blocks,
+        null_distribution=null_distribution(pool, accepted),
+        refused={**selection.refused, **contributions},
+        outlier_distance=outlier_distance(pool.residual_everywhere(accepted)[0], pool.valid),
+    )
+
+
+def against_own_base(
+    base_set: CandidateSet, pool: CandidateSet, blocks: BlockFolds, cv_error: HeldOutErrors
+) -> HeldOutErrors:
+    """The same held-out error, compared with the base model's own on the same rows, about the base's own map.
+
+    About the map that goes with the effects the base would seem better than it is.
+    """
+    if pool is base_set or len(pool.problem) != len(base_set.problem):
+        return cv_error
+    own = cross_validate(base_set.without_rows(~pool.valid), blocks, fixed_choice(()))
+    before = np.zeros(len(cv_error.rows))
+    before[own.rows] = own.before_nT
+    return replace(cv_error, before_nT=before[cv_error.rows])
+
+
+def nested_selection(
+    level: NoiseFloor, blocks: BlockFolds, most: int = MAX_EFFECTS
+) -> Callable[[CandidateSet], Sequence[Candidate]]:
+    """The whole selection again on a part of the rows, tested on the blocks that are left (nested cross-validation)."""
+    return lambda part: select(part, level, blocks.restricted_to(part.rows), most).accepted
+
+
+def relinearised(pool: CandidateSet) -> CandidateSet:
+    """The candidates about the map that goes with the effects they show, where the problem is not linear in the map.
+
+    A magnitude is not: fitted without a strong effect, K and k are so far off that what is left of them looks like an
+    effect of the field. Vectors are, but for the phases and the field that an effect follows.
+    """
+    accepted, _ = stepwise(pool)
+    if not accepted or (pool.problem.kind == "vector" and not _is_nonlinear(pool, accepted)):
+        return pool
+    around = joint_fit(pool.whole, [c.term for c in accepted], pool.valid)
+    again = CandidateSet.of(around.uncorrected(), pool.min_noise_level)
+    return without_outliers(again, None if pool.valid.all() else ~pool.valid)
+
+
+def _is_nonlinear(pool: CandidateSet, accepted: Sequence[Candidate]) -> bool:
+    """Whether the effects, turned or grown as the base moves beside them, change by more than is worth a name."""
+    whole, x = pool.whole, pool.coefficients(accepted)
+    field = np.einsum("nqj,nj->nq", whole.whiten, whole.scene.field_nT)
+    moved, added = whole.T @ x[: whole.T.shape[2]], pool.residual_everywhere(accepted)[1]
+    return bool(np.mean(moved**2) * np.mean(added**2) > MATERIAL * np.mean(field**2))
+
+
+def without_outliers(pool: CandidateSet, known: NDArray[np.bool_] | None = None) -> CandidateSet:
+    """The candidates on the rows that are no outliers, once the effects that the other rows show are subtracted.
+
+    The first selection is without the rows `known` as outliers (N,), or without those that seem so before any effect.
+    """
+    segment = pool.whole.scene.segment
+    first = hampel_outliers(pool.whole.y, segment) if known is None else known
+    tried = [pool, pool.without_rows(first)]
+    for _ in range(2):
+        here = tried[-1]
+        accepted = [] if here.valid.all() else stepwise(here)[0]
+        left, added = here.residual_everywhere(accepted)
+        outlying = hampel_outliers(left, segment, added)
+        same = [one for one in tried if bool((one.valid == ~outlying).all())]
+        tried.append(same[-1] if same else here.without_rows(outlying))
+        if tried[-1] is here:
+            break
+    return tried[-1]

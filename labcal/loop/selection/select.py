@@ -1,0 +1,170 @@
+"""Selection of effects: stepwise, simplified, and refused again where held-out data do not support them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from labcal.loop.candidates.library import Candidate, Cause
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.data.noise_floor import NoiseFloor
+from labcal.loop.noise.autocorrelation import correlation_time_s
+from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, block_folds, cross_validate, fixed_choice
+from labcal.loop.selection.equivalents import EQUIVALENT_RMS, equally_likely, not_worse
+from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
+from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
+
+OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
+MAX_ROUNDS = 6  # of selection and refusal
+Judgement = Literal["supported", "displaced", "unsupported", "one too many"]  # of one round
+Ending = Literal["supported", "rounds exhausted"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Selection:
+    """Effects that some rows show, and what each brings on blocks held out of those rows."""
+
+    accepted: tuple[Candidate, ...]
+    rankings: tuple[list[Scored], ...]
+    contributions: tuple[HeldOutErrors, ...]  # of each accepted effect, those before it already in
+    blocks: BlockFolds
+    refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
+    ending: Ending
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Round:
+    """One pass of stepwise selection, simplified, with the contributions that it is judged by."""
+
+    accepted: list[Candidate]
+    rankings: list[list[Scored]]
+    contributions: list[HeldOutErrors]
+    blocks: BlockFolds
+    displaced: set[Cause]  # selected, but without enough evidence in their simplest form
+
+    def first(self, count: int) -> _Round:
+        """The same with the first effects alone."""
+        return replace(self, accepted=self.accepted[:count], contributions=self.contributions[:count])
+
+
+def select(
+    pool: CandidateSet, level: NoiseFloor, blocks: BlockFolds | None = None, most: int = MAX_EFFECTS
+) -> Selection:
+    """Select effects on the rows of `pool`, and refuse those that blocks held out of them do not support.
+
+    Each round ends in a judgement: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
+    the next round; of a cause that is there already `one too many` is cut off. When the rounds are exhausted, what the
+    last one left stands.
+    """
+    refused, unsupported = set[Cause](), dict[Cause, HeldOutErrors]()
+    ending: Ending = "rounds exhausted"
+    for _ in range(MAX_ROUNDS):
+        last = _select_once(pool, blocks, most, refused)
+        judgement, place = _judge(pool, last, level)
+        if judgement == "supported":
+            ending = "supported"
+            break
+        if judgement == "displaced":
+            refused |= last.displaced
+            continue
+        if judgement == "one too many":
+            most = place
+        else:
+            refused.add(last.accepted[place].cause)
+            unsupported[last.accepted[place].cause] = last.contributions[place]
+        last = last.first(place)
+    effects, rankings, contributions = tuple(last.accepted), tuple(last.rankings), tuple(last.contributions)
+    return Selection(effects, rankings, contributions, last.blocks, unsupported, ending)
+
+
+def _select_once(pool: CandidateSet, blocks: BlockFolds | None, most: int, refused: Collection[Cause]) -> _Round:
+    accepted, rankings = stepwise(pool, most, refused)
+    blocks = blocks or block_folds(pool.problem, correlation_time_s(pool.problem.scene.t_s, pool.residual(accepted)))
+    simple = _simplest(pool, blocks, prefer_computable(pool, blocks, accepted, refused))
+    kept = backward_check(pool, list(simple))
+    contributions = [_contribution(pool, blocks, kept, i) for i in range(len(kept))]
+    return _Round(kept, rankings, contributions, blocks, {c.cause for c in simple} - {c.cause for c in kept})
+
+
+def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor) -> tuple[Judgement, int]:
+    """What a round comes to, and the place of the effect that it fails at."""
+    accepted, contributions = last.accepted, last.contributions
+    place = first_unsupported(pool, accepted, contributions, level)
+    if place is None:
+        place = first_doubtful(pool, last.blocks, accepted, contributions, level)
+    if place is None:
+        return ("displaced" if last.displaced else "supported"), len(accepted)
+    again = accepted[place].cause in {c.cause for c in accepted[:place]}
+    return ("one too many" if again else "unsupported"), place
+
+
+def stepwise(
+    pool: CandidateSet, most: int = MAX_EFFECTS, refused: Collection[Cause] = ()
+) -> tuple[list[Candidate], list[list[Scored]]]:
+    """Stepwise selection on these rows, done once."""
+    return pool.cached(("forward", most, frozenset(refused)), (), lambda: stepwise_forward(pool, most, refused))
+
+
+def _contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], place: int) -> HeldOutErrors:
+    """Held-out errors without and with one effect, those before it in; with the next one where only both improve."""
+    before, also = list(accepted[:place]), list(accepted[place + 1 : place + 2])
+    alone = cross_validate(pool, blocks, fixed_choice([*before, accepted[place]]), before)
+    if improves(alone) or not also:
+        return alone
+    return cross_validate(pool, blocks, fixed_choice([*before, accepted[place], *also]), [*before, *also])
+
+
+def prefer_computable(
+    pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate], refused: Collection[Cause]
+) -> list[Candidate]:
+    """Of equivalent causes, on held-out data too, the one that can be computed from readings alone.
+
+    A channel without a physical mechanism goes last.
+    """
+    for place, one in enumerate(accepted):
+        equals = [w.candidate for w in equally_likely(pool, accepted, one) if w.candidate.cause not in refused]
+        for other in sorted(equals, key=_preference):
+            if _preference(other) >= _preference(one):
+                break
+            others = [c for c in accepted if c is not one]
+            swapped = [*accepted[:place], refined(pool, other, others), *accepted[place + 1 :]]
+            if not_worse(cross_validate(pool, blocks, fixed_choice(swapped), accepted)):
+                accepted = swapped
+                break
+    return accepted
+
+
+def _simplest(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate]) -> list[Candidate]:
+    """Each cause by its simplest candidate that is not worse on held-out data: a detail of this run alone misleads."""
+    for place, chosen in enumerate(accepted):
+        others = [c for c in accepted if c is not chosen]
+        for candidate in _simpler_candidates(pool, chosen, others):
+            simple = [*accepted[:place], candidate, *accepted[place + 1 :]]
+            richer = cross_validate(pool, blocks, fixed_choice(accepted), simple)
+            if richer.before <= EQUIVALENT_RMS * richer.after:
+                accepted = simple
+                break
+    return accepted
+
+
+def _simpler_candidates(pool: CandidateSet, chosen: Candidate, others: Sequence[Candidate]) -> Iterator[Candidate]:
+    """The best candidate of the same cause of each smaller size, smallest first; none that fits far worse."""
+    smaller = [c for c in pool.candidates if c.cause == chosen.cause and c.size < chosen.size]
+    null_model = pool.null_model(others)
+    enough = pool.score(chosen, null_model).likelihood.rss * OUT_OF_REACH**2
+    for size in sorted({c.size for c in smaller}):
+        best = max(pool.score_each([c for c in smaller if c.size == size], null_model), key=lambda w: w.evidence)
+        if best.likelihood.rss < enough:
+            yield refined(pool, best.candidate, others)
+
+
+def _preference(candidate: Candidate) -> tuple[int, bool]:
+    """Low goes first: what readings alone correct, then channels without a mechanism, then the rig's, then time's."""
+    kind = 1 if candidate.family.generic else 0
+    if candidate.family.bound_to_run:
+        kind = 3
+    elif candidate.family.belongs_to == "rig":
+        kind = 2
+    return kind, candidate.family.second_order

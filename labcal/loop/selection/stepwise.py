@@ -1,0 +1,123 @@
+"""Stepwise selection: an effect is added, and those already accepted are tested again beside it.
+
+A second cause has to explain what a more flexible version of the first one cannot: beside every accepted effect stand
+all other candidates of its family on the same channels. So the misfit of a form that is not quite the device's own is
+not given another name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import numpy as np
+
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.library import Candidate, Cause
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.parallel import parallel_map
+from labcal.loop.selection.admission import MIN_EVIDENCE, earns_its_extension, min_material_drop
+from labcal.loop.selection.pairs import score_pairs
+from labcal.loop.selection.related import related_columns
+
+MAX_EFFECTS = 3  # effects accepted at most
+COMPANION = 0.7  # of the drop of the best candidate
+NEARLY_WHITE = 1.5  # times the white level: no frequency of the noise left has more
+
+
+def stepwise_forward(
+    pool: CandidateSet, most: int = MAX_EFFECTS, refused: Collection[Cause] = ()
+) -> tuple[list[Candidate], list[list[Scored]]]:
+    """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
+    accepted: list[Candidate] = []
+    rankings: list[list[Scored]] = []
+    total, out_of_play, left = 0.0, set(refused), set[Cause]()
+    while len(accepted) < most:
+        open_to = [c for c in all_candidates(pool, accepted) if not _already_accepted(c, accepted)]
+        ranking = pool.rank(open_to, accepted)
+        if accepted and _is_white(pool, accepted, ranking):
+            rankings.append(ranking)
+            break
+        if accepted:
+            ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
+        rankings.append(ranking)
+        best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play], total)
+        if best is None:
+            both = _material_pair(pool, accepted, ranking, out_of_play, total) if len(accepted) + 2 <= most else []
+            accepted = [*accepted, *both]
+            if not both:
+                break
+            continue
+        chosen = refined(pool, best.candidate, accepted)
+        kept = backward_check(pool, [*accepted, chosen])
+        if chosen in kept:
+            gone = {c.cause for c in accepted if c not in kept}
+            out_of_play |= gone & left  # what leaves for the second time would alternate for ever
+            accepted, total, left = kept, total + best.drop, left | gone
+        else:
+            out_of_play.add(best.candidate.cause)
+    return accepted, rankings
+
+
+def _is_white(pool: CandidateSet, accepted: Sequence[Candidate], ranking: Sequence[Scored]) -> bool:
+    """Whether the accepted effects leave nearly white noise, and no candidate has half the evidence of a name."""
+    null_model = pool.null_model(accepted)
+    highest = float(null_model.bands.spectra[null_model.null.spectrum].max())
+    return highest < NEARLY_WHITE and ranking[0].evidence < MIN_EVIDENCE / 2
+
+
+def _material_pair(
+    pool: CandidateSet,
+    accepted: Sequence[Candidate],
+    ranking: Sequence[Scored],
+    refused: Collection[Cause],
+    total: float,
+) -> list[Candidate]:
+    """Two causes that are material together, each earning its place beside the other; none where no two do."""
+    null_model = pool.null_model(accepted, related_columns(pool, accepted))
+    open_to = [w for w in ranking if not _already_accepted(w.candidate, accepted)]
+    for pair in score_pairs(pool, null_model, open_to, {*refused, *(c.cause for c in accepted)}):
+        if pair.evidence < MIN_EVIDENCE or pair.drop < min_material_drop(pool, accepted, total):
+            continue
+        one = refined(pool, pair.one, [*accepted, pair.other])
+        both = [one, refined(pool, pair.other, [*accepted, one])]
+        if backward_check(pool, [*accepted, *both])[-2:] == both:
+            return both
+    return []
+
+
+def best_admissible(
+    pool: CandidateSet, accepted: Sequence[Candidate], ranking: list[Scored], total: float
+) -> Scored | None:
+    """The best that is material; one on a channel already accepted goes before another that is a little better."""
+    least = min_material_drop(pool, accepted, total)
+    fit = [w for w in ranking if w.drop >= least and w.evidence >= MIN_EVIDENCE]
+    used = {name for c in accepted for name in c.term.channels}
+    companions = [w for w in fit if used & set(w.candidate.term.channels) and w.drop >= COMPANION * fit[0].drop]
+    return next((w for w in [*companions, *fit] if earns_its_extension(pool, accepted, w)), None)
+
+
+def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
+    """The same cause twice; steps and periods may come twice, at another time or frequency."""
+    return candidate.family.search_strategy == "grid" and any(is_same_source(c, candidate) for c in accepted)
+
+
+def is_same_source(one: Candidate, other: Candidate) -> bool:
+    """Whether `other` is the same cause as `one`, or its current or square: a detail of the same load."""
+    return other.term.channels == one.term.channels and other.family.id in (one.family.id, *one.family.related)
+
+
+def backward_check(pool: CandidateSet, accepted: list[Candidate]) -> list[Candidate]:
+    """Those that still have the evidence of a name beside the others."""
+
+    def evidence(chosen: Candidate) -> float:
+        others = [c for c in accepted if c is not chosen]
+        return pool.score(chosen, pool.null_model(others, related_columns(pool, others))).evidence
+
+    while len(accepted) > 1:
+        each = parallel_map(evidence, accepted)
+        weakest = int(np.argmin(each))
+        if each[weakest] >= MIN_EVIDENCE:
+            break
+        accepted = [c for i, c in enumerate(accepted) if i != weakest]
+    return accepted

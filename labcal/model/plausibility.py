@@ -1,0 +1,91 @@
+"""Plausibility of a recording's rows, from the readings alone: saturated, or an outlier among its neighbours."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.calibration import Calibration, EffectRecord, Parameter
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+PLATEAU = 3  # rows in a row at one extreme value, while the other axes move
+MOVES = 1e-3  # of the largest reading: what counts as moving
+OUT_OF_LINE = 10.0  # standard deviations from the line through the neighbours
+
+
+def saturation_limits(reading: Array, unit: str) -> EffectRecord | None:
+    """The finding `saturation` of a run's readings (n, 3): the values that an axis stops at; None where it never does.
+
+    Its parameters are `upper_x`, `lower_x` …, in the DUT's unit.
+    """
+    limits = []
+    for axis, name in enumerate("xyz"):
+        stuck = np.unique(reading[_plateau(reading, axis), axis])
+        for side, extreme in (("lower", np.nanmin), ("upper", np.nanmax)):
+            if (end := float(extreme(reading[:, axis]))) in stuck:
+                limits.append(Parameter(f"{side}_{name}", end, 0.0, unit))
+    if not limits:
+        return None
+    where = ", ".join(f"{p.name} at {p.value:g} {p.unit}" for p in limits)
+    return EffectRecord(
+        "saturation", (), {}, "data", tuple(limits), why=f"readings stop at the end of the range: {where}"
+    )
+
+
+def saturated(calibration: Calibration, reading: Array) -> Mask:
+    """Rows (n,) beyond the limits of the calibration's finding `saturation`, or on a plateau at an axis' extreme."""
+    out = np.zeros(len(reading), dtype=bool)
+    for record in calibration.findings:
+        for limit in record.parameters if record.effect == "saturation" else ():
+            for axis, name in enumerate("xyz"):
+                if limit.name == f"upper_{name}":
+                    out |= reading[:, axis] >= limit.value
+                if limit.name == f"lower_{name}":
+                    out |= reading[:, axis] <= limit.value
+    for axis in range(3):
+        out |= _plateau(reading, axis)
+    return out
+
+
+def _plateau(reading: Array, axis: int) -> Mask:
+    """Runs of at least PLATEAU rows at the column's largest or smallest value while another axis moves."""
+    column, out = reading[:, axis], np.zeros(len(reading), dtype=bool)
+    if not np.isfinite(column).any():
+        return out
+    moves = MOVES * max(np.nanmax(reading), -np.nanmin(reading))
+    for extreme in (np.nanmax(column), np.nanmin(column)):
+        at = np.r_[False, column == extreme, False]
+        for start, stop in zip(np.flatnonzero(~at[:-1] & at[1:]), np.flatnonzero(at[:-1] & ~at[1:]), strict=True):
+            others = np.delete(reading[start:stop], axis, axis=1)
+            if stop - start >= PLATEAU and np.nanmax(np.ptp(others, axis=0)) > moves:
+                out[start:stop] = True
+    return out
+
+
+def bends(field_nT: Array) -> Array:
+    """How far [nT] each row but the first and the last of a field (n, 3) is from the line through its neighbours."""
+    between = (field_nT[:-2] + field_nT[2:]) / 2
+    return np.asarray(np.nan_to_num(np.linalg.norm(field_nT[1:-1] - between, axis=1)))
+
+
+def second_difference_outliers(bend: Array, segment: NDArray[Any] | None, noise_nT: float) -> Mask:
+    """Rows (n,) far from the line through their two neighbours, and further than those from theirs: by their `bends`.
+
+    Second differences of the field itself: a recording has no reference, so no residual, and its field moves. Where a
+    residual is known, the loop compares with the median of the neighbours instead (`labcal.loop.data.outliers`).
+
+    The spread is the recording's own (median), never below the noise. A step of the field makes two rows alike and
+    is no outlier; the ends of a segment have one neighbour and are never flagged. `bend` is 0 at the recording's ends.
+    """
+    if len(bend) < 5:
+        return np.zeros(len(bend), dtype=bool)
+    if segment is not None:
+        change = segment[1:] != segment[:-1]
+        bend[1:][change] = bend[:-1][change] = 0.0
+    limit = OUT_OF_LINE * max(float(np.median(bend[bend > 0])) if (bend > 0).any() else 0.0, noise_nT, 1e-9)
+    out, rows = np.zeros(len(bend), dtype=bool), np.flatnonzero(bend > limit)  # never the first row nor the last
+    out[rows] = bend[rows] > 1.5 * np.maximum(bend[rows - 1], bend[rows + 1])
+    return out
