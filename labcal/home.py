@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
 from contextlib import suppress
 from pathlib import Path
 
@@ -60,7 +61,7 @@ def for_children() -> dict[str, str]:
 
 
 def _tighten(path: Path, mode: int) -> None:
-    if os.name != "posix":
+    if sys.platform == "win32":
         return
     with suppress(OSError):  # absent, or on a disk that knows no modes or may not be written
         found = path.stat()

@@ -41,7 +41,7 @@ class Alive:
         try:
             tightened(path)
             _patiently(self._handle)
-            if NAMES:
+            if sys.platform != "win32":
                 os.truncate(self._handle, 0)
                 os.pwrite(self._handle, _name(os.getpid()).encode(), 0)
         except OSError:
@@ -108,7 +108,7 @@ def _taken(path: Path, by_a_writer: bool) -> InstrumentError:
 
 def _writer_lives(handle: int) -> bool:
     """Whether the process lives that a locked file names; one that names nobody, or of another host, is believed."""
-    if not NAMES:
+    if sys.platform == "win32":
         return True
     try:
         named = os.pread(handle, LONGEST, 0).decode("ascii")

@@ -29,9 +29,9 @@ ATTACHED_S = 15.0
 
 
 def _pids(trial: Trial, who: Sequence[str]) -> list[int]:
-    every = {"session": trial.session.pid, "guardian": trial.guardian, "standby": trial.standby}
-    every["worker"] = trial.worker
-    return [every[name] for name in who if every[name]]
+    every = {"session": [trial.session.pid], "guardian": [trial.guardian], "standbys": trial.standbys}
+    every |= {"worker": [trial.worker], "standby": [trial.standby]}
+    return [pid for name in who for pid in every[name] if pid]
 
 
 def _signalled(trial: Trial, what: signal.Signals, who: Sequence[str], due: bool) -> None:
@@ -75,7 +75,7 @@ def terminal_closed(trial: Trial) -> None:
 
 def suspended(trial: Trial) -> None:
     """All of labcal sleeps, the supplies do not; zero, or going on, is due when it wakes."""
-    pids = _pids(trial, ("session", "guardian", "standby"))
+    pids = _pids(trial, ("session", "guardian", "standbys"))
     trial.signal(signal.SIGSTOP, *pids)
     trial.wait(1.0, 8.0)
     trial.signal(signal.SIGCONT, *pids)
@@ -119,7 +119,7 @@ def bench_off(trial: Trial) -> None:
 
 def all_killed_then_off(trial: Trial) -> None:
     """Nobody is left, until somebody says off."""
-    killed(trial, ("session", "guardian", "standby"), False)
+    killed(trial, ("session", "guardian", "standbys"), False)
     trial.wait(0.5, 2.0)
     bench_off(trial)
 

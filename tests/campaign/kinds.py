@@ -23,7 +23,8 @@ WHO = {
     "session and guardian": ("session", "guardian"),
     "session and standby": ("session", "standby"),
     "guardian and standby": ("guardian", "standby"),
-    "all three": ("session", "guardian", "standby"),
+    "all three": ("session", "guardian", "standby"),  # another one stands by
+    "all of them": ("session", "guardian", "standbys"),
 }
 LATE_S = (0.3, 1.5, 4.0)
 
@@ -58,10 +59,11 @@ def _process(how: str, whom: str) -> Kind:
     who = WHO[whom]
     harmless = how in ("hung up on", "interrupted twice")  # for a guardian, which is nobody's child
     due = "session" in who or ("guardian" in who and not harmless)
-    never = whom == "all three" and how in ("killed", "stopped")
+    never = whom == "all of them" and how in ("killed", "stopped")
     return Kind(
         f"{whom} {how}", "processes", lambda trial: SIGNALS[how](trial, who, due), stops=not due, never=never,
-        standby_ready="guardian" in who or "standby" in who, session_stopped="session" in who and how == "stopped",
+        standby_ready=bool({"guardian", "standby", "standbys"} & {*who}),
+        session_stopped="session" in who and how == "stopped",
     )  # fmt: skip
 
 
@@ -132,7 +134,7 @@ def _machine() -> list[Kind]:
         Kind("terminal closed", "machine", deeds.terminal_closed),
         Kind("Ctrl-C", "machine", lambda trial: None, stops=True),
         Kind("bench off from elsewhere", "people", deeds.bench_off),
-        Kind("all three killed, then bench off", "people", deeds.all_killed_then_off),
+        Kind("all of them killed, then bench off", "people", deeds.all_killed_then_off),
         _else("two labcals on one bench", "people", deeds.second_labcal),
         _else("two benches on one pair", "people", deeds.second_bench, benches=("riden-pair",)),
         _else("clock set back", "machine", lambda trial: deeds.clock_set(trial, -3600.0)),

@@ -39,6 +39,6 @@ def test_every_hazard_says_what_stops_it_and_names_kinds_that_exist() -> None:
 
 def test_every_kind_of_fault_belongs_to_a_hazard() -> None:
     shown = {name for row in rows() for name in named(row)}
-    several = [f"{who} " for who in WHO if who not in ("session", "all three")]
+    several = [f"{who} " for who in WHO if who not in ("session", "all of them")]
     left = {k for k in kinds() if not (OF_GUARDIANS.search(k) and k.startswith(tuple(several)))}
     assert left <= shown, left - shown

@@ -24,6 +24,8 @@ from judge import false_claims, first_zero, flowing, rises, zero_for_good, zero_
 from short_preflight import SHORT
 from technician import Technician, processes_of
 
+from labcal.bench.guardian.standbys import HOW_MANY
+
 if TYPE_CHECKING:
     from kinds import Kind
 
@@ -45,7 +47,7 @@ class Trial:
     home: Path
     session: Technician
     guardian: int
-    standby: int
+    standbys: list[int]
     axis: str  # whose supply the deed is about, where it is about one
     energised_s: float
     due_s: float | None = None
@@ -55,6 +57,11 @@ class Trial:
     others: list[Technician] = field(default_factory=list)
     helpers: list[subprocess.Popen[bytes]] = field(default_factory=list)
     undo: list[Any] = field(default_factory=list)
+
+    @property
+    def standby(self) -> int:
+        """The first of those that stand by; 0 where none does."""
+        return (self.standbys or [0])[0]
 
     @property
     def store(self) -> Path:
@@ -148,7 +155,7 @@ def _at_work(kind: Kind, chance: random.Random, bench: Bench, home: Path, sessio
         raise NotBegun("\n".join(line for _, line in session.said[-8:]))
     energised_s = time.monotonic()
     time.sleep(chance.choice((chance.uniform(0.0, 0.4), chance.uniform(0.4, 3.5))))
-    until(lambda: bool(processes_of(bench.file)["standby"]), 10.0)
+    until(lambda: len(processes_of(bench.file)["standby"]) == HOW_MANY, 10.0)
     if kind.standby_ready:
         time.sleep(1.5)
     found, currents = processes_of(bench.file), bench.ask("currents")
@@ -156,7 +163,7 @@ def _at_work(kind: Kind, chance: random.Random, bench: Bench, home: Path, sessio
     if session.ended:
         raise NotBegun("\n".join(line for _, line in session.said[-8:]))
     return Trial(
-        bench, chance, home, session, (found["guardian"] or [0])[0], (found["standby"] or [0])[0],
+        bench, chance, home, session, (found["guardian"] or [0])[0], found["standby"],
         chance.choice(at_work), energised_s,
     )  # fmt: skip
 

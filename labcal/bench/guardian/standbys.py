@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 import threading
 import time
 from pathlib import Path
@@ -60,7 +61,8 @@ class Standbys:
             self._next_s = time.monotonic() + (AGAIN_S if self._started >= HOW_MANY else 0.0)
             process = spawn(self._path, STANDBY, stdin=subprocess.PIPE)
             assert process.stdin is not None
-            os.set_blocking(process.stdin.fileno(), False)  # one that stands still holds up nobody
+            if sys.platform != "win32":
+                os.set_blocking(process.stdin.fileno(), False)  # one that stands still holds up nobody
             with self._pipes:
                 self._processes.append(process)
 
