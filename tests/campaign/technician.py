@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import json
 import os
+import select
 import signal
 import struct
 import subprocess
@@ -17,6 +18,7 @@ from contextlib import suppress
 from pathlib import Path
 
 LABCAL = [sys.executable, str(Path(__file__).with_name("launcher.py"))]
+LOOK_S = 0.01
 WIDE = struct.pack("HHHH", 50, 4000, 0, 0)  # so that no line of it is folded
 
 
@@ -45,9 +47,10 @@ class Technician:
             os.write(self._terminal, b"\x03")
 
     def close_the_terminal(self) -> None:
-        """Hang up."""
+        """Hang up. Nobody may be reading then: the kernel keeps a terminal open as long as somebody does."""
         if not self._closed.is_set():
             self._closed.set()
+            self._reader.join(2.0)
             os.close(self._terminal)
 
     @property
@@ -76,6 +79,8 @@ class Technician:
         rest = b""
         while not self._closed.is_set():
             try:
+                if not select.select([self._terminal], [], [], LOOK_S)[0]:
+                    continue
                 data = os.read(self._terminal, 65536)
             except OSError:
                 break
