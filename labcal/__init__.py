@@ -36,12 +36,16 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
+def _of_the_face(name: str) -> Any:
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from importlib import import_module
 
     return getattr(import_module("labcal.api"), name)
+
+
+if not TYPE_CHECKING:  # to a type checker the names above are all there is
+    __getattr__ = _of_the_face
 
 
 def __dir__() -> list[str]:
@@ -57,7 +61,7 @@ class Face(ModuleType):
     @property
     def fit(self) -> Any:
         """The public function."""
-        return __getattr__("fit")
+        return _of_the_face("fit")
 
     @fit.setter
     def fit(self, room: ModuleType) -> None:

@@ -99,7 +99,7 @@ def fit(
         Write a draft calibration file here. It names the bytes that it came from: those of the record where the run
         is given by its id or path, else those of the bundle that this very run would make.
     force : bool
-        Replace a file that is there.
+        Replace a file that is there; a signed one never is.
 
     Returns
     -------
@@ -149,7 +149,7 @@ def close_loop(
     report : str or Path, optional
         Write the page for people here, `.html` or `.pdf`.
     force : bool
-        Replace files that are there.
+        Replace files that are there; a signed one never is.
     progress : callable
         Hears the name of each step as it begins.
 

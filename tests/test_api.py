@@ -151,9 +151,12 @@ def test_a_fit_is_written_as_a_draft_and_replaced_only_where_asked(tmp_path: Pat
     calibration = labcal.load_calibration(str(out))
     np.testing.assert_array_equal(calibration.affine.K, found.affine.K)
     assert calibration.run_sha256 == labcal.load_calibration(SHORT / "calibration.json").run_sha256
+    out.write_text("somebody's own")
     with pytest.raises(labcal.InputError, match=r"cal\.json"):
         labcal.fit(run, "centered", out=out)
+    assert out.read_text() == "somebody's own"
     labcal.fit(run, "centered", out=out, force=True)
+    assert labcal.load_calibration(out).run_id == "short-preflight"
 
 
 def test_the_example_that_is_shipped_holds() -> None:

@@ -138,4 +138,5 @@ class Calibration:
         from labcal.model.apply import apply  # which is built on this file
         from labcal.model.readings import readings_of
 
-        return apply(self, readings_of(reading, t_s, segment, mode, channels))
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is no number, and says so in its row
+            return apply(self, readings_of(reading, t_s, segment, mode, channels))
