@@ -14,7 +14,7 @@ from PySide6.QtCore import QCoreApplication
 from labcal.bench.coils.state import Coil, LabState
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
-from labcal.gui.ipc import answers, messages, worker
+from labcal.gui.ipc import answers, worker
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.codec import decode, encode
@@ -123,8 +123,7 @@ def test_every_command_has_exactly_one_handler_that_takes_it_and_gives_its_answe
     assert sorted(kind.__name__ for kind, _ in pairs) == sorted(kinds(Command))
     assert len({do for _, do in pairs}) == len(pairs)
     for kind, do in pairs:
-        hints = {**vars(typing), **vars(answers), **vars(messages), "Channel": Channel, **do.__globals__}
-        told = {name: eval(text, hints) for name, text in do.__annotations__.items()}
+        told = typing.get_type_hints(do)
         assert told["asked"] is kind
         assert told["return"] == answer_type(kind), kind
 
