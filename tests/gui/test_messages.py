@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication
 
-from labcal.bench.coils.state import Coil, LabState
+from labcal.bench.coils.state import CoilReading, LabState
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
 from labcal.gui.ipc import answers, worker
@@ -105,7 +105,7 @@ def test_every_word_into_a_run_comes_back_the_same(kind):
 @pytest.mark.parametrize(
     "event",
     [Progress("folds 3 of 5"), Failed(3, Fault("limit", "too far", "Turn back.", "trace")), Recorded(ITEMS),
-     StateRead(LabState((Coil("x", 0.5, 0.5, read_s=3.0),)))],
+     StateRead(LabState((CoilReading("x", 0.5, 0.5, read_s=3.0),)))],
     ids=lambda event: type(event).__name__,
 )  # fmt: skip
 def test_every_event_comes_back_the_same(event):
