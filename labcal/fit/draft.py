@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-import labcal
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
 from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
+from labcal.version import __version__
 
 TEMPERATURE = ("offset-temperature", "gain-temperature")
 
@@ -48,7 +48,7 @@ def draft_calibration(
         metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
         instruments=_instruments(run),
         cage_sha256=cage_sha256,
-        software=f"labcal {labcal.__version__}",
+        software=f"labcal {__version__}",
         operator=run.operator,
     )
 
