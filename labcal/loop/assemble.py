@@ -27,6 +27,7 @@ from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
+from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -72,7 +73,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         shape=left,
         unsupported=frozenset(len(of_the_data) + i for i in unsupported),
         shipped=errors,
-        twins=confounded(problem, {c.scored.candidate.family.id for rivals in found.equivalents for c in rivals}),
+        twins=confounded(problem, [c.scored.candidate.family for rivals in found.equivalents for c in rivals]),
         remarks=(tests_text(tests["after"]), *(finding.says for finding in noticed)),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
@@ -134,7 +135,7 @@ def _covariance(after: JointFit) -> Array:
 def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     reaches = found.cv_error.after <= AT_FLOOR * found.level.nT
     known = found.level.source != "differences" or not _correlated(found)
-    outlying = aside["outliers"] > MOST_OUTLIERS * rows
+    outlying = aside[OUTLIERS.id] > MOST_OUTLIERS * rows
     if any(len(r) > 1 for r in found.equivalents):
         return "ambiguous"
     if found.accepted:
@@ -142,8 +143,8 @@ def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     if outlying:
         return "partly-explained"
     if (
-        aside["saturation"] >= MIN_SET_ASIDE
-        or (aside["outliers"] >= MIN_SET_ASIDE and found.outlier_distance > GROSS_SIGMAS)
+        aside[SATURATION.id] >= MIN_SET_ASIDE
+        or (aside[OUTLIERS.id] >= MIN_SET_ASIDE and found.outlier_distance > GROSS_SIGMAS)
     ) and reaches:
         return "explained"
     return "clean" if reaches else "unexplained"
@@ -189,7 +190,7 @@ def _data_effects(aside: dict[str, int], problem: LinearProblem, verdict: Verdic
     """Rows set aside are named as a cause where they are more than chance and the rest is understood."""
     found = []
     for effect, count in aside.items():
-        gross = effect != "outliers" or far > GROSS_SIGMAS
+        gross = effect != OUTLIERS.id or far > GROSS_SIGMAS
         if count >= MIN_SET_ASIDE and gross and verdict != "unexplained":
             part = count / (len(problem) + count)
             rows = Parameter("rows", float(count), 0.0, "1")

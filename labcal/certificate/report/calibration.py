@@ -14,7 +14,7 @@ from labcal.certificate.report.style import decimals_for, number, sentence
 from labcal.certificate.report.unstated import not_stated
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
-from labcal.model.effects import families
+from labcal.model.effects import find
 from labcal.record import Dut, Run
 
 COVERAGE = 2.0  # coverage factor k of U
@@ -103,7 +103,7 @@ def _why(effect: EffectRecord) -> str:
 
 def what_it_is(effect: str) -> str:
     """The physics of an effect in a sentence, as its own file begins; empty where it does not say."""
-    known = next((family for family in families() if family.id == effect), None)
+    known = find(effect)
     said = sys.modules[known.kernel.__module__].__doc__ if known is not None else None
     return " ".join((said or "").strip().split("\n\n")[0].split())
 

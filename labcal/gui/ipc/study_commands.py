@@ -96,6 +96,7 @@ def loop(channel: Channel, run: str) -> dict[str, Any]:
     """Close the loop; the draft with the effects is written, and the verdict beside it."""
     from labcal import session
     from labcal.files import write_text
+    from labcal.model.effects import families
 
     measured = _run(run)
     path = calibration_path(measured.run_id)
@@ -103,6 +104,7 @@ def loop(channel: Channel, run: str) -> dict[str, Any]:
     document = closed.to_json()
     write_text(path.with_suffix(".loop"), json.dumps(document))
     said = {"loop": document, "remarks": list(closed.remarks), "draft": str(path)}
+    said |= {"drawn_against": {family.id: family.drawn_against for family in families()}}
     return said | _before_and_after(measured, closed.pictures)
 
 

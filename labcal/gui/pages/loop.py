@@ -31,17 +31,6 @@ WORDS = {
 }
 
 
-DRIVERS = {  # what an effect without a channel is best seen against
-    "axis-tilt": "angle", "cage-field": "angle", "field-gradient": "field", "nonlinearity": "field",
-    "cross-field": "field", "hysteresis": "angle", "lag": "angle",
-}  # fmt: skip
-
-
-def driver(effect: dict[str, Any]) -> str:
-    """The regressor that an effect without a channel is drawn against first."""
-    return DRIVERS.get(effect["effect"], "time")
-
-
 def cause(effect: dict[str, Any]) -> str:
     """An effect and its channels: "offset-current (i_radio)"."""
     return cause_name(effect["effect"], effect["channels"])
@@ -329,11 +318,11 @@ class LoopPage(QWidget):
         self.next.setAccessibleDescription(procedure or "")
 
     def _fill_against(self, loop: dict[str, Any]) -> None:
-        against = self._study.loop["against"] if self._study.loop else {}
+        against, usual = (self._study.loop[k] if self._study.loop else {} for k in ("against", "drawn_against"))
         chosen = self.picked()
         effects = loop["accepted"] if chosen is None else [chosen[1]]
         channels = [c for effect in effects for c in effect["channels"]]
-        driven = channels or [driver(effect) for effect in effects]
+        driven = channels or [usual.get(effect["effect"], "time") for effect in effects]
         first = [name for name in against if name.split("  ")[0] in driven]
         names = first + [name for name in against if name not in first]
         if [self.against.itemText(n) for n in range(self.against.count())] != names:

@@ -8,6 +8,7 @@ their Gram matrices with everything else are sums over rows, and the drops at al
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -17,7 +18,7 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.nuisance import explained_by_each, gram_pinv
-from labcal.model.effects import families
+from labcal.model.effects import Shape, families
 from labcal.model.effects.regressors import delayed
 
 Array = NDArray[np.float64]
@@ -27,35 +28,32 @@ def delay_scan(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Candid
     """Each effect that a delay could shift, at the delay that takes most off the residual that the accepted leave."""
     causes = {c.cause for c in pool.candidates}
     able = pool.store.memo.get("delayable", (), lambda: _delayable(pool.problem))
-    able = [c for c in able if c.cause in causes]
+    able = [(c, delay) for c, delay in able if c.cause in causes]
     if not able:
         return []
     explained = _explained(pool, accepted)
     found = []
-    for candidate in able:
-        grid = _delays(candidate)
-        drives = pool.store.memo.get("delayed", (candidate,), partial(_delayed_drives, pool.problem, candidate))
+    for candidate, delay in able:
+        drives = pool.store.memo.get("delayed", (candidate,), partial(_delayed_drives, pool.problem, candidate, delay))
         best = int(np.argmax(explained(drives[:, pool.rows])))
-        found.append(Candidate(candidate.family, candidate.term.with_values(delay_s=grid[best]), len(grid)))
+        term = candidate.term.with_shape(replace(delay, value=delay.grid[best]))
+        found.append(Candidate(candidate.family, term, len(delay.grid)))
     return found
 
 
-def _delayable(problem: LinearProblem) -> list[Candidate]:
-    """Every term that has a delay."""
-    able = [family for family in families() if "delay_s" in family.shapes]
-    candidates = [Candidate(family, term) for family in able for term in family.candidates(problem.run)]
-    return [c for c in candidates if any(s.name == "delay_s" for s in c.term.shape)]
+def _delayable(problem: LinearProblem) -> list[tuple[Candidate, Shape]]:
+    """Every term that has a delay, and the delay."""
+    able = [family for family in families() if any(shape.kind.found_by == "delay scan" for shape in family.shapes)]
+    terms = [(family, term) for family in able for term in family.candidates(problem.run)]
+    found = [(Candidate(family, term), term.found_by("delay scan")) for family, term in terms]
+    return [(candidate, delay) for candidate, delay in found if delay is not None]
 
 
-def _delays(candidate: Candidate) -> Sequence[float]:
-    return next(s.grid for s in candidate.term.shape if s.name == "delay_s")
-
-
-def _delayed_drives(problem: LinearProblem, candidate: Candidate) -> Array:
+def _delayed_drives(problem: LinearProblem, candidate: Candidate, delay: Shape) -> Array:
     """The channel (delays, n) after each delay."""
     scene = problem.scene
     drive = candidate.term.drive(scene)
-    return np.stack([delayed(scene.t_s, scene.segment, drive, by) for by in _delays(candidate)])
+    return np.stack([delayed(scene.t_s, scene.segment, drive, by) for by in delay.grid])
 
 
 def _explained(pool: CandidateSet, accepted: Sequence[Candidate]) -> partial[Array]:

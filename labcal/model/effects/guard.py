@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import wraps
+from typing import TypeVar
 
 import numpy as np
 
@@ -13,20 +14,48 @@ from labcal.model.effects.protocol import Array, Family, Kernel, Scene, Term
 from labcal.outside import blamed
 from labcal.record import Run
 
+Said = TypeVar("Said")
+
 
 def guarded(family: Family, where: str) -> Family:
     """The same family; its candidates and columns are checked, and a fault names it and `where` it comes from."""
     named = f"the effect {family.id} of another package ({where})"
-    return replace(family, kernel=_checked(family.kernel, named), candidates=_candidates(family.candidates, named))
+    kernel = _checked(family.kernel, named)
+    return replace(
+        family,
+        kernel=kernel,
+        candidates=_candidates(family, kernel, named),
+        time_constants=_blamed(family.time_constants, named),
+        reach_s=_blamed(family.reach_s, named),
+        modes=family.modes and _blamed(family.modes, named),
+    )
 
 
-def _candidates(candidates: Callable[[Run], Sequence[Term]], named: str) -> Callable[[Run], Sequence[Term]]:
-    @wraps(candidates)
+def _candidates(family: Family, kernel: Kernel, named: str) -> Callable[[Run], Sequence[Term]]:
+    kinds = {shape.name: shape.kind for shape in family.shapes}
+
+    @wraps(family.candidates)
     def found(run: Run) -> Sequence[Term]:
         with blamed(named, f"on run {run.run_id}"):
-            return [replace(term, kernel=_checked(term.kernel, named)) for term in candidates(run)]
+            terms = list(family.candidates(run))
+        for shape in (shape for term in terms for shape in term.shape):
+            if kinds.get(shape.name) is not shape.kind:
+                raise InputError(f"{named} does not state its parameter {shape.name} and that one's kind in `shapes`")
+        return [
+            replace(term, kernel=kernel if term.kernel is family.kernel else _checked(term.kernel, named))
+            for term in terms
+        ]
 
     return found
+
+
+def _blamed(hook: Callable[[Term], Said], named: str) -> Callable[[Term], Said]:
+    @wraps(hook)
+    def asked(term: Term) -> Said:
+        with blamed(named, f"in what it says of itself, {hook.__name__}"):
+            return hook(term)
+
+    return asked
 
 
 def _checked(kernel: Kernel, named: str) -> Kernel:
