@@ -37,6 +37,7 @@ LIGHT_SHAPES = {
     "absent": ("○", "", "not asked"),
 }
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
+NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
 UNITS = ("nT", "µT", "mG")
 
@@ -222,9 +223,10 @@ class Frame(QMainWindow):
         for index, (name, page) in enumerate(pages.items()):
             entry = named(QPushButton(translated(name)), "rail")
             entry.setCheckable(True)
-            entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
-            words = self.tr("the page {0}").format(translated(name))
-            described(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
+            if index < NUMBERED:
+                entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
+                words = self.tr("the page {0}").format(translated(name))
+                described(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
             self._sidebar_buttons.addButton(entry, index)
             column.addWidget(entry)
             self.stack.addWidget(page)

@@ -207,10 +207,10 @@ def test_a_form_that_comes_up_new_is_in_the_theme_and_so_after_another_theme(qtb
 
 
 def test_a_page_is_built_in_several_events_and_then_put_into_its_place(qapp, still):
-    from labcal.gui.pages.run import RunPage
-    from labcal.gui.window import LazyPage
+    from labcal.gui.pages.lazy_page import LazyPage
+    from labcal.gui.pages.registry import pages
 
-    page, turns = LazyPage(lambda: RunPage(still.app_state, LIGHT), still.sheet), 0
+    page, turns = LazyPage(pages()["Run"], still.app_state, lambda: LIGHT, still.sheet), 0
     while not page.ready:
         page.build()
         turns += 1

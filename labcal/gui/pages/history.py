@@ -193,7 +193,7 @@ class HistoryPage(QWidget):
 
     def _open(self) -> None:
         if (one := self.chosen()) is not None and self.open.isEnabled():
-            self._app_state.fit_requested.emit(one["run_id"])
+            self._app_state.open_study(one["run_id"])
 
     def _export(self) -> None:
         one = self.chosen()

@@ -185,7 +185,7 @@ class LoopPage(QWidget):
             words = self.tr("This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.")
             return self.fault.show_fault(Fault("input", words.format(mine, there)))
         self._study.want(proposed["procedure"])
-        return self._app_state.plan_requested.emit(proposed["procedure"])
+        return self._app_state.open_procedure(proposed["procedure"], plan=True)
 
     def set_theme(self, theme: Theme) -> None:
         """States, bars and points in the theme's colours."""

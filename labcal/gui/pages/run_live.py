@@ -165,7 +165,7 @@ class Live(QWidget):
 
     def _fit(self) -> None:
         """To the Fit page, which begins at once: it was asked for."""
-        self._app_state.fit_requested.emit(self._run.run_id)
+        self._app_state.open_study(self._run.run_id)
         self._app_state.study_vm.fit("ml")
 
     def _note(self) -> None:

@@ -74,7 +74,7 @@ class StartPage(QWidget):
         )
         self.morning.clicked.connect(self._morning)
         self.calibrate = button(self.tr("Calibrate a DUT"), self.tr("The preflight on the Run page"))
-        self.calibrate.clicked.connect(lambda: self._app_state.procedure_requested.emit("preflight"))
+        self.calibrate.clicked.connect(lambda: self._app_state.open_procedure("preflight"))
         self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
         self.simulated.clicked.connect(lambda: self._app_state.request("simulated_bench", self._app_state.open_bench))
         self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
@@ -105,7 +105,7 @@ class StartPage(QWidget):
         beside.setText(detail)
 
     def _morning(self) -> None:
-        self._app_state.procedure_requested.emit("|".join(MORNING_CHECKS))
+        self._app_state.open_procedure("|".join(MORNING_CHECKS))
 
     def _enable(self) -> None:
         objection, facts = self._app_state.objection(), self._app_state.facts

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
 from pathlib import Path
@@ -28,15 +28,21 @@ AGES_MS = 500  # what was read grows old
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 
 
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """A procedure to be shown on the Run page: `names` apart by |, the first that there is; its `plan` too."""
+
+    names: str
+    plan: bool = False
+
+
 class AppState(QObject):
     """Workers: `quick` for what is short, `bench` for the run, `fit` for fits and the loop, `off` for Coils off."""
 
     fault = Signal(object)  # of anything that has no card of its own
     bench_changed = Signal()
     page_requested = Signal(str)  # a page is asked for, by name
-    fit_requested = Signal(str)  # a run to fit
-    procedure_requested = Signal(str)  # to be chosen on the Run page; several names: the first that there is
-    plan_requested = Signal(str)  # the same, with its plan before it may be started
+    procedure_requested = Signal()  # `wanted` is to be chosen on the Run page
     store_changed = Signal()
     calibrations_changed = Signal(str)  # the path of the one that is new
     report_requested = Signal(object)  # a Fault, for a problem report
@@ -53,6 +59,7 @@ class AppState(QObject):
         self.facts: dict[str, Any] = {}
         self.answered: dict[str, dict[str, Any]] = {}  # by instrument, when they were last asked
         self.bench = ""
+        self.wanted: Wanted | None = None
         self._refresh_timer = QTimer(self, interval=200)
         self._refresh_timer.timeout.connect(self._update_lab)
         self.known: state.LabState | None = None  # the lab as it was last read, by the computer's monotonic clock
@@ -93,6 +100,22 @@ class AppState(QObject):
         """Who answered, and who did not."""
         self.answered = {one["name"]: one for one in answers}
         self.lab.update(lights=tuple((n, "fault" if one["fault"] else "ok", "") for n, one in self.answered.items()))
+
+    def open_procedure(self, names: str, *, plan: bool = False) -> None:
+        """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
+        self.wanted = Wanted(names, plan)
+        self.page_requested.emit("Run")
+        self.procedure_requested.emit()
+
+    def take_wanted(self) -> Wanted | None:
+        """The procedure that is to be shown; it is shown once."""
+        wanted, self.wanted = self.wanted, None
+        return wanted
+
+    def open_study(self, run: str) -> None:
+        """Show `run` on the Fit page."""
+        self.page_requested.emit("Fit")
+        self.study_vm.open(run)
 
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
