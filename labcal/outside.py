@@ -21,6 +21,7 @@ KINDS = {  # entry-point groups, and what one of them is called
     "labcal.procedures": "procedure",
     "labcal.effects": "effect",
     "labcal.estimators": "estimator",
+    "labcal.pages": "page",
 }
 OURS = (str(Path(__file__).parent), str(Path(importlib.__file__).parent), "<frozen ")
 

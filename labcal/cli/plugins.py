@@ -6,8 +6,8 @@ from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.screen import say
 
 NONE = (
-    "no other package brings a driver, emulator, procedure, effect or estimator; examples/plugin shows one of each, "
-    "CONTRIBUTING.md how they are written"
+    "no other package brings a driver, emulator, procedure, effect, estimator or page; examples/plugin shows one of "
+    "each, CONTRIBUTING.md how they are written"
 )
 
 
@@ -18,7 +18,7 @@ def plugins() -> int:
 
     found = outside.parts()
     for part in found:
-        say(f"{part.kind:<10} {part.name:<24} {part.package:<24} {part.value}")
+        say("  ".join((f"{part.kind:<9}", f"{part.name:<20}", f"{part.package:<20}", part.value)))
     for part in found:
         if part.fault is not None:
             say(part.fault, err=True)

@@ -17,7 +17,7 @@ from labcal.fit import Fit
 from labcal.fit.registry import load_method
 from labcal.model import AffineMap
 from labcal.record import Run
-from labcal.testing.made_up_runs import MadeUp, Offers, made_up_run
+from labcal.testing.made_up_runs import Offers, made_up_run
 from labcal.testing.require import answered, require
 
 Array = NDArray[np.float64]
@@ -195,11 +195,8 @@ def _squared(error: Array, covariance: Array, free: int, name: str) -> float:
 
 
 def _sizes(found: AffineMap) -> Array:
-    return np.r_[np.full(9, np.linalg.norm(found.K, 2)), np.full(3, np.linalg.norm(found.k_nT))]
+    return np.asarray(np.r_[np.full(9, np.linalg.norm(found.K, 2)), np.full(3, np.linalg.norm(found.k_nT))])
 
 
 def _distance(one: AffineMap, other: AffineMap, sizes: Array) -> float:
     return float(np.max(np.abs(one.parameters - other.parameters) / sizes))
-
-
-__all__ = ["MadeUp", "check_estimator"]

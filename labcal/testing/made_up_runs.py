@@ -55,7 +55,8 @@ def made_up_run(
     `declared`: whether the run states its noise. Readings are in units of `unit_nT`.
     """
     rng = np.random.default_rng(seed)
-    segments, fields, cages, angles, index = [], [], [], [], []
+    segments, index = list[Segment](), list[int]()
+    fields, cages, angles = list[Array](), list[Array](), list[Array]()
     for cage in fields_nT:
         for name in axes:
             angle, axis = np.linspace(0, 2 * np.pi, rows, endpoint=False), np.array(AXES[name])
@@ -75,7 +76,7 @@ def made_up_run(
         dut=Dut(serial="S1", nominal_nT_per_unit=unit_nT, noise_nT=noise_nT if declared and noise_nT else None),
         reference=Reference(kind="vector" if vector else "scalar"),
         segments=tuple(segments),
-        t_s=np.arange(len(b)) * PERIOD_S,
+        t_s=np.asarray(np.arange(len(b)) * PERIOD_S, dtype=np.float64),
         segment_index=np.array(index, dtype=np.intp),
         reading=reading,
         reference_vector=ref if vector else None,

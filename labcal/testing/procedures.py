@@ -16,7 +16,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.parameters import parameters_of, settings
 from labcal.bench.steps import Procedure
 from labcal.demo import simulated_bench
-from labcal.record.stream import Event, Item, Prompt, SegmentOpened, Step
+from labcal.record.stream import Block, Event, Item, Prompt, SegmentOpened, Step
 from labcal.runner import Control, find, run_procedure
 from labcal.runner.catalogue import Found
 from labcal.runner.drive import Drive, Ending
@@ -214,4 +214,4 @@ def _named(item: Item) -> str:
 
 
 def _time(item: Item) -> float:
-    return float(getattr(item, "t_s", 0.0) if not hasattr(item, "values") else item.t_s[-1])
+    return float(item.t_s[-1]) if isinstance(item, Block) else float(item.t_s)

@@ -9,6 +9,7 @@ import re
 import sys
 import tty
 from contextlib import closing
+from functools import cache
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,7 @@ import pytest
 from labcal.bench.clock import RealClock
 from labcal.bench.links import EmulatedLink, WiredLink, open_link
 from labcal.errors import InstrumentError
-from labcal.testing.drivers import DriverCase, Promise, installed, promises
+from labcal.testing.drivers import DriverCase, Promise, installed, keep, promises
 from labcal.testing.drivers.every import OUTSIDE, imported
 
 ROOT = Path(__file__).parents[2]
@@ -79,6 +80,7 @@ LONGEST = 150  # lines of a driver
 LONGER = {"EaSupply": "remote control is taken from one interface, held and given back"}
 
 
+@cache
 def case_of(name: str) -> DriverCase:
     return installed(
         name,
@@ -99,7 +101,7 @@ SUPPLIES = sorted(name for name, entry in DRIVERS.items() if "coil" in entry.loa
 
 @pytest.mark.parametrize(("name", "promise"), CASES)
 def test_it_keeps_its_promise(name: str, promise: Promise) -> None:
-    promise(case_of(name))
+    keep(promise, case_of(name))
 
 
 def test_every_driver_has_an_emulator_and_a_forbidden_message_that_is_tried() -> None:

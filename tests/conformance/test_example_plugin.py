@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -14,7 +15,14 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 AT_MOST_S = 600.0
-PARTS = {"driver": "supply", "emulator": "supply", "procedure": "steps", "effect": "core", "estimator": "magnitudes"}
+PARTS = [
+    ["driver", "example-supply"],
+    ["emulator", "example-supply"],
+    ["procedure", "example-steps"],
+    ["effect", "example-core"],
+    ["estimator", "example-magnitudes"],
+    ["page", "Example DUTs"],
+]
 Python = Callable[..., str]
 
 
@@ -45,18 +53,19 @@ def python(tmp_path_factory: pytest.TempPathFactory) -> Python:
 
 
 def test_it_is_listed_with_its_package(python: Python) -> None:
-    listed = [line.split() for line in python("labcal", "plugins").splitlines()]
-    assert [line[0] for line in listed] == list(PARTS)
-    for kind, name, package, version, _ in listed:
-        assert (name, package, version) == (f"example-{PARTS[kind]}", "labcal-example", "1.0")
+    listed = [re.split("  +", line) for line in python("labcal", "plugins").splitlines()]
+    assert [[kind, name] for kind, name, _, _ in listed] == PARTS
+    assert {package for _, _, package, _ in listed} == {"labcal-example 1.0"}
     assert "example-steps" in python("labcal", "run")
 
 
 def test_its_own_tests_hold_it_to_labcal_testing(python: Python) -> None:
-    assert "5 passed" in python("pytest", "-q", "-p", "no:cacheprovider", "tests")
+    assert "6 passed" in python("pytest", "-q", "-p", "no:cacheprovider", "tests")
 
 
 def test_our_own_suite_does_not_try_what_others_installed(python: Python) -> None:
     tests = str(ROOT / "tests" / "conformance" / "test_drivers.py")
-    said = python("pytest", "-q", "-p", "no:cacheprovider", "-c", str(ROOT / "pyproject.toml"), tests, "-k", "every_dri")
+    said = python(
+        "pytest", "-q", "-p", "no:cacheprovider", "-c", str(ROOT / "pyproject.toml"), tests, "-k", "every_dri"
+    )
     assert "2 passed" in said

@@ -4,46 +4,16 @@ import time
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtCore import QSettings
 
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.testing.pages import DeafWorker
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
 SCAN_WAIT_MS = 40
 PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a slow computer does not
-
-
-class Deaf(QObject):
-    """A worker that answers only when it is told to."""
-
-    items = Signal(list)
-    states = Signal(dict)
-    progress = Signal(str)
-
-    def __init__(self):
-        super().__init__()
-        self.asked, self.said, self.killed, self.busy, self.pid = [], [], 0, False, 0
-
-    def request(self, do, then, failed, **what):
-        self.asked.append((do, then, failed, what))
-
-    def send(self, do, **what):
-        self.said.append((do, what))
-
-    def kill(self):
-        self.killed += 1
-
-    def close(self, wait_ms=0):
-        pass
-
-    def answer(self, do, result):
-        """Answer every request for `do` that waits."""
-        mine = [one for one in self.asked if one[0] == do]
-        self.asked = [one for one in self.asked if one[0] != do]
-        for _, then, _, _ in mine:
-            then(result)
 
 
 @pytest.fixture(scope="session")
@@ -58,7 +28,7 @@ def patience():
 
 @pytest.fixture
 def deaf(qapp):
-    return Deaf
+    return DeafWorker
 
 
 def settings_in(folder):
@@ -76,7 +46,7 @@ def deaf_window(tmp_path_factory, qapp):
     from labcal.gui.window import Window
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(app_state, "Client", lambda parent: Deaf())
+        patch.setattr(app_state, "Client", DeafWorker)
         window = Window(AppState(settings_in(tmp_path_factory.mktemp("home"))), LIGHT)
     KEPT.append(window)
     window.show()

@@ -29,6 +29,6 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(BENDS_AT.name,),
+    shapes=(BENDS_AT,),
     experiment="switch the load at several currents: what saturates hardly grows beyond its bend",
 )

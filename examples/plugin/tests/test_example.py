@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from labcal.bench.driver_kit.testing import scripted
 from labcal.model.effects import Scene
 from labcal.record import Channel
-from labcal.testing import check_driver, check_effect, check_estimator, check_procedure
+from labcal.testing import check_driver, check_effect, check_estimator, check_page, check_procedure
 
 Array = NDArray[np.float64]
 
@@ -51,4 +51,8 @@ def test_the_effect() -> None:
 
 
 def test_the_estimator() -> None:
-    check_estimator("example-magnitudes", ["scalar", "vector"], seeds=20)
+    check_estimator("example-magnitudes", ["scalar", "vector"], seeds=12)
+
+
+def test_the_page() -> None:
+    check_page("Example DUTs")

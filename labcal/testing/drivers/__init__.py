@@ -10,7 +10,7 @@ from labcal.testing.drivers.rig import DriverCase, Rig, installed
 
 Promise = Callable[[DriverCase], None]
 
-__all__ = ["DriverCase", "Promise", "Rig", "check_driver", "installed", "promises"]
+__all__ = ["DriverCase", "Promise", "Rig", "check_driver", "installed", "keep", "promises"]
 
 
 def check_driver(
@@ -37,7 +37,19 @@ def check_driver(
     }
     case = installed(driver, **stated) if isinstance(driver, str) else DriverCase(driver, emulator, **stated)
     for promise in promises(case):
+        keep(promise, case)
+
+
+def keep(promise: Promise, case: DriverCase) -> None:
+    """Hold a driver to one promise; whatever it raises in the attempt breaks it."""
+    try:
         promise(case)
+    except AssertionError:
+        raise
+    except Exception as error:
+        title = (promise.__doc__ or promise.__name__).splitlines()[0]
+        told = f"{case.driver.__name__} raised {type(error).__name__} ({error}) where this is tried: {title}"
+        raise AssertionError(f"{told} Find the cause at the end of the traceback.") from error
 
 
 def promises(case: DriverCase) -> list[Promise]:

@@ -88,7 +88,7 @@ def its_numbers_have_units_and_words_and_limits(case: DriverCase) -> None:
 def its_settings_are_frozen(case: DriverCase) -> None:
     """What a bench file states does not change while the bench runs."""
     kind = case.types["settings"]
-    frozen = dataclasses.is_dataclass(kind) and kind.__dataclass_params__.frozen  # type: ignore[attr-defined]
+    frozen = dataclasses.is_dataclass(kind) and getattr(kind, "__dataclass_params__").frozen  # noqa: B009
     require(frozen, f"{kind.__qualname__} of {case.driver.__name__} must be a @dataclass(frozen=True).")
 
 

@@ -28,7 +28,7 @@ def greeted(case: DriverCase, **stated: Any) -> Rig:
 
 def too_much_A(rig: Rig) -> float:
     """More than it may be set to."""
-    return max(99.0, 2.0 * rig.settings.max_current_A)
+    return max(99.0, 2.0 * float(rig.settings.max_current_A))
 
 
 def some_A(rig: Rig, most_A: float) -> float:
