@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
@@ -32,13 +34,12 @@ def magnitudes(run: Run) -> Fit:
 def _fitted(m: Array, magnitude: Array, unit: float) -> Fit:
     size = float(np.sqrt(np.mean(magnitude**2)))
     m, magnitude = m / size, magnitude / size
-    found = least_squares(
-        lambda x: _length(m, x) - magnitude, np.r_[1, 0, 0, 1, 0, 1, 0, 0, 0], lambda x: _slopes(m, x)
-    )
-    if not found.success or np.linalg.matrix_rank(found.jac, 1e-9 * len(m)) < len(found.x):
+    found = least_squares(partial(_residual, m, magnitude), PERFECT, jac=partial(_slopes, m))
+    jac = _slopes(m, found.x)
+    if not found.success or np.linalg.matrix_rank(jac, 1e-9 * len(m)) < len(found.x):
         return Fit(METHOD, ok=False, why_not=NOT_DETERMINED)
     variance = 2 * found.cost / (len(m) - len(found.x))
-    covariance = variance * np.linalg.inv(found.jac.T @ found.jac)
+    covariance = variance * np.linalg.inv(jac.T @ jac)
     if np.sqrt(np.diag(covariance)[:6].max()) > DETERMINED:
         return Fit(METHOD, ok=False, why_not=NOT_DETERMINED)
     spread = np.diag(np.r_[np.full(9, unit), np.full(3, size)]) @ SPREAD
@@ -62,12 +63,12 @@ def _field(m: Array, x: Array) -> Array:
     return AffineMap.from_parameters(SPREAD @ x).apply(m)
 
 
-def _length(m: Array, x: Array) -> Array:
-    return np.asarray(np.linalg.norm(_field(m, x), axis=1))
+def _residual(m: Array, magnitude: Array, x: Array) -> Array:
+    return np.asarray(np.linalg.norm(_field(m, x), axis=1) - magnitude)
 
 
 def _slopes(m: Array, x: Array) -> Array:
-    """The derivative (n, 9) of the length by the parameters."""
+    """The derivative (n, 9) of the residual by the parameters."""
     b = _field(m, x)
     along = b / np.linalg.norm(b, axis=1, keepdims=True)
     whole = np.column_stack([(along[:, :, None] * m[:, None, :]).reshape(-1, 9), -along])
