@@ -6,6 +6,7 @@ import csv
 import json
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -13,9 +14,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from labcal import session
 from labcal.cli import _run
+from labcal.errors import InputError
 from labcal.gui.ipc import study_commands
-from labcal.model.effects import Family, Shape, Term
+from labcal.model.effects import DELAY, SECANT, Family, Scene, Shape, Term
 from labcal.model.effects.guard import guarded
 
 KNEE_A, SIZE_nT = 0.23, np.array([400.0, -300.0, 200.0])
@@ -102,15 +105,41 @@ def test_an_experiment_tells_it_from_a_rival(
     assert "current-coupling" in {r["procedure"] for r in result["next_experiment"]["ranking"]}
 
 
-def test_a_parameter_that_a_family_does_not_state_is_refused_with_its_name(making: Making, tmp_path: Path) -> None:
-    from labcal import session
-    from labcal.errors import InputError
+BARE = (Shape("knee_A", 1.0, "A", (1.0, 2.0)),)
 
-    def kernel(term: Term, scene: Any) -> np.ndarray:
-        return np.zeros((len(scene), 3, 1))
 
-    term = Term(kernel, (("c", "nT"),), shape=(Shape("knee", 1.0, "A", (1.0, 2.0)),))
-    family = guarded(Family("iron-core", "sensor", kernel, lambda run: [term]), "iron_core:FAMILY")
+@pytest.mark.parametrize(
+    ("shapes", "stated", "words"),
+    [
+        (BARE, (), "does not state its parameter knee_A"),
+        ((replace(BARE[0], kind=DELAY),), BARE, "does not state its parameter knee_A and that one's kind"),
+        ((replace(BARE[0], kind=DELAY),), None, "has to delay a channel"),
+        ((replace(BARE[0], kind=SECANT),), None, "has to belong to the one linear parameter"),
+    ],
+)
+def test_a_parameter_that_could_not_be_searched_is_refused_with_its_name(
+    making: Making, tmp_path: Path, shapes: tuple[Shape, ...], stated: tuple[Shape, ...] | None, words: str
+) -> None:
+    family = _guarded(shapes, shapes if stated is None else stated)
     run = session.load_run(str(making.written(tmp_path, *making.recorded())))
-    with pytest.raises(InputError, match="does not state its parameter knee"):
+    with pytest.raises(InputError, match=words):
         family.candidates(run)
+
+
+def test_a_family_that_names_its_parameters_alone_is_refused() -> None:
+    with pytest.raises(InputError, match="something else than a Shape"):
+        _guarded(BARE, ("knee_A",))  # type: ignore[arg-type]
+
+
+def test_its_terms_are_known_as_its_own(making: Making, tmp_path: Path) -> None:
+    run = session.load_run(str(making.written(tmp_path, *making.recorded())))
+    (term,) = (family := _guarded(BARE, BARE)).candidates(run)
+    assert term.kernel is family.kernel  # so the joint fit knows whose it is
+
+
+def _guarded(shapes: tuple[Shape, ...], stated: tuple[Shape, ...]) -> Family:
+    def kernel(term: Term, scene: Scene) -> np.ndarray:
+        return np.zeros((len(scene), 3, 2))
+
+    term = Term(kernel, (("c", "nT"), ("d", "nT")), shape=shapes)
+    return guarded(Family("iron-core", "sensor", kernel, lambda run: [term], shapes=stated), "iron_core:FAMILY")
