@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.bench.clock import Clock
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
-from labcal.bench.coils.doubt import Latch
-from labcal.bench.coils.state import Coil, Heard, LabState
+from labcal.bench.coils.doubt import StoredDoubt
+from labcal.bench.coils.state import CoilReading, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
 from labcal.bench.driver_kit.roles import (
     ByHand,
@@ -90,7 +90,7 @@ class Bench:
         self.cage = Cage(
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
             guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
-            blind=blind(config.reference), latch=Latch(config.guarded_links),
+            blind=blind(config.reference), latch=StoredDoubt(config.guarded_links),
         )  # fmt: skip
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
@@ -336,7 +336,7 @@ class Bench:
             self._instruments[name].identify()
         self._heard_s[name] = self.clock.now()
 
-    def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: Coil | None) -> Heard:
+    def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: CoilReading | None) -> Heard:
         if coil is not None:
             return Heard(name, coil.read_s, coil.fault)
         wrong = [self._look.wrong(name), *(watch.wrong(name) for watch in self._watches)]

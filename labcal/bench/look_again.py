@@ -13,7 +13,7 @@ import numpy as np
 from labcal.bench.bench import into_cage
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.coils.agreement import LIMIT_NT
-from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Vector
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import BenchConfig, read_config
@@ -40,7 +40,7 @@ def look_again(path: Path, clear_as: str = "", clock: Clock | None = None) -> Lo
     Where they do not, `clear_as` names the person who answers for it: that is kept for the next run's record.
     """
     config = read_config(path)
-    latch = Latch(config.guarded_links)
+    latch = StoredDoubt(config.guarded_links)
     if (doubt := latch.doubt) is None:
         return None
     ended = coils_off(path)

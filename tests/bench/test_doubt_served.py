@@ -9,7 +9,7 @@ from served_lab import Served, beginning, until
 
 from labcal import session
 from labcal.bench import open_bench
-from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.state import AT_ZERO
 from labcal.bench.config import read_config
 from labcal.bench.look_again import look_again
@@ -21,8 +21,8 @@ AMBIENT = (20_400.0, 1_150.0, -43_700.0)
 ELSEWHERE = (20_400.0, 1_150.0, 40_000.0)
 
 
-def doubted(lab: Served, ambient: tuple[float, float, float]) -> Latch:
-    latch = Latch(read_config(lab.file).guarded_links)
+def doubted(lab: Served, ambient: tuple[float, float, float]) -> StoredDoubt:
+    latch = StoredDoubt(read_config(lab.file).guarded_links)
     latch.set(Doubt("2026-01-01 00:00 UTC", "it sees 99 µT too much", (0.0, 0.0, 0.0), ambient))
     return latch
 
@@ -33,7 +33,7 @@ def test_no_session_energises_over_a_doubt_and_one_that_agrees_again_lifts_it(la
     assert "NOT at zero by the reference, at 2026-01-01" in refused.stderr
     assert max(lab.currents().values()) < 0.005
     until(lambda: (looked := look_again(lab.file)) is not None and looked.lifted)
-    assert Latch(read_config(lab.file).guarded_links).doubt is None
+    assert StoredDoubt(read_config(lab.file).guarded_links).doubt is None
     assert look_again(lab.file) is None
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.state import AT_ZERO, BY_WORD, NOT_BY_REFERENCE
 from labcal.bench.steps import coils_off, drive, measure_ambient, mount, record
 from labcal.errors import InstrumentError
@@ -181,26 +181,26 @@ def test_a_question_of_hands_off_leaves_the_witness(bench: Bench) -> None:
 
 
 def test_the_doubt_outlives_the_session_and_is_lifted_by_name(monkeypatch: pytest.MonkeyPatch) -> None:
-    Latch(PORTS).set(Doubt("2026-01-01 00:00 UTC", "it sees 99", (99.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
-    later = Latch(PORTS)
+    StoredDoubt(PORTS).set(Doubt("2026-01-01 00:00 UTC", "it sees 99", (99.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
+    later = StoredDoubt(PORTS)
     assert later.doubt is not None
     with pytest.raises(InstrumentError, match=r"it sees 99.* --clear-as NAME"):
         raise later.doubt.error()
-    assert Latch(["tcp://192.0.2.2:9221"]).doubt is None
+    assert StoredDoubt(["tcp://192.0.2.2:9221"]).doubt is None
     later.lift("Ada, 0.1 µT")
-    assert Latch(PORTS).doubt is None
-    told = Latch(PORTS).told()
+    assert StoredDoubt(PORTS).doubt is None
+    told = StoredDoubt(PORTS).told()
     assert told is not None
     assert told.lifted == "Ada, 0.1 µT"
-    assert Latch(PORTS).told() is None
+    assert StoredDoubt(PORTS).told() is None
 
 
 def test_a_doubt_that_cannot_be_read_is_a_doubt() -> None:
-    latch = Latch(PORTS)
+    latch = StoredDoubt(PORTS)
     latch.set(Doubt("now", "it sees 99"))
     assert latch._path is not None
     latch._path.write_text("{")
-    assert Latch(PORTS).doubt is not None
+    assert StoredDoubt(PORTS).doubt is not None
 
 
 def test_a_run_over_a_false_zero_fails_and_says_so(tmp_path: Path) -> None:

@@ -18,7 +18,19 @@ SERVES = Path(__file__).with_name("faulty_lab.py")
 ALL = ("tti", "korad", "riden-pair", "kepco")
 WITH_CONTACTS = ("tti", "korad", "riden-pair")
 LINES_OF_THEIR_OWN = ("tti", "korad", "kepco")
-DRIVERS = {"tti": "tti-pl", "korad": "korad-ka3005p", "riden-pair": "riden-rd60xx", "kepco": "kepco-bop"}
+WITH_AN_INTERLOCK, WITH_WATCHDOGS = "interlock", "watchdogs"
+WATCHDOG_S = 2  # of either
+DRIVERS = {
+    "tti": "tti-pl", "korad": "korad-ka3005p", "riden-pair": "riden-rd60xx", "kepco": "kepco-bop",
+    WITH_AN_INTERLOCK: "tti-pl", WITH_WATCHDOGS: "keysight-e36300",
+}  # fmt: skip
+INTERLOCK = f"""[instruments.interlock]
+driver = "waveshare-interlock"
+link = "emulated://"
+role = "interlock"
+settings = {{ watchdog_s = {WATCHDOG_S} }}
+
+"""
 
 
 def bench_text(kind: str) -> str:
@@ -33,8 +45,14 @@ def bench_text(kind: str) -> str:
             new = new.replace("emulated://", "emulated://pair") + f"\nsettings = {{ address = {number} }}"
         if kind == "korad":  # deaf for 50 ms after each command, as it sees them: the lab's process may see one late
             new += "\nsettings = { gap_s = 0.1 }"
+        if kind == WITH_WATCHDOGS:
+            new += f"\nsettings = {{ watchdog_s = {WATCHDOG_S} }}"
         text = text.replace(of_tti, new)
-    return text if kind in WITH_CONTACTS else _without(text, "reversers")
+    if kind == WITH_WATCHDOGS:  # their outputs drive 6 V
+        text += "coils = { resistance_ohm = 3.0 }\n"
+    if kind == WITH_AN_INTERLOCK:
+        text = text.replace("[instruments.stage]", f"{INTERLOCK}[instruments.stage]")
+    return text if kind != "kepco" else _without(text, "reversers")
 
 
 def _without(text: str, name: str) -> str:

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from faulty_ends import End, PtyEnd, TcpEnd
 from faulty_line import WELL, FaultyLine, Trouble
-from faulty_supply import Front, panel
+from faulty_supply import Front, clear_watchdog, panel
 
 from labcal.bench.clock import RealClock
 from labcal.bench.config import AXES, read_config
@@ -139,6 +139,9 @@ class FaultyLab:
         for url, line in self.lines.items():
             line.trouble, line.hears = WELL, self._plugged[url]
             line.end.plug()
+        for device in self._plugged.values():
+            if hasattr(device, "has_watchdog"):
+                clear_watchdog(device, self.clock.now())
 
     def currents(self) -> dict[str, float]:
         """What flows now [A]."""

@@ -57,3 +57,12 @@ def panel(device: Any, front: Front, t_s: float, current_A: float, on: bool) -> 
     else:
         device._values, device._on = {"V": PANEL_V, "I": current_A}, on
     front.drive(t_s, current_A, PANEL_V, on)
+
+
+def clear_watchdog(device: Any, t_s: float) -> None:
+    """Somebody switches its outputs off and clears what has tripped, at its panel."""
+    for output in device._outputs.values():
+        output.on = False
+        output.coil.drive(t_s, 0.0, output.VOLT, False)
+    device._watching, device._ends_s = False, float("inf")
+    device._hear(t_s)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import deeds
-from benches import ALL, LINES_OF_THEIR_OWN, WITH_CONTACTS
+from benches import ALL, LINES_OF_THEIR_OWN, WATCHDOG_S, WITH_AN_INTERLOCK, WITH_CONTACTS, WITH_WATCHDOGS
 from trial import Trial
 
 SIGNALS = {
@@ -35,8 +35,8 @@ class Kind:
 
     `stops`: somebody presses Ctrl-C a while after the deed. `hears`: zero can reach every supply. `obeys`: the supplies
     do what they hear. `late_s`: that they obey later. `never`: labcal cannot bring the coils to zero, and says so in
-    docs/safety.md. `needs`: a program that is not everywhere. `window`: the run
-    is begun in the window.
+    docs/safety.md. `cut`: something else takes their current away, `late_s` later at most. `needs`: a program that is
+    not everywhere. `window`: the run is begun in the window.
     """
 
     name: str
@@ -47,6 +47,7 @@ class Kind:
     obeys: bool = True
     late_s: float = 0.0
     never: bool = False
+    cut: bool = False
     benches: tuple[str, ...] = ALL
     needs: str = ""
     standby_ready: bool = False
@@ -115,6 +116,26 @@ def _sensors() -> list[Kind]:
     return [*kinds, _else("reference saturated by a truck", "sensors", deeds.truck)]
 
 
+def _all_killed(trial: Trial) -> None:
+    deeds.killed(trial, WHO["all of them"], True)
+
+
+def _nobody_left() -> list[Kind]:
+    """What opens by itself where nobody beats, and what comes of it when it fails."""
+    kinds = [
+        Kind(f"all of them killed, with {what}", "processes", _all_killed, late_s=WATCHDOG_S, cut=True,
+             standby_ready=True, benches=(bench,))
+        for what, bench in (("an interlock", WITH_AN_INTERLOCK), ("watchdogs", WITH_WATCHDOGS))
+    ]  # fmt: skip
+    name, benches = "interlock", (WITH_AN_INTERLOCK,)
+    return [
+        *kinds,
+        _else("interlock out", "sensors", lambda trial: deeds.out(trial, name), benches=benches),
+        _else("interlock out and in", "sensors", lambda trial: deeds.out_and_in(trial, name), benches=benches),
+        _else("interlock is deaf", "sensors", lambda trial: deeds.frozen(trial, name), benches=benches),
+    ]
+
+
 def _store() -> list[Kind]:
     return [
         _else("store full", "store", deeds.store_full),
@@ -170,5 +191,5 @@ def _window() -> list[Kind]:
 def kinds() -> dict[str, Kind]:
     """Every kind by its name."""
     processes = [_process(how, whom) for how in SIGNALS for whom in WHO]
-    every = [*processes, *_supplies(), *_sensors(), *_store(), *_machine(), *_window()]
+    every = [*processes, *_supplies(), *_nobody_left(), *_sensors(), *_store(), *_machine(), *_window()]
     return {kind.name: kind for kind in every}

@@ -39,7 +39,7 @@ def _row(kind: Kind, found: Sequence[dict[str, Any]], read: Read) -> str:
     wrong = [faults(record) for record in found]
     told = [record for record in found if in_time_can_be_told(record)]
     in_time = _share(told, {"never at zero", "late at zero"}) if not kind.never else "never"
-    heard = _share(told, {"zero heard late"}) if not kind.never else "never"
+    heard = "never" if kind.never or kind.cut else _share(told, {"zero heard late"})
     cells = [
         kind.name, str(len(found)), in_time, _worst(r["at_zero_s"] for r in found), heard,
         _worst(r["heard_s"] for r in found), str(sum("energised again" in w for w in wrong)),

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 HERE = Path(__file__).parent
 WINDOW = HERE / "window_at_work.py"
-BEGINS_S, ENDS_S = 90.0, 20.0  # a session's start on a busy machine; its end, after zero was due
+BEGINS_S, ENDS_S = 90.0, 30.0  # a session's start on a busy machine; its end, after zero was due, over a slow line
 IN_TIME_S = 2.0
 LONGER_S = 1.5  # the coils are watched so long after everything seems over
 FLOWS_A = 0.05

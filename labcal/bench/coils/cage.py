@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.clock import Clock
 from labcal.bench.coils.agreement import FieldCheck
-from labcal.bench.coils.doubt import Doubt, Latch
+from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.sign import Probe, SignCheck
-from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Coil
+from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, CoilReading
 from labcal.bench.coils.windings import Windings
 from labcal.bench.coils.zero import RAMP_STEP_S, AtZero, to_zero
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
@@ -53,7 +53,7 @@ class Cage:
         contacts: Collection[str] = (),
         see: Callable[[], Array | None] = lambda: None,
         blind: str = "no reference is there to see it",
-        latch: Latch | None = None,
+        latch: StoredDoubt | None = None,
     ) -> None:
         self.limits: CageLimits = config.limits
         self.matrix_nT_per_A: Array = config.matrix
@@ -71,8 +71,8 @@ class Cage:
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
         self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
         self.check = FieldCheck(self.matrix_nT_per_A, blind)
-        self.latch = latch or Latch(())
-        self._read = {axis: Coil(axis) for axis in AXES}
+        self.latch = latch or StoredDoubt(())
+        self._read = {axis: CoilReading(axis) for axis in AXES}
         limits = config.limits
         self._windings = Windings(limits.rms_current_A or (math.inf,) * 3, limits.rms_window_s)
         self._refuse_slow_supplies()
@@ -131,7 +131,7 @@ class Cage:
         """Signed set-points (3,), read back."""
         return np.array([supply.set_point() for supply in self.supplies.values()])
 
-    def coils(self) -> tuple[Coil, ...]:
+    def coils(self) -> tuple[CoilReading, ...]:
         """Each axis as it was last read, on the bench's clock."""
         return tuple(self._read.values())
 
@@ -199,7 +199,7 @@ class Cage:
             read_s, known = self._clock.now(), end.current_A is not None
             if self._guardian is not None:
                 read_s = begun_s if end.read_s is None else read_s - (time.monotonic() - end.read_s)
-            self._read[end.axis] = Coil(
+            self._read[end.axis] = CoilReading(
                 end.axis, 0.0 if known else None, end.current_A, known, end.opened, read_s if known else None,
                 "" if end.fault is None else str(end.fault),
             )  # fmt: skip

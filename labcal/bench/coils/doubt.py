@@ -49,7 +49,7 @@ class Doubt:
 def doubt_of(path: Path) -> str:
     """The doubt about the coils of the bench file `path`, in words; "" where there is none, or the file is spoilt."""
     try:
-        doubt = Latch(read_config(path).guarded_links).doubt
+        doubt = StoredDoubt(read_config(path).guarded_links).doubt
     except (InputError, OSError):
         return ""
     return "" if doubt is None else f"{doubt.utc}, {doubt.words}"
@@ -60,7 +60,7 @@ def left_so(path: Path, ended: Iterable[AtZero]) -> str:
     return of_ends(ended, doubt_of(path)).sentence(time.monotonic())
 
 
-class Latch:
+class StoredDoubt:
     """The doubt about the coils on these ports; of a simulated bench (no ports) it ends with the session."""
 
     def __init__(self, urls: Iterable[str]) -> None:

@@ -26,7 +26,7 @@ Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Coil:
+class CoilReading:
     """One axis as last read: None is not known. `zero`: below what counts as zero; `open`: its output was opened.
 
     `fault` is why it could not be read.
@@ -79,7 +79,7 @@ class Heard:
 class LabState:
     """`guardian`: whether it lives; None where a bench needs none."""
 
-    coils: tuple[Coil, ...]
+    coils: tuple[CoilReading, ...]
     reference: Witness = Witness()
     guardian: bool | None = None
     instruments: tuple[Heard, ...] = ()
@@ -141,7 +141,7 @@ def from_json(said: Mapping[str, Any], now_s: float) -> LabState:
     reference = dict(said["reference"])
     for field in ("seen_nT", "expected_nT"):
         reference[field] = None if reference[field] is None else tuple(reference[field])
-    coils = tuple(Coil(**coil) for coil in said["coils"])
+    coils = tuple(CoilReading(**coil) for coil in said["coils"])
     instruments = tuple(Heard(**one) for one in said["instruments"])
     return LabState(coils, Witness(**reference), said["guardian"], instruments).shifted(now_s)
 
@@ -155,10 +155,10 @@ def of_ends(ended: Iterable[AtZero], doubt: str = "") -> LabState:
     return LabState(tuple(_coil(end) for end in ended), witness)
 
 
-def _coil(end: AtZero) -> Coil:
+def _coil(end: AtZero) -> CoilReading:
     """One axis as it ended: what has a current was read back below its zero."""
     known, fault = end.current_A is not None, "" if end.fault is None else str(end.fault)
-    return Coil(end.axis, 0.0 if known else None, end.current_A, known, end.opened, end.read_s, fault)
+    return CoilReading(end.axis, 0.0 if known else None, end.current_A, known, end.opened, end.read_s, fault)
 
 
 def _later(t_s: float | None, by_s: float) -> float | None:

@@ -20,7 +20,7 @@ from labcal.errors import InstrumentError, LimitError
 
 
 @dataclass
-class Coil:
+class GuardedCoil:
     """One axis. What is None where nothing is wrong: why it may not be energised."""
 
     axis: str

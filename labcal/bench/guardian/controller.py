@@ -15,7 +15,7 @@ from labcal.bench.coils.polarity import ReversedSupply
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.driver_kit.roles import CoilSupply, Identity
-from labcal.bench.guardian.coil import Coil
+from labcal.bench.guardian.coil import GuardedCoil
 from labcal.bench.guardian.descent import line_down
 from labcal.bench.guardian.duty import DutyRecord
 from labcal.bench.guardian.handover import Handover, Held
@@ -39,8 +39,8 @@ class Guardian:
         relay = relay_of(config, self._lines)
         names = {str(entry.role): name for name, entry in config.instruments.items()}
         limits = config.cage.limits
-        self.coils: dict[str, Coil] = {
-            axis: Coil(axis, name := names[f"coil-{axis}"], self._lines[name], relay, most, rate)
+        self.coils: dict[str, GuardedCoil] = {
+            axis: GuardedCoil(axis, name := names[f"coil-{axis}"], self._lines[name], relay, most, rate)
             for axis, most, rate in zip(AXES, limits.current_A, limits.ramp_A_per_s, strict=True)
         }
         self._together = TogetherLimit(config, DutyRecord(config.guarded_links))
@@ -229,7 +229,7 @@ class Guardian:
     def _held_A(self) -> dict[str, float]:
         return {axis: coil.limit.level_A if coil.energised else 0.0 for axis, coil in self.coils.items()}
 
-    def _refuse(self, coil: Coil) -> None:
+    def _refuse(self, coil: GuardedCoil) -> None:
         if coil.tripped is not None:
             raise coil.tripped
 
@@ -241,7 +241,7 @@ class Guardian:
                 raise coil.unresolved
             return ask(coil.signed)
 
-    def _down(self, coils: Sequence[Coil]) -> list[AtZero]:
+    def _down(self, coils: Sequence[GuardedCoil]) -> list[AtZero]:
         """Each line its own way, so that a silent instrument delays no other line."""
         lines = {coil.line.url: coil.line for coil in coils}
         on_line = [[coil for coil in coils if coil.line is line] for line in lines.values()]
@@ -252,7 +252,7 @@ class Guardian:
             raise
         return ended
 
-    def _line_down(self, coils: Sequence[Coil]) -> list[AtZero]:
+    def _line_down(self, coils: Sequence[GuardedCoil]) -> list[AtZero]:
         others = [coil.name for coil in self.coils.values() if coil not in coils]
         return line_down(coils, others, self.tell)
 

@@ -8,13 +8,13 @@ from typing import cast
 
 from labcal.bench.coils.zero import AtZero, to_zero, write_zero
 from labcal.bench.driver_kit.roles import CoilSupply
-from labcal.bench.guardian.coil import Coil
+from labcal.bench.guardian.coil import GuardedCoil
 from labcal.errors import InstrumentError
 
 ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what it holds
 
 
-def line_down(coils: Sequence[Coil], others: Sequence[str], tell: Callable[[], None]) -> list[AtZero]:
+def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callable[[], None]) -> list[AtZero]:
     """All coils of one line to zero; what is asked there meanwhile is given up. Never raises InstrumentError.
 
     `others`: supplies on other lines, which may answer here where cables were swapped. `tell`: a successor must know.
@@ -38,7 +38,7 @@ def line_down(coils: Sequence[Coil], others: Sequence[str], tell: Callable[[], N
         return list(ended.values())
 
 
-def _greet(coil: Coil) -> None:
+def _greet(coil: GuardedCoil) -> None:
     """See that the right instrument is at the end of the link, where that is not known yet or nothing flows."""
     line = coil.line
     hurry_s = line.clock.now() + ANSWER_S if coil.energised else float("inf")
@@ -52,7 +52,7 @@ def _greet(coil: Coil) -> None:
         coil.doubt = fault
 
 
-def _write_zero(coil: Coil, others: Sequence[str]) -> None:
+def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> None:
     """Zero at once, whatever it may answer; who is there is asked only where the link was opened anew."""
     for _ in ("as it is", "opened again"):
         try:
@@ -64,7 +64,7 @@ def _write_zero(coil: Coil, others: Sequence[str]) -> None:
                 coil.line.reopen()
 
 
-def _may_be_written(coil: Coil, others: Sequence[str]) -> bool:
+def _may_be_written(coil: GuardedCoil, others: Sequence[str]) -> bool:
     """Whether nobody else answers in its place. Its silence is no reason: it may hear."""
     line = coil.line
     try:
@@ -77,7 +77,7 @@ def _may_be_written(coil: Coil, others: Sequence[str]) -> bool:
     return True
 
 
-def _quench(coil: Coil, others: Sequence[str]) -> None:
+def _quench(coil: GuardedCoil, others: Sequence[str]) -> None:
     """Another instrument answers: where it is a supply such as this bench has, it hears zero and off, and no more."""
     line = coil.line
     for driver in (line.instrument(coil.name), *line.strangers(others)):
@@ -90,7 +90,7 @@ def _quench(coil: Coil, others: Sequence[str]) -> None:
             return
 
 
-def _ramped(coils: Sequence[Coil]) -> Mapping[str, AtZero]:
+def _ramped(coils: Sequence[GuardedCoil]) -> Mapping[str, AtZero]:
     if not coils:
         return {}
     supplies = {coil.axis: coil.bare for coil in coils}
@@ -99,7 +99,7 @@ def _ramped(coils: Sequence[Coil]) -> Mapping[str, AtZero]:
     return to_zero(supplies, rates, coils[0].line.clock, known_A=known)
 
 
-def _read_back(coil: Coil) -> AtZero:
+def _read_back(coil: GuardedCoil) -> AtZero:
     """Who was in doubt says who it is, and then that it is at zero; else its link is opened again for the next try."""
     assert coil.doubt is not None
     try:

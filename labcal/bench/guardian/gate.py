@@ -1,7 +1,8 @@
 """A gate in every line of the guardian: when zero is ordered, whatever the session has asked there ends at once.
 
 A question that nobody answers would keep the line from who brings its coils down. While the gate is closed only that
-thread passes; what others have under way ends within a hundredth of a second, and they can send nothing more.
+thread passes; what others have under way ends within a hundredth of a second, and they can send nothing more. The reply
+to a question that was given up is still on its way: it must not be taken for the answer to the next.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from labcal.bench.loading import Loader
 from labcal.errors import InstrumentError
 
 LOOK_S = 0.01
+OWED_S = 0.3  # that a second reply is waited for, where a question was given up before
 
 
 class Gate:
@@ -26,6 +28,7 @@ class Gate:
     def __init__(self) -> None:
         self._closed = threading.Event()
         self._owner: int | None = None
+        self.owed = False  # a question was given up, whose reply may still come
         self.asks_until_s = float("inf")  # on the line's clock: what is asked ends then, answered or not
 
     def close(self) -> None:
@@ -77,7 +80,7 @@ class GatedLink:
         """All that arrives up to `until_s`, in pieces stamped at their first byte."""
         arrived = list[tuple[float, bytes]]()
         while True:
-            self._gate.check(self._clock.now())
+            self._check_waiting()
             arrived += self._link.receive(min(until_s, self._clock.now() + LOOK_S))
             if self._clock.now() >= until_s:
                 return arrived
@@ -86,7 +89,8 @@ class GatedLink:
         """Send, then return the reply up to and with `end`, or `end` bytes. Raises InstrumentError (silent)."""
         if request:
             self.send(request)
-        return read_reply(self, self._clock, end=end, timeout_s=timeout_s)
+        reply = read_reply(self, self._clock, end=end, timeout_s=timeout_s)
+        return self._newest(reply, end) if self._gate.owed else reply
 
     def give_back(self, t_s: float, data: bytes) -> None:
         """Put bytes that were read too far back at the head of the line."""
@@ -95,14 +99,35 @@ class GatedLink:
     def reopen(self) -> None:
         """Open it again."""
         self._link.reopen()
+        self._gate.owed = False
 
     def flush(self) -> None:
         """Drop what has arrived and was not read."""
-        self.receive(self._clock.now())
+        self._gate.check(self._clock.now())
+        dropped = b"".join(data for _, data in self._link.receive(self._clock.now()))
+        if dropped.endswith((b"\r", b"\n")):
+            self._gate.owed = False
 
     def close(self) -> None:
         """Let go of it."""
         self._link.close()
+
+    def _check_waiting(self) -> None:
+        try:
+            self._gate.check(self._clock.now())
+        except InstrumentError:
+            self._gate.owed = True
+            raise
+
+    def _newest(self, reply: bytes, end: bytes | int) -> bytes:
+        """The reply to what was asked last: the first that came may belong to what was given up."""
+        self._gate.owed = False
+        until_s = self._clock.now() + OWED_S
+        while (now_s := self._clock.now()) < until_s:
+            if pieces := self.receive(min(until_s, now_s + LOOK_S)):
+                self.give_back(pieces[0][0], b"".join(data for _, data in pieces))
+                return read_reply(self, self._clock, end=end, timeout_s=OWED_S)
+        return reply
 
 
 @dataclass

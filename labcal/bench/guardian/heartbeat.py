@@ -45,8 +45,9 @@ class Heartbeats:
         """The guardian's loop lives. `at_rest`: all coils are at zero; `in_doubt`: one that should be is not."""
         turned = (at_rest, in_doubt) != (self._at_rest, self._in_doubt)
         self._seen_s, self._at_rest, self._in_doubt = time.monotonic(), at_rest, in_doubt
-        for heart in self._hearts if turned else ():
-            heart.wake.set()
+        for heart in self._hearts:
+            if turned and heart.is_interlock:  # what is fed alike in either case is fed in its own time
+                heart.wake.set()
 
     @property
     def fault(self) -> InstrumentError | None:

@@ -21,6 +21,7 @@ from labcal.errors import InstrumentError
 logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # all that it would say on stderr is raised as well
 T = TypeVar("T")
 REPLY_S, FRAME_GAP_S = 0.1, 0.005  # by then a healthy device has answered; and its frame has ended
+UNANSWERED = {"no_response_expected": True}
 EXCEPTIONS = {
     1: ": it does not know the function",
     2: ": it does not know the address",
@@ -45,6 +46,9 @@ class ModbusLink:
     ) -> None:
         self.url, self.emulated, self._line, self._clock, self._quiet_s = line.url, line.emulated, line, clock, quiet_s
         self._client = _LineClient(line, clock, FramerType(framer), timeout_s)
+        self._owed_s = list[
+            float
+        ]()  # when each was sent whose reply may still come, where it was given up or not waited for
 
     def read_coils(self, device: int, address: int, count: int) -> list[bool]:
         """FC 01. Raises InstrumentError: silent, or refused by the device."""
@@ -81,38 +85,47 @@ class ModbusLink:
 
     def write_register_unacknowledged(self, device: int, address: int, value: int) -> None:
         """FC 06; what comes back within the time of a healthy reply is dropped, and nothing coming is no fault."""
-        self._client.write_register(address, value, device_id=device, no_response_expected=True)
-        self._drop_reply()
+        self._unanswered(lambda: self._client.write_register(address, value, device_id=device, **UNANSWERED))
 
     def write_coil_unacknowledged(self, device: int, address: int, on: bool) -> None:
         """FC 05, likewise."""
-        self._client.write_coil(address, on, device_id=device, no_response_expected=True)
-        self._drop_reply()
+        self._unanswered(lambda: self._client.write_coil(address, on, device_id=device, **UNANSWERED))
 
     def close(self) -> None:
         """Let go of the line."""
         self._line.close()
 
-    def _drop_reply(self) -> None:
+    def _unanswered(self, request: Callable[[], Any]) -> None:
         """On a pair of wires the next request must not collide with the reply to this one."""
-        deadline, came = self._clock.now() + REPLY_S, False
-        while self._clock.now() < deadline:
-            pieces = self._line.receive(min(deadline, self._clock.now() + FRAME_GAP_S))
+        self._drop_owed(REPLY_S)
+        self._owed_s.append(self._clock.now())
+        request()
+        self._drop_owed(REPLY_S)
+
+    def _drop_owed(self, wait_s: float) -> None:
+        """Drop the replies to what was sent before, each as far as it comes within `wait_s` of the last of these."""
+        came = False
+        while self._owed_s and (left_s := self._owed_s[-1] + wait_s - self._clock.now()) > 0:
+            pieces = self._line.receive(self._clock.now() + min(left_s, FRAME_GAP_S))
             if came and not pieces:
-                return
-            came = came or bool(pieces)
+                del self._owed_s[0]
+            came = bool(pieces)
 
     def _ask(self, function: int, request: Callable[[], Any], written: int | None = None) -> Any:
         """The reply, if it is one to this function and, of a write, to this address."""
+        self._drop_owed(self._quiet_s)
+        self._owed_s = [self._clock.now()]
         try:
             reply = request()
         except ModbusException as error:
+            self._owed_s.clear()
             self._wait_for_quiet()
             raise InstrumentError(
                 f"{self.url}: no valid Modbus reply.",
                 fault="silent",
                 remedy="Is it switched on, are address and baud rate right, are A and B not swapped?",
             ) from error
+        self._owed_s.clear()
         if reply.isError():
             raise InstrumentError(
                 f"{self.url}: the device refused with Modbus exception {reply.exception_code}"

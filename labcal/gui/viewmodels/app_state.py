@@ -274,8 +274,8 @@ class AppState(QObject):
             worker.close(500)
 
 
-def _coil(said: dict[str, Any]) -> state.Coil:
+def _coil(said: dict[str, Any]) -> state.CoilReading:
     """One axis as it was read back when it was switched off."""
     known, read_s = said["current_A"] is not None, said.get("read_s") or time.monotonic()
     fault = "" if said["ok"] else str(said["words"])
-    return state.Coil(said["axis"], None, said["current_A"], known, known, read_s if known else None, fault)
+    return state.CoilReading(said["axis"], None, said["current_A"], known, known, read_s if known else None, fault)

@@ -1,0 +1,112 @@
+"""What is given up when a gate closes: its reply, which still comes, answers nothing that is asked later."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import Any
+
+import pytest
+
+from labcal.bench.clock import RealClock
+from labcal.bench.guardian.gate import Gate, GatedLink
+from labcal.bench.links.deny import DenyList
+from labcal.bench.links.modbus import ModbusLink
+from labcal.errors import InstrumentError
+
+SLOW_S = 0.2  # of this instrument, to answer
+
+
+class SlowLine:
+    """A line to an instrument that answers every message with `answer(message)`, `SLOW_S` later."""
+
+    url, emulated, never = "test://", True, DenyList()
+
+    def __init__(self, answer: Any) -> None:
+        self._answer, self._due = answer, list[tuple[float, bytes]]()
+        self.sent = list[bytes]()
+
+    def send(self, data: bytes) -> None:
+        self.sent.append(data)
+        self._due.append((time.monotonic() + SLOW_S, self._answer(data)))
+
+    def receive(self, until_s: float) -> list[tuple[float, bytes]]:
+        time.sleep(max(0.0, until_s - time.monotonic()))
+        came = [due for due in self._due if due[0] <= time.monotonic()]
+        self._due = [due for due in self._due if due not in came]
+        return came
+
+    def give_back(self, t_s: float, data: bytes) -> None:
+        self._due.insert(0, (t_s, data))
+
+
+def given_up(gate: Gate, ask: Any) -> None:
+    """Another thread asks, and the gate closes while it waits."""
+    raised = list[InstrumentError]()
+
+    def asking() -> None:
+        try:
+            ask()
+        except InstrumentError as error:
+            raised.append(error)
+
+    thread = threading.Thread(target=asking)
+    thread.start()
+    time.sleep(SLOW_S / 4)
+    gate.close()
+    thread.join()
+    assert [error.fault for error in raised] == ["taken to zero"]
+
+
+def text_line() -> tuple[SlowLine, Gate, GatedLink]:
+    slow: Any = SlowLine(lambda said: b"answer to " + said)
+    gate = Gate()
+    return slow, gate, GatedLink(slow, gate, RealClock())
+
+
+def test_the_reply_to_a_question_that_was_given_up_is_not_the_answer_to_the_next() -> None:
+    slow, gate, link = text_line()
+    given_up(gate, lambda: link.ask(b"the set-point?\n", end=b"\n", timeout_s=2.0))
+    with gate.passing():
+        link.send(b"zero\n")
+        slow._due.pop()  # a set has no answer
+        assert link.ask(b"what flows?\n", end=b"\n", timeout_s=2.0) == b"answer to what flows?\n"
+    assert link.ask(b"who?\n", end=b"\n", timeout_s=2.0) == b"answer to who?\n"
+
+
+def test_zero_is_sent_without_waiting_for_it() -> None:
+    slow, gate, link = text_line()
+    given_up(gate, lambda: link.ask(b"the set-point?\n", end=b"\n", timeout_s=2.0))
+    begun = time.monotonic()
+    with gate.passing():
+        link.flush()
+        link.send(b"zero\n")
+    assert slow.sent[-1] == b"zero\n"
+    assert time.monotonic() - begun < SLOW_S / 2
+
+
+def test_where_that_reply_never_comes_the_next_one_counts() -> None:
+    slow, gate, link = text_line()
+    given_up(gate, lambda: link.ask(b"the set-point?\n", end=b"\n", timeout_s=2.0))
+    slow._due.clear()
+    with gate.passing():
+        assert link.ask(b"what flows?\n", end=b"\n", timeout_s=2.0) == b"answer to what flows?\n"
+
+
+@pytest.mark.parametrize("registers", [(b"\x01\x03\x02\x07\x62\x3b\x9d", b"\x01\x03\x02\x00\x00\xb8\x44")])
+def test_of_registers_likewise_though_their_frames_are_alike(registers: tuple[bytes, bytes]) -> None:
+    held, zero = registers
+    slow: Any = SlowLine(lambda said: held if said[2:4] == b"\x00\x01" else zero)
+    gate, clock = Gate(), RealClock()
+    master = ModbusLink(GatedLink(slow, gate, clock), clock, timeout_s=2.0)
+    given_up(gate, lambda: master.read_holding(1, 2, 1))
+    with gate.passing():
+        assert master.read_holding(1, 1, 1) == [0x0762]
+
+
+def test_a_healthy_line_waits_for_nothing() -> None:
+    _, _, link = text_line()
+    begun = time.monotonic()
+    for _ in range(3):
+        assert link.ask(b"who?\n", end=b"\n", timeout_s=2.0) == b"answer to who?\n"
+    assert time.monotonic() - begun < 3 * SLOW_S + 0.25
