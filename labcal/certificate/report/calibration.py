@@ -78,13 +78,15 @@ def headline_of(before: float | None, after: float | None, caption: str) -> Head
 
 def _effect_table(effect: EffectRecord) -> Table:
     name = " · ".join([effect.effect, *effect.channels]) + (" (provisional)" if effect.provisional else "")
-    rows = tuple(_parameter_row(parameter) for parameter in effect.parameters)
+    family = find(effect.effect)
+    kinds = {shape.name: shape.kind.name for shape in family.shapes} if family is not None else {}
+    rows = tuple(_parameter_row(parameter, kinds.get(parameter.name)) for parameter in effect.parameters)
     return Table((name, "Value", f"U (k = {COVERAGE:.0f})", "Unit"), rows, frozenset({1, 2}), _why(effect))
 
 
-def _parameter_row(p: Parameter) -> tuple[str, str, str, str]:
-    decimals = decimals_for([COVERAGE * p.u])
-    return p.name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit.replace("degC", "°C")
+def _parameter_row(p: Parameter, kind: str | None = None) -> tuple[str, str, str, str]:
+    decimals, name = decimals_for([COVERAGE * p.u]), f"{p.name} ({kind})" if kind else p.name
+    return name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit.replace("degC", "°C")
 
 
 def _why(effect: EffectRecord) -> str:

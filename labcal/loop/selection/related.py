@@ -31,9 +31,11 @@ def related_columns(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[S
 
 def initial_state_columns(pool: CandidateSet, chosen: Candidate) -> list[Span]:
     """The transient of a slow response's unknown initial state: it decays with the response's own time constant."""
-    settling = next((c for c in pool.candidates if c.family.bound_to_run and c.term.of(TIME_CONSTANT)), None)
-    if settling is None or (own := settling.term.of(TIME_CONSTANT)) is None:
+    of_the_run = ((c, c.term.of(TIME_CONSTANT)) for c in pool.candidates if c.family.bound_to_run)
+    found = next(((c, own) for c, own in of_the_run if own is not None), None)
+    if found is None:
         return []
+    settling, own = found
 
     def made(tau_s: float) -> Span:
         columns = pool.problem.columns(settling.term.with_shape(replace(own, value=tau_s)))

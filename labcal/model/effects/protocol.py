@@ -92,7 +92,14 @@ class Scene:
 
 Kernel = Callable[["Term", Scene], Array]
 DrawnAgainst = Literal["time", "angle", "field"]
-Action = Literal["load", "heat", "bare platform", "move device", "turn reference", "move reference"]  # by experiments
+Action = Literal[
+    "load",  # a load is switched, or the power mode
+    "heat",  # the device is warmed and cools
+    "bare platform",  # the device is taken off and the reference stands in its place
+    "move device",  # by 5 cm
+    "turn reference",  # by 180°
+    "move reference",  # to twice its distance
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,10 +164,13 @@ class Confounded:
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """All that is known about one effect id. A simple effect states the first four, and `experiment`.
+    """All that is known about one effect id: what its author has to give. The first four, and `experiment`, suffice.
 
-    `candidates` are the terms that a run could show, none where it lacks what they need; a parameter that is searched
-    has a grid there, and stands in `shapes` by name and kind.
+    `kernel` must give finite columns (n, 3, p) wherever the field and the term's channels are finite, for any rows in
+    the order of time; without `scene.rig` unless the effect is the rig's; each row from itself alone unless `reach_s`
+    says otherwise. `candidates` gives the terms that a run could show, none where the run lacks what they need.
+    A parameter that does not enter linearly stands in `shapes` with the name and kind that it has in the terms, and has
+    a grid there if it is searched.
     """
 
     id: str

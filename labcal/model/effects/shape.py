@@ -95,7 +95,7 @@ def _between_two_rows(shape: Shape, t_s: Array, by_slope: float) -> float:
 
 
 SCALE = Kind("scale", _scale, _of_its_value)  # not zero, its size unknown: searched by factors
-TIME_CONSTANT = Kind("time constant", _scale, _of_its_value)  # of a first-order response; negative: it undoes one
+TIME_CONSTANT = Kind("time constant", _scale, _of_its_value)  # of a response (negative: undone), or of a settling
 THRESHOLD = Kind("threshold", _not_narrower, _of_its_value)  # none below the grid: ripple and noise would drive it
 LEVEL = Kind("level", _one_grid_step, _of_the_grid)  # may be zero or of either sign: searched by grid steps
 ANGLE = Kind("angle", _one_grid_step, _of_its_value)
