@@ -11,7 +11,7 @@ from labcal.model.effects.protocol import Array
 from labcal.model.effects.regressors import moving, on_each_axis, per_axis
 from labcal.record import Run
 
-BENDS_AT = Shape("bend_A", 0.5, "A", (0.1, 0.3, 1.0, 3.0))  # its value, unit, and where a search starts
+BENDS_AT = Shape("bend_A", 0.5, "A", (0.1, 0.15, 0.22, 0.33, 0.5, 0.75, 1.1))  # its unit, and where a search starts
 
 
 def kernel(term: Term, scene: Scene) -> Array:
