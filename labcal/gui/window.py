@@ -66,9 +66,9 @@ class Window(Frame):
         }
         super().__init__(app_state.lab, dict(self.lazy_pages))
         self.style_queue = IdleQueue(self)
-        self._prebuild_timer = QTimer(self, singleShot=True)
-        self._prebuild_timer.timeout.connect(self.prebuild)
-        self._imports = Thread(target=import_pages, daemon=True, name="imports")
+        self.prebuild_timer = QTimer(self, singleShot=True)
+        self.prebuild_timer.timeout.connect(self.prebuild)
+        self.imports = Thread(target=import_pages, daemon=True, name="imports")
         self.wall = str(app_state.settings.value("wall", "no")) == "yes"
         self._before_wall: QSize | None = None
         self.fault = FaultCard()
@@ -97,7 +97,7 @@ class Window(Frame):
         wall = self.tr("letters to be read from two metres, and back")
         described(QShortcut(QKeySequence("F11"), self, self.toggle_wall), wall)
         for lazy_page in self.lazy_pages.values():
-            lazy_page.wanted.connect(partial(self._prebuild_timer.start, 0))
+            lazy_page.wanted.connect(partial(self.prebuild_timer.start, 0))
 
     def prebuild(self) -> None:
         """Build a piece of a page that is not there yet, what is in sight first; go on until all are there.
@@ -106,22 +106,22 @@ class Window(Frame):
         """
         waiting = [lazy_page for lazy_page in self.lazy_pages.values() if not lazy_page.ready]
         if not waiting:
-            return self.app_state.study_vm.prepare() if preallocate_plot() else self._prebuild_timer.start(0)
+            return self.app_state.study_vm.prepare() if preallocate_plot() else self.prebuild_timer.start(0)
         first = min(waiting, key=lambda lazy_page: not lazy_page.isVisible())
         if first is next(iter(self.lazy_pages.values())):  # it is light: it needs none of the imports
             first.build()
-        elif self._imports.ident is None:
-            self._imports.start()
-        elif self._imports.is_alive() or (self.app_state.run.alive and not first.isVisible()):
-            return self._prebuild_timer.start(POLL_MS)
+        elif self.imports.ident is None:
+            self.imports.start()
+        elif self.imports.is_alive() or (self.app_state.run.alive and not first.isVisible()):
+            return self.prebuild_timer.start(POLL_MS)
         elif first.page is not None or preallocate_plot():
             first.build()
-        return self._prebuild_timer.start(0)
+        return self.prebuild_timer.start(0)
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
-        if self._imports.is_alive():
-            self._imports.join()
+        if self.imports.is_alive():
+            self.imports.join()
         return self.lazy_pages[name].built()
 
     def toggle_wall(self) -> None:
@@ -182,7 +182,8 @@ class Window(Frame):
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")
         if out:
             steps = [(name, str(mark)) for name, mark in self.app_state.run.steps()]
-            save_problem(Path(out), fault, self.app_state.bench, steps, self.app_state.facts)
+            facts = self.app_state.facts
+            save_problem(Path(out), fault, self.app_state.bench, steps, None if facts is None else facts.simulated)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Remember where it stood; coils to zero; hang up."""

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib.metadata import EntryPoint
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from unittest.mock import patch
 
 from PySide6.QtCore import QObject, QSettings, Qt, Signal
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QApplication, QLineEdit, QTabBar, QWidget
 
 from labcal.errors import InputError
+from labcal.gui.ipc.client import OnFault
+from labcal.gui.ipc.codec import decode, encode
+from labcal.gui.ipc.lines import answer_type
+from labcal.gui.ipc.messages import Command, Word
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import build_more, build_page, pages
 from labcal.gui.theming.stylesheet import styled_widgets
@@ -26,26 +31,33 @@ SMALLEST = 1024, 700  # px of the smallest window
 PARTS = 1000  # of a page that is built in parts, at most
 
 
+class Asked(NamedTuple):
+    """A command that waits for its answer."""
+
+    command: Command[Any]
+    then: Callable[[Any], object]
+    failed: OnFault
+
+
 class DeafWorker(QObject):
     """A worker that answers only when it is told to."""
 
-    items = Signal(list)
-    states = Signal(dict)
+    items = Signal(tuple)
+    states = Signal(object)
     progress = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__()
-        self.asked = list[tuple[str, Callable[[Any], None], Callable[[Any], None], dict[str, Any]]]()
-        self.said = list[tuple[str, dict[str, Any]]]()
+        self.asked, self.said = list[Asked](), list[Word]()
         self.killed, self.busy, self.pid = 0, False, 0
 
-    def request(self, do: str, then: Callable[[Any], None], failed: Callable[[Any], None], **what: Any) -> None:
-        """Remember that `do` was asked for."""
-        self.asked.append((do, then, failed, what))
+    def request(self, command: Command[Any], then: Callable[[Any], object], failed: OnFault) -> None:
+        """Remember that it was asked for."""
+        self.asked.append(Asked(command, then, failed))
 
-    def send(self, do: str, **what: Any) -> None:
+    def send(self, word: Word) -> None:
         """Remember what was said."""
-        self.said.append((do, what))
+        self.said.append(word)
 
     def kill(self) -> None:
         """Remember that it was ended."""
@@ -54,12 +66,17 @@ class DeafWorker(QObject):
     def close(self, wait_ms: int = 0) -> None:
         """Nothing to end."""
 
-    def answer(self, do: str, result: Any) -> None:
-        """Answer every request for `do` that waits."""
-        mine = [one for one in self.asked if one[0] == do]
-        self.asked = [one for one in self.asked if one[0] != do]
-        for _, then, _, _ in mine:
-            then(result)
+    def commands(self, kind: type = object) -> list[Command[Any]]:
+        """What is asked and not answered, of one kind."""
+        return [one.command for one in self.asked if isinstance(one.command, kind)]
+
+    def answer(self, kind: type[Command[Any]], result: Any) -> None:
+        """Answer every command of a kind that waits, with what its class declares."""
+        decode(answer_type(kind), json.loads(json.dumps(encode(result))), kind.__name__)
+        mine = [one for one in self.asked if isinstance(one.command, kind)]
+        self.asked = [one for one in self.asked if one not in mine]
+        for one in mine:
+            one.then(result)
 
 
 def check_page(page: str | Callable[..., QWidget]) -> None:
@@ -132,7 +149,8 @@ def check_shown_and_hidden(entry: EntryPoint, widget: QWidget) -> None:
 def check_begins_nothing(entry: EntryPoint, state: app_state.AppState) -> None:
     """Being looked at neither runs, fits nor switches anything: what a page wants to know it asks the quick worker."""
     for name, worker in (("bench", state.bench_worker), ("fit", state.fit_worker), ("off", state.off_worker)):
-        begun = [do for do, *_ in (*worker.asked, *worker.said)]  # type: ignore[attr-defined]
+        assert isinstance(worker, DeafWorker)
+        begun = [type(one).__name__ for one in (*worker.commands(), *worker.said)]
         told = f"page {entry.name!r} asks the {name} worker for {', '.join(begun)} as it is shown"
         require(not begun, f"{told}: a person's click begins such work; to know something, use app_state.request.")
 

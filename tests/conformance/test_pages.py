@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
+from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.pages.registry import OUR_PAGES
 from labcal.testing.pages import check_page
 
@@ -28,7 +29,7 @@ class Plain(QWidget):
 class Begins(Plain):
     def __init__(self, app_state: object, theme: object) -> None:
         super().__init__(app_state, theme)
-        app_state.bench_worker.request("run", print, print, procedure="preflight")
+        app_state.bench_worker.request(ListRuns(), print, print)
 
 
 class Wordless(Plain):
@@ -72,7 +73,7 @@ def test_a_plain_page_passes(qapp: object) -> None:
 @pytest.mark.parametrize(
     ("page", "says"),
     [
-        (Begins, "asks the bench worker for run as it is shown: a person's click begins such work"),
+        (Begins, "asks the bench worker for ListRuns as it is shown: a person's click begins such work"),
         (Wordless, "has no words: give it a text or an accessible name"),
         (Unreachable, "is not found by Tab"),
         (Wide, "the smallest window has 1024 × 700: let texts wrap"),

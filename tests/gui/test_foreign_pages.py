@@ -5,11 +5,13 @@ from importlib.metadata import EntryPoint
 from types import ModuleType
 
 import pytest
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.pages import lazy_page, registry
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import IdleQueue
 
 
 class Good(QWidget):
@@ -100,6 +102,15 @@ def test_a_page_that_breaks_is_a_card_that_says_so(foreign, opened, still, what,
     assert card.details.toPlainText()
     assert place.ready
     assert list(place.theme_updates(DARK)) == []
+
+
+def test_a_job_that_breaks_holds_up_none_of_the_others(qtbot, patience):
+    parent, done = QObject(), []
+    queue = IdleQueue(parent)
+    queue.add(lambda: 1 / 0, lambda: done.append("the next"))
+    with qtbot.capture_exceptions() as caught:
+        qtbot.waitUntil(lambda: done == ["the next"], timeout=patience)
+    assert [kind for kind, *_ in caught] == [ZeroDivisionError]
 
 
 def test_the_window_lives_with_a_page_that_breaks_beside_ours(foreign, monkeypatch, tmp_path, deaf, kept_windows, qapp):

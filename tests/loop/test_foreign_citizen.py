@@ -18,6 +18,7 @@ from labcal import session
 from labcal.cli import _run
 from labcal.errors import InputError
 from labcal.gui.ipc import study_commands
+from labcal.gui.ipc.messages import CloseLoop, TryCause
 from labcal.model.effects import DELAY, SECANT, Family, Scene, Shape, Term
 from labcal.model.effects.guard import guarded
 
@@ -81,11 +82,11 @@ def test_the_window_draws_it_against_what_it_says(
 ) -> None:
     monkeypatch.setattr(study_commands, "_run", study_commands._run.__wrapped__)  # nothing is kept from test to test
     bundle = str(making.written(tmp_path / "run", *_saturating(making)))
-    said = study_commands.loop(_Quiet(), bundle)  # type: ignore[arg-type]
-    assert said["loop"]["accepted"][0]["effect"] == "iron-core"
-    assert (said["drawn_against"]["iron-core"], said["drawn_against"]["lag"]) == ("time", "angle")
-    alone = study_commands.cause(_Quiet(), bundle, "iron-core", ["i_load"])  # type: ignore[arg-type]
-    assert {p["name"] for p in alone["parameters"]} == {"c_x", "c_y", "c_z", "knee_A"}
+    said = study_commands.loop(_Quiet(), CloseLoop(bundle))  # type: ignore[arg-type]
+    assert said.accepted[0].effect == "iron-core"
+    assert (said.drawn_against["iron-core"], said.drawn_against["lag"]) == ("time", "angle")
+    alone = study_commands.cause(_Quiet(), TryCause(bundle, "iron-core", ("i_load",)))  # type: ignore[arg-type]
+    assert np.std(alone.after) < 0.5 * np.std(alone.before)
 
 
 class _Quiet:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from labcal.gui.ipc.answers import RunLine
+from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import Card, button, flat, label
@@ -35,8 +36,8 @@ class DutsPage(QWidget):
 
     def refresh(self) -> None:
         """Ask a worker: nothing here waits."""
-        self._app_state.request("runs", self._known)
+        self._app_state.request(ListRuns(), self._known)
 
-    def _known(self, runs: list[dict[str, Any]]) -> None:
-        counted = Counter(str(run["dut_serial"]) for run in runs)
+    def _known(self, runs: tuple[RunLine, ...]) -> None:
+        counted = Counter(run.dut_serial for run in runs)
         self.counts.setText("\n".join(f"{dut}: {n}" for dut, n in counted.most_common()) or "No runs yet.")
