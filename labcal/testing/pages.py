@@ -148,8 +148,8 @@ def check_shown_and_hidden(entry: EntryPoint, widget: QWidget) -> None:
 
 def check_begins_nothing(entry: EntryPoint, state: app_state.AppState) -> None:
     """Being looked at neither runs, fits nor switches anything: what a page wants to know it asks the quick worker."""
-    for name, worker in (("bench", state.bench_worker), ("fit", state.fit_worker), ("off", state.off_worker)):
-        assert isinstance(worker, DeafWorker)
+    workers: dict[str, Any] = {"bench": state.bench_worker, "fit": state.fit_worker, "off": state.off_worker}
+    for name, worker in workers.items():
         begun = [type(one).__name__ for one in (*worker.commands(), *worker.said)]
         told = f"page {entry.name!r} asks the {name} worker for {', '.join(begun)} as it is shown"
         require(not begun, f"{told}: a person's click begins such work; to know something, use app_state.request.")
