@@ -19,6 +19,9 @@ from labcal.cli import _run
 from labcal.errors import InputError
 from labcal.gui.ipc import study_commands
 from labcal.gui.ipc.messages import CloseLoop, TryCause
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import CandidateSet
 from labcal.model.effects import DELAY, SECANT, Family, Scene, Shape, Term
 from labcal.model.effects.guard import guarded
 
@@ -104,6 +107,62 @@ def test_an_experiment_tells_it_from_a_rival(
     (named,) = result["accepted"]
     assert {named["effect"], *(r["effect"] for r in named["rivals"])} >= {"iron-core", "offset-temperature"}
     assert "current-coupling" in {r["procedure"] for r in result["next_experiment"]["ranking"]}
+
+
+SCANNED = """
+import numpy as np
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.model.effects import DELAY, FREQUENCY, MOMENT, Family, Shape, Term
+from labcal.model.effects.regressors import delayed, moving, on_each_axis, per_axis
+
+AT, OF = Shape("at", 0.0, "s", kind=MOMENT), Shape("of", 0.0, "Hz", kind=FREQUENCY)
+BY = Shape("by", 1.0, "s", (1.0, 2.0, 3.0, 4.0), DELAY)
+
+
+def jump(term, scene):
+    return (scene.along_axes_nT * (scene.t_s >= term.at("at"))[:, None])[:, None, :] * scene.axes
+
+
+def echo(term, scene):
+    return on_each_axis(delayed(scene.t_s, scene.segment, term.drive(scene), term.at("by")))
+
+
+def hum(term, scene):
+    angle = 2 * np.pi * term.at("of") * scene.t_s
+    return np.concatenate([on_each_axis(np.cos(angle)), on_each_axis(np.sin(angle))], axis=2)
+
+
+def echoes(run):
+    return [Term(echo, per_axis("c", "nT/V"), (c.name,), {c.name: 0.0}, (BY,)) for c in moving(run, ("voltage",))]
+
+
+def hums(run):
+    return [Term(hum, (*per_axis("a", "nT"), *per_axis("b", "nT")), shape=(OF,))]
+
+
+JUMP = Family("gain-jump", "sensor", jump, lambda run: [Term(jump, per_axis("g", "1"), shape=(AT,))], shapes=(AT,))
+ECHO = Family("echo", "sensor", echo, echoes, shapes=(BY,))
+HUM = Family("hum", "sensor", hum, hums, shapes=(OF,))
+"""
+
+
+def test_delays_moments_and_lines_of_other_packages_are_found_whatever_they_are_called(
+    making: Making, installed: Installed, searching: Callable[..., CandidateSet]
+) -> None:
+    for effect, name in (("gain-jump", "JUMP"), ("echo", "ECHO"), ("hum", "HUM")):
+        installed(effect, name, SCANNED)
+    rows, _ = making.recorded()
+    t = rows["t_s"]
+    v = np.mod(t, 29.0) < 11.0
+    jump, hum = 2e-3 * rows["dut"] * (t >= 190.3)[:, None], 50 * np.cos(2 * np.pi * 0.31 * t)[:, None] * np.ones(3)
+    late = 90.0 * np.interp(t - 3.0, t, v.astype(float))[:, None] * np.array([1.0, -1.0, 0.5])
+    for added, effect, true in ((jump, "gain-jump", 190.3), (hum, "hum", 0.31), (late, "echo", 3.0)):
+        pool = searching({"v": v.astype(float)}, {"v": "voltage"}, added)
+        found = [c for c in all_candidates(pool, ()) if c.family.id == effect]
+        best = refined(pool, pool.rank(found)[0].candidate, ())
+        assert best.term.shape[0].value == pytest.approx(true, rel=0.03)
 
 
 BARE = (Shape("knee_A", 1.0, "A", (1.0, 2.0)),)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.model.effects import Family, Shape, Term, families
@@ -26,7 +26,8 @@ def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
     What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
     the turning of the field.
     """
-    terms = [(family, *term) for family in families() for term in _with_a_line(family, problem.run)]
+    able = [family for family in families() if family.found_by("spectral lines") and is_observable(problem, family)]
+    terms = [(family, *term) for family in able for term in _with_a_line(family, problem.run)]
     if not terms:
         return []
     offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
@@ -46,8 +47,6 @@ def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
 
 def _with_a_line(family: Family, run: Run) -> list[tuple[Term, Shape]]:
     """The terms that have a frequency, and the frequency."""
-    if not any(shape.kind.found_by == "spectral lines" for shape in family.shapes):
-        return []
     found = [(term, term.found_by("spectral lines")) for term in family.candidates(run)]
     return [(term, line) for term, line in found if line is not None]
 

@@ -205,6 +205,10 @@ class Family:
     # How it is drawn
     drawn_against: DrawnAgainst = "time"  # where it has no channel
 
+    def found_by(self, search: FoundBy) -> bool:
+        """Whether this search finds one of its parameters."""
+        return any(shape.kind.found_by == search for shape in self.shapes)
+
     def restore(self, record: EffectRecord) -> Term:
         """The form that a calibration file describes."""
         kinds = {shape.name: shape.kind for shape in self.shapes}
