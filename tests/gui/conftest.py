@@ -46,9 +46,9 @@ def settings_in(folder):
     return settings
 
 
-@pytest.fixture(scope="session")
-def deaf_window(tmp_path_factory, qapp):
-    """A window whose workers are all deaf: no process is started. One for all tests."""
+@contextmanager
+def deaf_window_at(home):
+    """A window whose workers are all deaf: no process is started."""
     from labcal.gui.ipc.bench_commands import procedures
     from labcal.gui.ipc.messages import ListProcedures
     from labcal.gui.viewmodels import app_state
@@ -56,7 +56,7 @@ def deaf_window(tmp_path_factory, qapp):
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(app_state, "Client", DeafWorker)
-        window = Window(AppState(settings_in(tmp_path_factory.mktemp("home"))), LIGHT)
+        window = Window(AppState(settings_in(home)), LIGHT)
     KEPT.append(window)
     window.show()
     window.open_page("Run")
@@ -67,13 +67,32 @@ def deaf_window(tmp_path_factory, qapp):
     window.close()
 
 
+@pytest.fixture(scope="session")
+def deaf_window(tmp_path_factory, qapp):
+    """One for all tests."""
+    with deaf_window_at(tmp_path_factory.mktemp("home")) as window:
+        yield window
+
+
 @pytest.fixture
 def still(deaf_window):
     """The window on a bench that is known, with nothing asked, said or begun."""
+    return at_rest(deaf_window)
+
+
+@pytest.fixture
+def new_window(tmp_path, qapp):
+    """The same for one test alone, where what other tests have shown before would count."""
+    with deaf_window_at(tmp_path) as window:
+        yield at_rest(window)
+
+
+def at_rest(window):
+    """Nothing asked, said or begun, on a known bench; forms and cards as they were at first."""
     from labcal.gui.ipc.bench_commands import read_bench
     from labcal.gui.ipc.messages import ReadBench
 
-    window, app_state = deaf_window, deaf_window.app_state
+    app_state = window.app_state
     window.scanner.flush()
     window.raise_()
     window.activateWindow()

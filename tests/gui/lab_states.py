@@ -23,11 +23,6 @@ def told(to, currents=(0.0, 0.0, 0.0), *, verdict="agrees", age_s=0.0):
     worker.states.emit(LabState(coils, witness))
 
 
-def silent(axis, read_s):
-    """A coil that was not read back."""
-    return CoilReading(axis, read_s=read_s, fault=f"{axis}: silent")
-
-
 def runs_of(qtbot, window):
     """Ids of the runs of its store, as the History page has them."""
     window.open_page("History")
@@ -35,3 +30,8 @@ def runs_of(qtbot, window):
     page.search.clear()
     qtbot.waitUntil(lambda: page.table.rowCount() > 0, timeout=180_000)
     return [page.table.text(row, 6) for row in range(page.table.rowCount())]
+
+
+def silent(axis, read_s):
+    """A coil that was not read back."""
+    return CoilReading(axis, read_s=read_s, fault=f"{axis}: silent")

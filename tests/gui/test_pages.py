@@ -68,12 +68,15 @@ def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):
 
 
 def test_every_view_of_a_fit_has_something_to_show(qtbot, fitted):
+    from labcal.gui.widgets.fit_views import FACES
+
     page, study = fitted.page("Fit"), fitted.app_state.study_vm
     views = page.views
     for n in range(views.view.count()):
         views.view.setCurrentIndex(n)
         views.view.activated.emit(n)
-        assert views.faces.currentIndex() == n
+        assert views.shown() == FACES[n]
+        assert views.faces.currentWidget() is getattr(views, FACES[n])
     qtbot.waitUntil(lambda: "ekf" in study.growth or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
     qtbot.waitUntil(lambda: len(views.growth.getPlotItem().listDataItems()) >= 3, timeout=LONG_MS)

@@ -175,6 +175,7 @@ def test_a_run_is_exported_and_imported_by_clicks(qtbot, own_lab, tmp_path, monk
 def test_the_trend_of_a_dut_is_drawn(qtbot, signed):
     signed.open_page("History")
     history = signed.page("History")
-    qtbot.waitUntil(history.plot.isVisible, timeout=LONG_MS)
-    assert "EM-07" in history.trend_heading.text()
+    qtbot.waitUntil(lambda: "EM-07" in history.trend_heading.text(), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: len(history.plot.getPlotItem().listDataItems()) == 3, timeout=LONG_MS)
+    assert history.plot.isVisible()
     assert any(one.verdict for one in history.runs)
