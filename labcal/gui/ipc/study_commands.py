@@ -65,10 +65,10 @@ def _fit(run: str, method: str) -> Fit:
 
 def methods(channel: Channel, asked: ListMethods) -> tuple[str, ...]:
     """The names of all estimators; whoever asks first waits for what everything else here needs."""
-    from labcal import fit
+    from labcal.fit.registry import methods as installed
 
     import_module("labcal.session")
-    return fit.methods()
+    return installed()
 
 
 def look(channel: Channel, asked: LookAt) -> Look:
