@@ -18,6 +18,7 @@ from labcal.gui.pages.registry import Themed, build_more, build_page
 from labcal.gui.theming.stylesheet import apply_style, styled_widgets
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.common import flat
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import TIME_SLICE_S
 
@@ -85,7 +86,7 @@ class LazyPage(QWidget):
         holder, card = QWidget(), FaultCard(closable=False)
         column = QVBoxLayout(holder)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
-        column.addWidget(card)
+        column.addWidget(flat(card))
         column.addStretch()
         card.report_requested.connect(self._app_state.report_requested)
         card.show_fault(Fault("page", str(error), remedy, "".join(traceback.format_exception(error))))
