@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import typer
 
-import labcal
 from labcal.cli import (  # noqa: F401  each registers its commands
     app,
     bench,
@@ -18,11 +17,12 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     runs,
     signing,
 )
+from labcal.version import __version__
 
 
 def _version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"labcal {labcal.__version__}")
+        typer.echo(f"labcal {__version__}")
         raise typer.Exit
 
 

@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-import labcal
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
 from labcal.model.effects import of_temperature
 from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
+from labcal.version import __version__
 
 
 def draft_calibration(
@@ -47,7 +47,7 @@ def draft_calibration(
         metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
         instruments=_instruments(run),
         cage_sha256=cage_sha256,
-        software=f"labcal {labcal.__version__}",
+        software=f"labcal {__version__}",
         operator=run.operator,
     )
 

@@ -41,7 +41,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     problem = after.problem
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
-    found = replace(found, cv_error=_as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
+    found = replace(found, cv_error=as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
     verdict = _verdict(found, aside, len(problem))
     of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
     accepted = [*of_the_data, *_records(found, after)]
@@ -79,7 +79,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     )
 
 
-def _as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
+def as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
     """The held-out error, no smaller than what the shipped map and effects leave on the rows of their fit.
 
     Blocks are predicted to first order about the last fit; where an effect is too nonlinear, the file is worse.

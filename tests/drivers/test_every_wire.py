@@ -135,7 +135,7 @@ WIRES: dict[str, Wire] = {
         settings={"x": 0},
     ),
     "waveshare-interlock": Wire(
-        always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d._closed()), 1.0, rtu("0101 01 00")
+        always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d.contact_closed()), 1.0, rtu("0101 01 00")
     ),
     "zaber": Wire(
         zaber, angle, 90.0, zaber(0, 5)[1],

@@ -93,7 +93,7 @@ def closed_loop(capsys: pytest.CaptureFixture[str]) -> Callable[[Path], tuple[in
     from labcal import cli
 
     def run(bundle: Path) -> tuple[int, dict[str, Any], str]:
-        code = cli._run(["close-loop", str(bundle), "--json", "-"])
+        code = cli.execute(["close-loop", str(bundle), "--json", "-"])
         said = capsys.readouterr()
         return code, json.loads(said.out) if said.out else {}, said.err
 

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from labcal.cli import _run
+from labcal.cli import execute
 from labcal.runner import procedures
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -26,7 +26,7 @@ def labcal(capsys: pytest.CaptureFixture[str]) -> Labcal:
     """Runs a command; its exit code, and what it said."""
 
     def run(*words: str) -> SimpleNamespace:
-        code, said = _run(list(words)), capsys.readouterr()
+        code, said = execute(list(words)), capsys.readouterr()
         return SimpleNamespace(returncode=code, stdout=said.out, stderr=said.err)
 
     return run

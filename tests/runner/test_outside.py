@@ -9,7 +9,7 @@ import pytest
 
 from labcal.bench.loading import _installed
 from labcal.bench.opening import load_bench
-from labcal.cli import _run as labcal
+from labcal.cli import execute as labcal
 from labcal.errors import InputError
 from labcal.runner import catalogue, find
 

@@ -15,7 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.home import SECRETS
 
 OnResult = Callable[[Any], None]
-COMMAND = ("-m", "labcal.gui.ipc.worker")
+COMMAND = ("-P", "-m", "labcal.gui.ipc.worker")  # nothing is loaded from the current folder
 TIME_SLICE_S = 0.01  # of one turn of the event loop for what the worker said
 STDERR_TAIL = 6000  # of stderr, for the details of a crash
 HEARTBEAT_MS = 200  # so often the worker hears that this window is not standing still

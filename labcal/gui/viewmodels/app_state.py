@@ -16,6 +16,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench.coils import state
+from labcal.files import absolute
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.lab import LabViewModel, Light
@@ -74,7 +75,7 @@ class AppState(QObject):
         """Take `bench` as the bench from here on, unless a run goes on or it cannot be read."""
         if self.run.alive:
             return self.fault.emit(Fault("input", self.tr("A run goes on; open another bench after it.")))
-        path = str(Path(bench).resolve())
+        path = str(absolute(Path(bench)))
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
         return self.request("bench", partial(self._bench_known, path), bench=path)
 
