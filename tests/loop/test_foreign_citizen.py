@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.cli import _run
+from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.gui.ipc import study_commands
 from labcal.gui.ipc.messages import CloseLoop, TryCause
@@ -49,7 +49,7 @@ def _saturating(making: Making, seed: int = 5, part: float = 1.0) -> tuple[dict[
 def test_it_is_found_proven_shipped_reported_and_applied(making: Making, tmp_path: Path, iron_core: None) -> None:
     bundle = making.written(tmp_path / "run", *_saturating(making))
     made = ["--json", str(tmp_path / "result.json"), "--out", str(tmp_path / "cal.json")]
-    assert _run(["close-loop", str(bundle), *made, "--report", str(tmp_path / "report.html")]) == 0
+    assert execute(["close-loop", str(bundle), *made, "--report", str(tmp_path / "report.html")]) == 0
     result, cal = (json.loads((tmp_path / name).read_text()) for name in ("result.json", "cal.json"))
     assert (result["verdict"], [e["effect"] for e in result["accepted"]]) == ("explained", ["iron-core"])
     (proven,), (shipped,) = result["accepted"], cal["effects"]
@@ -72,7 +72,7 @@ def _apply_to_another_recording(making: Making, closed: Path) -> None:
     table = np.column_stack([rows["t_s"], rows["dut"], rows["i_load"]])
     with (closed / "in.csv").open("w", newline="") as file:
         csv.writer(file).writerows([names, *table.tolist()])
-    assert _run(["apply", str(closed / "cal.json"), str(closed / "in.csv"), "--out", str(closed / "out.csv")]) == 0
+    assert execute(["apply", str(closed / "cal.json"), str(closed / "in.csv"), "--out", str(closed / "out.csv")]) == 0
     done = list(csv.DictReader((closed / "out.csv").read_text().splitlines()))
     field = np.array([[float(row[f"b_{a}"]) for a in "xyz"] for row in done])
     clean, _ = making.recorded(seed=6)
@@ -80,10 +80,7 @@ def _apply_to_another_recording(making: Making, closed: Path) -> None:
     assert np.sqrt(np.mean((field - true) ** 2)) < 5.0  # of an offset of 300
 
 
-def test_the_window_draws_it_against_what_it_says(
-    making: Making, tmp_path: Path, iron_core: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(study_commands, "_run", study_commands._run.__wrapped__)  # nothing is kept from test to test
+def test_the_window_draws_it_against_what_it_says(making: Making, tmp_path: Path, iron_core: None) -> None:
     bundle = str(making.written(tmp_path / "run", *_saturating(making)))
     said = study_commands.loop(_Quiet(), CloseLoop(bundle))  # type: ignore[arg-type]
     assert said.accepted[0].effect == "iron-core"
