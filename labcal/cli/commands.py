@@ -12,6 +12,7 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     gui,
     keys,
     loop,
+    plugins,
     report,
     run,
     runs,

@@ -28,6 +28,7 @@ from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
+from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -70,7 +71,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         shape=left,
         unsupported=frozenset(len(of_the_data) + i for i in unsupported),
         shipped=errors,
-        twins=confounded(problem, {c.scored.candidate.family.id for rivals in found.equivalents for c in rivals}),
+        twins=confounded(problem, [c.scored.candidate.family for rivals in found.equivalents for c in rivals]),
         remarks=(tests_text(tests["after"]), *(finding.says for finding in noticed)),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
@@ -134,7 +135,7 @@ def verdict_of(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     law = policy.POLICY
     reaches = found.cv_error.after <= law.floor_ratio * found.level.nT
     known = found.level.source != "differences" or not _correlated(found)
-    outlying = aside["outliers"] > law.max_outlier_share * rows
+    outlying = aside[OUTLIERS.id] > law.max_outlier_share * rows
     if any(len(r) > 1 for r in found.equivalents):
         return "ambiguous"
     if found.accepted:
@@ -142,8 +143,8 @@ def verdict_of(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     if outlying:
         return "partly-explained"
     if (
-        aside["saturation"] >= law.min_set_aside
-        or (aside["outliers"] >= law.min_set_aside and found.outlier_distance > law.gross_outlier_sigmas)
+        aside[SATURATION.id] >= law.min_set_aside
+        or (aside[OUTLIERS.id] >= law.min_set_aside and found.outlier_distance > law.gross_outlier_sigmas)
     ) and reaches:
         return "explained"
     return "clean" if reaches else "unexplained"
@@ -190,7 +191,7 @@ def _data_effects(aside: dict[str, int], problem: LinearProblem, verdict: Verdic
     found = []
     law = policy.POLICY
     for effect, count in aside.items():
-        gross = effect != "outliers" or far > law.gross_outlier_sigmas
+        gross = effect != OUTLIERS.id or far > law.gross_outlier_sigmas
         if count >= law.min_set_aside and gross and verdict != "unexplained":
             part = count / (len(problem) + count)
             rows = Parameter("rows", float(count), 0.0, "1")

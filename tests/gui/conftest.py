@@ -1,74 +1,27 @@
 """The window under test: its own home, its own settings, the simulated bench at once."""
 
-import json
 import time
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from shutil import copytree
 from types import SimpleNamespace
-from typing import Any, NamedTuple
 
 import pytest
 from lab_states import runs_of
-from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtCore import QSettings
 
-from labcal.gui.ipc.codec import decode, encode
-from labcal.gui.ipc.lines import answer_type
 from labcal.gui.ipc.messages import CloseLoop
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.testing.pages import DeafWorker
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20"}
 KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
 SCAN_WAIT_MS = 40
 PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a slow computer does not
-
-
-class Asked(NamedTuple):
-    """A command that waits for its answer."""
-
-    command: Any
-    then: Any
-    failed: Any
-
-
-class Deaf(QObject):
-    """A worker that answers only when it is told to."""
-
-    items = Signal(tuple)
-    states = Signal(object)
-    progress = Signal(str)
-
-    def __init__(self):
-        super().__init__()
-        self.asked, self.said, self.killed, self.busy, self.pid = [], [], 0, False, 0
-
-    def request(self, command, then, failed):
-        self.asked.append(Asked(command, then, failed))
-
-    def send(self, word):
-        self.said.append(word)
-
-    def kill(self):
-        self.killed += 1
-
-    def close(self, wait_ms=0):
-        pass
-
-    def commands(self, kind=object):
-        """What is asked and not answered, of one kind."""
-        return [one.command for one in self.asked if isinstance(one.command, kind)]
-
-    def answer(self, kind, result):
-        """Answer every command of a kind that waits, with what its class declares."""
-        decode(answer_type(kind), json.loads(json.dumps(encode(result))), kind.__name__)
-        mine = [one for one in self.asked if isinstance(one.command, kind)]
-        self.asked = [one for one in self.asked if one not in mine]
-        for one in mine:
-            one.then(result)
 
 
 @pytest.fixture(scope="session")
@@ -83,7 +36,7 @@ def patience():
 
 @pytest.fixture
 def deaf(qapp):
-    return Deaf
+    return DeafWorker
 
 
 def settings_in(folder):
@@ -102,7 +55,7 @@ def deaf_window_at(home):
     from labcal.gui.window import Window
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(app_state, "Client", lambda parent: Deaf())
+        patch.setattr(app_state, "Client", DeafWorker)
         window = Window(AppState(settings_in(home)), LIGHT)
     KEPT.append(window)
     window.show()

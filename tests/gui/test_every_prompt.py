@@ -30,7 +30,7 @@ from labcal.runner import find, run_procedure
 from labcal.store import Store
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
-INSTALLED = sorted(entry.name for entry in entry_points(group="labcal.procedures"))
+INSTALLED = sorted(e.name for e in entry_points(group="labcal.procedures") if e.value.startswith("procedures."))
 BESIDE = ("preflight, redone", "preflight, resumed", "rotate-axis, by hand", "configuration, no such file", "a fault")
 DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]

@@ -218,6 +218,7 @@ class Loop:
     remarks: tuple[str, ...]
     draft: str
     change: Change
+    drawn_against: Mapping[str, str] = field(default_factory=dict)  # by effect: "time", "angle" or "field"
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,10 +65,10 @@ def _fit(run: str, method: str) -> Fit:
 
 def methods(channel: Channel, asked: ListMethods) -> tuple[str, ...]:
     """The names of all estimators; whoever asks first waits for what everything else here needs."""
-    from labcal.fit import METHODS
+    from labcal.fit.registry import methods as installed
 
     import_module("labcal.session")
-    return tuple(METHODS)
+    return installed()
 
 
 def look(channel: Channel, asked: LookAt) -> Look:
@@ -121,6 +121,8 @@ def loop(channel: Channel, asked: CloseLoop) -> Loop:
 
 
 def _told(closed: ClosedLoop, draft: str, change: Change) -> Loop:
+    from labcal.model.effects import families
+
     proposed = closed.next_experiment
     return Loop(
         verdict=closed.verdict,
@@ -136,6 +138,7 @@ def _told(closed: ClosedLoop, draft: str, change: Change) -> Loop:
         remarks=closed.remarks,
         draft=draft,
         change=change,
+        drawn_against={family.id: family.drawn_against for family in families()},
     )
 
 

@@ -32,15 +32,6 @@ WORDS = {
 
 
 Cause = EffectRecord | Rival
-DRIVERS = {  # what an effect without a channel is best seen against
-    "axis-tilt": "angle", "cage-field": "angle", "field-gradient": "field", "nonlinearity": "field",
-    "cross-field": "field", "hysteresis": "angle", "lag": "angle",
-}  # fmt: skip
-
-
-def driver(effect: Cause) -> str:
-    """The regressor that an effect without a channel is drawn against first."""
-    return DRIVERS.get(effect.effect, "time")
 
 
 def cause(effect: Cause) -> str:
@@ -334,7 +325,7 @@ class LoopPage(QWidget):
         against, chosen = loop.change.against, self.picked()
         effects: tuple[Cause, ...] = loop.accepted if chosen is None else (chosen[1],)
         channels = [c for effect in effects for c in effect.channels]
-        driven = channels or [driver(effect) for effect in effects]
+        driven = channels or [loop.drawn_against.get(effect.effect, "time") for effect in effects]
         first = [name for name in against if name.split("  ")[0] in driven]
         names = first + [name for name in against if name not in first]
         if [self.against.itemText(n) for n in range(self.against.count())] != names:
