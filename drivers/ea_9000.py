@@ -16,6 +16,7 @@ from labcal.bench.driver_kit.registers import Registers, register
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links.modbus import ModbusLink
+from labcal.bench.links.quoting import quoted
 from labcal.errors import InstrumentError
 
 FULL, TOP = 52428, 53477  # 100 % and the 102 % that a set-point may have
@@ -98,7 +99,7 @@ class EaSupply:
         agree = rated is not None and abs(float(rated[2]) - amps) <= 0.05 * amps
         if not model.startswith("PS") or not agree or not 0 < volts < 1e5:
             raise InstrumentError(
-                f"{self.name}: it calls itself {model!r} with {volts:g} V and {amps:g} A nominal.",
+                f"{self.name}: it calls itself {quoted(model)} with {volts:g} V and {amps:g} A nominal.",
                 fault="another instrument",
                 remedy="Is it an EA PS/PSI/PSB, and is the address in bench.toml the right one?",
             )

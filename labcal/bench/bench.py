@@ -18,6 +18,7 @@ from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
 from labcal.bench.coils.state import CoilReading, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
+from labcal.bench.driver_kit.identities import refuse_other
 from labcal.bench.driver_kit.roles import (
     ByHand,
     ChannelSpec,
@@ -136,12 +137,8 @@ class Bench:
         """Open the lost link of an instrument again. Raises InstrumentError where another one answers than before."""
         self._links[name].reopen()
         who, before = self._instruments[name].identify(), self._known.get(name)
-        if before is not None and who != before:
-            raise InstrumentError(
-                f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
-                fault="another instrument",
-                remedy="Plug the instruments in as bench.toml says, and begin again.",
-            )
+        if before is not None:
+            refuse_other(name, who, before)
         return who
 
     @property

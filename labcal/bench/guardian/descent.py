@@ -112,7 +112,7 @@ def _read_back(coil: GuardedCoil) -> AtZero:
         if fault.fault != "another instrument":
             with suppress(InstrumentError):
                 coil.bare.write_off()
-    if end.current_A is None and end.fault is not None and end.fault.fault in ("silent", "link lost"):
+    if end.current_A is None and end.fault is not None and end.fault.fault in ("silent", "babbles", "link lost"):
         with suppress(InstrumentError):
             coil.line.reopen()
     return end
