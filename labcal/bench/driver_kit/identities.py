@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 
 from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.links.ports import port_of
 from labcal.bench.links.quoting import abridged, quoted
 from labcal.errors import InstrumentError
 
@@ -26,12 +27,12 @@ def refuse_other(name: str, who: Identity, before: Identity) -> None:
     )
 
 
-def one_at_two_links(who: Mapping[str, Identity], ports: Mapping[str, str]) -> dict[str, InstrumentError]:
-    """Faults by name: instruments of which another, at another of `ports`, says the same maker, model and serial number.
+def one_at_two_links(who: Mapping[str, Identity], links: Mapping[str, str]) -> dict[str, InstrumentError]:
+    """Faults by name: another, whose link is to another port, says the same maker, model and serial number.
 
     One without a serial number, or whose number is 0, is never taken for another.
     """
-    faults = dict[str, InstrumentError]()
+    ports, faults = {name: port_of(links[name]) for name in who}, dict[str, InstrumentError]()
     for name, one in who.items():
         twins = [other for other, its in who.items() if _serial(its) == _serial(one) and ports[other] != ports[name]]
         if twins and one.serial.strip(" 0"):
@@ -41,6 +42,12 @@ def one_at_two_links(who: Mapping[str, Identity], ports: Mapping[str, str]) -> d
                 remedy="Correct the links in bench.toml, then begin again.",
             )
     return faults
+
+
+def refuse_one_at_two_links(who: Mapping[str, Identity], links: Mapping[str, str]) -> None:
+    """Raise the first of these faults."""
+    for fault in one_at_two_links(who, links).values():
+        raise fault
 
 
 def _serial(who: Identity) -> tuple[str, str, str]:

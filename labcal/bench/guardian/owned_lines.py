@@ -51,7 +51,7 @@ class OwnedLine:
                     self._open[name] = self.loader.instrument(name)
                 except InputError as error:  # in the file; a session says so before it starts a guardian
                     remedy = "Correct the file and say off again, or switch this supply off by hand."
-                    raise InstrumentError(f"{error}.", fault="not reached", remedy=remedy) from error
+                    raise InstrumentError(f"not reached: {error}.", fault="not reached", remedy=remedy) from error
             return self._open[name]
 
     def identify(self, name: str) -> Identity:

@@ -6,7 +6,7 @@ from typing import Protocol
 
 from labcal.bench.clock import Clock
 from labcal.bench.links.deny import DenyList
-from labcal.bench.links.quoting import quoted
+from labcal.bench.links.quoting import SHOWN, quoted
 from labcal.errors import InstrumentError
 
 ASK_STEP_S = 0.001
@@ -88,7 +88,7 @@ def read_reply(link: _Readable, clock: Clock, *, end: bytes | int, timeout_s: fl
 def babbles(url: str, came: bytes) -> InstrumentError:
     """The error for a line that brings bytes and no end of a reply."""
     return InstrumentError(
-        f"{url}: it babbles: more than {LONGEST // 1024} KiB came without an end, beginning with {quoted(came)}.",
+        f"{url}: it babbles: more than {LONGEST // 1024} KiB came without an end, beginning with {came[:SHOWN]!r}.",
         fault="babbles",
         remedy="Is it the instrument that bench.toml names? Pull its cable and plug it in again, or switch it off.",
     )

@@ -181,7 +181,7 @@ class _LineClient(ModbusBaseSyncClient):
         return len(request)
 
     def recv(self, size: int | None) -> bytes:
-        """What comes next; nothing when the time is up. Raises InstrumentError (babbles) where more than a reply came."""
+        """What comes next; nothing when the time is up. Raises InstrumentError (babbles) for more than a reply."""
         while not self._looked:
             self._looked = self._clock.now() >= self._deadline_s
             pieces = self._line.receive(min(self._deadline_s, self._clock.now() + 0.001))

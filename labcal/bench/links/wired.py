@@ -13,7 +13,7 @@ from typing import Protocol
 import serial
 
 from labcal.bench.clock import Clock
-from labcal.bench.links import devices
+from labcal.bench.links import devices, hosts
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
 from labcal.bench.links.line import drop, read_reply
@@ -205,7 +205,7 @@ class TcpPort:
     byte_s = 0.0
 
     def __init__(self, host: str, port: int) -> None:
-        self._socket = socket.create_connection((host, port), CONNECT_S)
+        self._socket = _connected(host, port)
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def read(self) -> bytes:
@@ -227,6 +227,19 @@ class TcpPort:
     def close(self) -> None:
         """Let go."""
         self._socket.close()
+
+
+def _connected(host: str, port: int) -> socket.socket:
+    """A connection to the first address that answers. Raises OSError."""
+    error, known = OSError(f"{host} has no address that is known"), hosts.addresses(host)
+    for address in known:
+        try:
+            return socket.create_connection((address, port), CONNECT_S)
+        except OSError as failure:
+            error = failure
+    if known:
+        hosts.forget(host)
+    raise error
 
 
 class UdpPort:
@@ -266,4 +279,4 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
     if scheme == "usbtmc":
         return UsbtmcPort(address)
     host, port = place(url, scheme, address)
-    return UdpPort(host, port) if scheme == "udp" else TcpPort(host or "localhost", port)
+    return UdpPort(host, port) if scheme == "udp" else TcpPort(host, port)
