@@ -15,8 +15,8 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.registers import Registers, register
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
+from labcal.bench.links import quoted
 from labcal.bench.links.modbus import ModbusLink
-from labcal.bench.links.quoting import quoted
 from labcal.errors import InstrumentError
 
 FULL, TOP = 52428, 53477  # 100 % and the 102 % that a set-point may have

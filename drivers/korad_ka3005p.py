@@ -10,9 +10,8 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import quantity
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.bench.links.line import LONGEST, babbles
-from labcal.bench.links.quoting import quoted
 from labcal.errors import InstrumentError
 
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")

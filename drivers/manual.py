@@ -10,8 +10,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_elsewhere
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link
-from labcal.bench.links.quoting import quoted
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 ABORT = ("abort", "stop", "no")

@@ -12,8 +12,7 @@ from drivers.framing.newport import Axis
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link
-from labcal.bench.links.quoting import quoted
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 DEGREES = "7"

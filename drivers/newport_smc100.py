@@ -14,8 +14,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_fast_homing
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
-from labcal.bench.links import Link
-from labcal.bench.links.quoting import quoted
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 NOT_REFERENCED = range(0x0A, 0x12)

@@ -11,8 +11,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import after, decimal, quantity
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Output, Positive
-from labcal.bench.links import Link
-from labcal.bench.links.quoting import abridged, quoted
+from labcal.bench.links import Link, abridged, quoted
 from labcal.errors import InstrumentError
 
 EVENTS = {

@@ -14,8 +14,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_elsewhere
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link
-from labcal.bench.links.quoting import abridged, quoted
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 WHOLE = re.compile(r"-?\d+", re.ASCII)
@@ -132,9 +131,7 @@ class ZaberStage:
         if found[3] is None or (int(found[1]), int(found[3])) != (self.settings.address, self._id):
             return None
         if found[4] == b"RJ":
-            raise InstrumentError(
-                f"{self.name}: {words!r} was rejected: {abridged(found[7].decode())}.", fault="refused"
-            )
+            raise InstrumentError(f"{self.name}: {words!r} was rejected: {quoted(found[7])}.", fault="refused")
         return Reply(found[7].decode(), found[5] == b"BUSY", found[6].decode())
 
     def _sound(self, frame: bytes, sum_: bytes | None) -> bool:

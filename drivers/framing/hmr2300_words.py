@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from labcal.bench.clock import Clock
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.bench.links.line import wait_for_quiet
-from labcal.bench.links.quoting import quoted
 from labcal.errors import InstrumentError
 
 ESC = b"\x1b"

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from labcal.bench.driver_kit.arrival import refuse_elsewhere
 from labcal.bench.driver_kit.quantity import decimal
-from labcal.bench.links.quoting import quoted
+from labcal.bench.links import quoted
 from labcal.errors import InstrumentError
 
 

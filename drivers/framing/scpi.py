@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.links import Link
-from labcal.bench.links.quoting import abridged
+from labcal.bench.links import Link, abridged
 from labcal.errors import InstrumentError
 
 LONGEST_QUEUE = 64
