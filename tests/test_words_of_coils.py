@@ -87,6 +87,7 @@ NO_CLAIM = {
     "Coils off: reading them back …": REFUSED,
     "coil {}: a guardian was killed while it brought this coil to zero.": REFUSED,
     "coil {}: zero has not been read back.": REFUSED,
+    "NOT confirmed at zero: {}": READ,
     "it did not answer in the time that there is on the way to zero.": REFUSED,
     "{} A was not sent: this coil was ordered to zero, and {} A is the most that it may still hear.": REFUSED,
     "{}: its output was not closed: this coil was ordered to zero.": REFUSED,

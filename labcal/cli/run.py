@@ -70,7 +70,7 @@ def run(
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, **options)
         else:
             return _list()
-    said = f"{outcome.status}; {outcome.at_rest}"
+    said = f"{outcome.status.removesuffix('.')}; {outcome.at_rest}"
     as_json = progress is ProgressChoice.json
     say(json.dumps({"item": "end", "text": said}) if as_json else said, err=True)
     say(outcome.run_id)

@@ -34,7 +34,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL, 
 def test_a_session_that_is_killed_leaves_the_coils_at_zero(lab: Served, session: Sessions) -> None:
     session("idle").kill()
     until(lambda: at_zero(lab))
-    until(lambda: read_back_after("is gone"))
+    until(lambda: read_back_after("has ended"))
     until(lambda: not guardians())
 
 
@@ -42,7 +42,7 @@ def test_a_session_that_loses_its_terminal_leaves_the_coils_at_zero(lab: Served,
     child, terminal = on_a_terminal(session)
     os.close(terminal)
     until(lambda: at_zero(lab))
-    until(lambda: read_back_after("is gone"))
+    until(lambda: read_back_after("has ended"))
     assert child.wait(LONG_S) == -signal.SIGHUP
 
 
@@ -106,7 +106,7 @@ def test_one_silent_supply_keeps_no_other_from_zero_and_the_next_start_is_refuse
     emulator.emit = lambda until_s: []
     child.kill()
     until(lambda: at_zero(lab, "yz"))
-    until(lambda: re.search("coil x unknown, .*no reply", log()) is not None)
+    until(lambda: re.search("NOT confirmed at zero: coil x: .*no reply", log()) is not None)
     assert guardians()
     refused = beginning(lab)
     assert "no reply" in refused.stderr

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
@@ -219,7 +220,7 @@ class Cage:
 
     def _all_to_zero(self) -> list[AtZero]:
         try:
-            return self._guardian("the session is done with it") if self._guardian else self._to_zero()
+            return self._guardian(f"session {os.getpid()} orders it") if self._guardian else self._to_zero()
         except InstrumentError as fault:  # the guardian is lost: nobody knows what flows
             for axis in AXES:
                 self._known(axis, current_A=None, zero=False, read_s=None, fault=str(fault))

@@ -77,10 +77,13 @@ class quantity:
         held = self._ask(device)
         if not self._agrees(device, value, held):
             raise InstrumentError(
-                f"{device.name}: {self.label} was set to {value:g} {self.unit} and reads back {held:g} {self.unit}.",
+                f"{device.name}: {self.label} was set to {self._amount(value)} and reads back {self._amount(held)}.",
                 fault="read-back",
                 remedy="Look at the instrument's panel.",
             )
+
+    def _amount(self, value: float) -> str:
+        return f"{value:g}" if self.unit == "1" else f"{value:g} {self.unit}"
 
     def write(self, device: Any, value: float) -> None:
         """Send the value and ask nothing: whether it was heard is seen when it is read back. Raises LimitError."""
@@ -113,7 +116,7 @@ class quantity:
         if not low <= value <= high:
             end = high if value > high else low
             raise LimitError(
-                f"{device.name}: {self.label} {value:g} {self.unit} is beyond its limit of {end:g} {self.unit}; "
+                f"{device.name}: {self.label} {self._amount(value)} is beyond its limit of {self._amount(end)}; "
                 "nothing was sent."
             )
 

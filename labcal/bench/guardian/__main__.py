@@ -107,7 +107,7 @@ class Watch:
         silent_s = time.monotonic() - session.heard_s
         if session.gone:
             if self._guardian.energised:
-                self._guardian.zero(f"{session.who} is gone")
+                self._guardian.zero(f"the connection to {session.who} has ended")
             server.part(session)
         elif self._guardian.energised and silent_s > patience(self._guardian.way_down_s):
             self._guardian.zero(f"{session.who} has been silent for {silent_s:.2f} s")

@@ -166,8 +166,16 @@ class Guardian:
             if at_rest:
                 self._exchanges_s = time.monotonic() - begun
             self.changed.set()
-            self._note(f"{BY_WORD}, read back: {'; '.join(map(_read_back, ended))}")
+            self._note_ends(ended)
         return ended
+
+    def _note_ends(self, ended: Sequence[AtZero]) -> None:
+        """What was read back, and apart from that what was not, or not at zero."""
+        known = [end for end in ended if end.current_A is not None]
+        if known:
+            self._note(f"{BY_WORD}, read back: {'; '.join(map(_read_back, known))}")
+        if left := [end for end in ended if end.current_A is None]:
+            self._note(f"NOT confirmed at zero: {'; '.join(f'coil {end.axis}: {end.words}' for end in left)}")
 
     def look_at_duty(self) -> None:
         """Zero where a winding has borne enough, whatever the session believes."""
@@ -265,5 +273,4 @@ def _ready_threads(number: int) -> ThreadPoolExecutor:
 
 
 def _read_back(end: AtZero) -> str:
-    current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
-    return f"coil {end.axis} {current}, {end.words}"
+    return f"coil {end.axis} {end.current_A:+.4f} A, {end.words}"

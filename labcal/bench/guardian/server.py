@@ -176,8 +176,9 @@ class Server:
 
         Where it has another bench file or is another user's, it is refused too, and the guardian makes room.
         """
-        self._refuse_second(caller)
         other_bench = bench != self._fingerprint or bool(caller.whose)
+        self._part_from_before(caller, who)
+        self._refuse_second(caller, bench)
         if other_bench:
             self.dismissed.set()
         for fault in self._guardian.unresolved.values():
@@ -196,17 +197,28 @@ class Server:
         caller.who, self.session, self.had_session = who, caller, True
         return {"facts": self._guardian.facts()}
 
-    def _refuse_second(self, caller: Caller) -> None:
+    def _part_from_before(self, caller: Caller, who: str) -> None:
+        """The same session again, whose connection has failed: what it has set goes to zero first."""
+        before = self.session
+        if before is not None and before is not caller and (before.who, before.uid) == (who, caller.uid):
+            before.gone = True
+            self._guardian.zero(f"the connection to {who} was lost")
+            self.part(before)
+
+    def _refuse_second(self, caller: Caller, bench: str) -> None:
         other = self.session
         if other is None or other is caller or other.gone:
             return
         if time.monotonic() - other.heard_s > STALE_S and not self._guardian.energised:
             return
         whose = f" of user {user_name(user())}" if caller.whose else ""
+        which, its = (
+            ("another bench at these ports", "its coils to ") if bench != self._fingerprint else ("this bench", "")
+        )
         raise InstrumentError(
-            f"{other.who}{whose} drives this bench{f' since {other.since:%Y-%m-%d %H:%M} UTC' if whose else ''}.",
+            f"{other.who}{whose} drives {which}{f' since {other.since:%Y-%m-%d %H:%M} UTC' if whose else ''}.",
             fault="in use",
-            remedy=f"{'Ask for it to be ended' if whose else 'End it'} first; `labcal bench off` sets zero now.",
+            remedy=f"{'Ask for it to be ended' if whose else 'End it'} first; `labcal bench off` sets {its}zero now.",
         )
 
 
