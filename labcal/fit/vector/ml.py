@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.autocorrelation import variance_inflation
-from labcal.fit.declared import widen
 from labcal.fit.result import Fit
+from labcal.fit.vector.declared import declared_contributions
 from labcal.fit.vector.identify import Identified, identify
 from labcal.fit.vector.observations import SCALAR, Observations, observe
 from labcal.fit.vector.solve import (
@@ -27,6 +27,7 @@ from labcal.fit.vector.start import starts
 from labcal.fit.vector.system import Noise, WhiteIn, blocks, evaluate, map_of
 from labcal.model import AffineMap
 from labcal.record import Run
+from labcal.uncertainty import Contribution, covariance_of
 
 Array = NDArray[np.float64]
 MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
@@ -84,7 +85,7 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
         method="ml",
         ok=True,
         affine=found.affine,
-        covariance=widen(run, found.affine, found.covariance * _inflation(found), frame_known=frame_known),
+        covariance=found.covariance * _inflation(found) + covariance_of(_declared(run, found), 12),
         frame_known=frame_known,
         phase_rad=found.solution.phase,
         noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
@@ -114,6 +115,10 @@ def estimate(
     found, noise, loss, scale = _iterate(run, seen, noise, shape, start, robust=robust, white_in=white_in)
     identified = identify(seen, noise, shape, found, loss, scale)
     return Estimate(seen, noise, shape, found, identified, scale)
+
+
+def _declared(run: Run, found: Estimate) -> tuple[Contribution, ...]:
+    return declared_contributions(run, found.observations, found.noise, found.parameterisation, found.solution)
 
 
 def _inflation(found: Estimate) -> float:
