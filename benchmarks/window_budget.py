@@ -21,7 +21,10 @@ RATE_HZ, SECONDS, BATCH_S, LONGEST_MS = 1000, 20, 0.04, 50.0
 
 def feed() -> None:
     """Be the worker: answer the first request with 20 s of samples at their true pace."""
+    from labcal.gui.ipc.answers import Ended
     from labcal.gui.ipc.channel import stdio_channel
+    from labcal.gui.ipc.codec import encode
+    from labcal.gui.ipc.messages import Done
     from labcal.record import Segment
     from labcal.record.stream import Block, SegmentOpened, Step
 
@@ -39,9 +42,7 @@ def feed() -> None:
         channel.send_item(Block("angle", "stage", ("angle_deg",), t[:1], np.degrees(t[:1, None])))
         sent = upto
     channel.flush()
-    channel.send(
-        "done", id=request["id"], result={"run_id": "budget", "status": "finished", "fault": None, "failed": []}
-    )
+    channel.send(Done(request.number, encode(Ended("budget", "finished"))))
 
 
 def timed_application() -> Any:
@@ -104,9 +105,10 @@ def main() -> int:
     os.environ["LABCAL_HOME"] = tempfile.mkdtemp(prefix="labcal-budget-")
     application = timed_application()
     from labcal.gui.ipc.client import Client
+    from labcal.gui.ipc.messages import RunProcedure
     from labcal.gui.theming.theme import LIGHT
     from labcal.gui.viewmodels.app_state import AppState
-    from labcal.gui.viewmodels.run import Order, RunViewModel
+    from labcal.gui.viewmodels.run import RunViewModel
     from labcal.gui.window import Window
 
     app_state = AppState(QSettings(os.path.join(os.environ["LABCAL_HOME"], "w.ini"), QSettings.Format.IniFormat))
@@ -115,12 +117,12 @@ def main() -> int:
     window = Window(app_state, LIGHT)
     window.show()
     window.open_page("Run")
-    app_state.run.start(Order("budget", "none"))
+    app_state.run.start(RunProcedure("budget", "none"))
     live = window.page("Run").live
-    drawn = live._draw
+    drawn = live.draw
     frames: list[float] = []
-    live._frame.timeout.disconnect()
-    live._frame.timeout.connect(lambda: (frames.append(time.perf_counter()), drawn()))
+    live.frame_timer.timeout.disconnect()
+    live.frame_timer.timeout.connect(lambda: (frames.append(time.perf_counter()), drawn()))
     while len(app_state.run.dut) < RATE_HZ:  # the first second builds what is built once
         application.processEvents()
     application.forget()
@@ -128,7 +130,7 @@ def main() -> int:
     while app_state.run.alive:
         application.processEvents()
         time.sleep(0.001)
-    rows = app_state.run.dut._written
+    rows = app_state.run.dut.written
     rate = len(frames) / (frames[-1] - frames[0])
     print(f"{application.longest()}; {rate:.0f} repaints/s; {rows} rows arrived")
     window.close()

@@ -76,7 +76,7 @@ class Metrolab:
 
     def read_until(self, t_s: float) -> list[Block]:
         """Readings triggered up to `t_s` [nT, its own axes]."""
-        good = [(stamp, *taken) for stamp in self._polls.due(t_s) if (taken := self._reading(stamp)) is not None]
+        good = [(stamp, *taken) for stamp in self._polls.due(t_s) if (taken := self.reading(stamp)) is not None]
         if not good:
             return []
         stamps, values, raw = np.array([g[0] for g in good]), np.array([g[1] for g in good]), [g[2] for g in good]
@@ -101,7 +101,7 @@ class Metrolab:
         """Let go of the link."""
         self._link.close()
 
-    def _reading(self, stamp: float) -> tuple[list[float], str] | None:
+    def reading(self, stamp: float) -> tuple[list[float], str] | None:
         """x, y, z [nT] and the reply; None, noted, where it is no good."""
         fetch = ";".join(f":FETC:ARR:{axis}? 1,{self.settings.digits}" for axis in "XYZ")
         reply = self._scpi.query(f":INIT;{fetch}")

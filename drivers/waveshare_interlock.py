@@ -63,14 +63,14 @@ class WaveshareInterlock:
         self.disarm()
         self._prove()
         ends_s = self._pulse(self.watchdog_s) + self.watchdog_s
-        if not self._closed():
+        if not self.contact_closed():
             raise self._open("does not close")
         self._ends_s = ends_s
 
     def feed(self) -> None:
         """Prolong it. Raises InstrumentError where it has fallen open: `arm` alone closes it again, at zero."""
         self._refuse_late()
-        if not self._closed():
+        if not self.contact_closed():
             self._ends_s = None
             raise self._open("has opened by itself")
         self._clock.wait_until(self._free_s)
@@ -81,7 +81,7 @@ class WaveshareInterlock:
         """Open it now, confirmed."""
         self._ends_s = None
         self._in_turn().write_coil(self.settings.address, self.settings.relay, False)
-        if self._closed():
+        if self.contact_closed():
             raise self._open("does not open")
 
     def make_safe(self) -> None:
@@ -99,9 +99,9 @@ class WaveshareInterlock:
         self._clock.wait_until(begun + 0.5 * PROOF_S)
         again = self._pulse(PROOF_S)
         self._clock.wait_until(begun + 1.2 * PROOF_S)
-        prolonged = self._closed()
+        prolonged = self.contact_closed()
         self._clock.wait_until(again + 1.3 * PROOF_S)
-        if self._closed():
+        if self.contact_closed():
             raise self._open("does not fall open by itself")
         if not prolonged:
             raise self._open("falls open although it is heard in time")
@@ -118,7 +118,8 @@ class WaveshareInterlock:
             self._ends_s = None
             raise self._open("was not heard in time and falls open")
 
-    def _closed(self) -> bool:
+    def contact_closed(self) -> bool:
+        """Whether it is closed, asked now."""
         return self._in_turn().read_coils(self.settings.address, self.settings.relay, 1)[0]
 
     def _open(self, what: str) -> InstrumentError:

@@ -70,3 +70,11 @@ def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)
     return mask
+
+
+def absolute(path: Path) -> Path:
+    """`path` from the root on, its links followed; one that leads nowhere or round in a circle stays as it is."""
+    try:
+        return path.resolve()
+    except (OSError, RuntimeError):
+        return Path(os.path.abspath(path))

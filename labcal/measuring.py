@@ -73,7 +73,7 @@ def _refuse_another_dut(run: str, bench: Path) -> None:
 
 def _plan(closed: ClosedLoop, bench: Path, done: set[str], seed: int | None) -> Rehearsal | None:
     """The first experiment proposed, not done yet, that this bench can do and that records rows for the loop."""
-    for name in _proposed(closed):
+    for name in proposed_procedures(closed):
         if name in procedures() and name not in done:
             plan = rehearsed(bench, find(name), {}, seed)
             if plan.segments:
@@ -81,7 +81,8 @@ def _plan(closed: ClosedLoop, bench: Path, done: set[str], seed: int | None) -> 
     return None
 
 
-def _proposed(closed: ClosedLoop) -> Iterator[str]:
+def proposed_procedures(closed: ClosedLoop) -> Iterator[str]:
+    """What the loop would measure next, best first, then the procedure that always tells; each once."""
     if closed.next_experiment is not None:
         named = (closed.next_experiment.procedure, *(r.procedure for r in closed.next_experiment.ranking))
         yield from dict.fromkeys(name for name in (*named, ALWAYS_TELLS) if name)

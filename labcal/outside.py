@@ -1,4 +1,4 @@
-"""What other packages bring by entry points: whatever goes wrong as it is loaded is one sentence with its place."""
+"""What other packages bring by entry points; whatever goes wrong as it is loaded is one sentence with its place."""
 
 from __future__ import annotations
 
@@ -6,14 +6,50 @@ import importlib
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib.metadata import EntryPoint
+from dataclasses import dataclass
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any
 
 from labcal.errors import InputError
 from labcal.text_safety import one_line
 
+KINDS = {  # entry-point groups, and what one of them is called
+    "labcal.drivers": "driver",
+    "labcal.emulators": "emulator",
+    "labcal.twins": "twin",
+    "labcal.procedures": "procedure",
+    "labcal.effects": "effect",
+    "labcal.estimators": "estimator",
+    "labcal.pages": "page",
+}
 OURS = (str(Path(__file__).parent), str(Path(importlib.__file__).parent), "<frozen ")
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """What another package brings: its kind, its name, the package, where it is, and why it does not load."""
+
+    kind: str
+    name: str
+    package: str
+    value: str
+    fault: str | None = None
+
+
+def parts() -> list[Part]:
+    """What packages other than labcal bring, by kind and name; each is loaded once, to see that it can be."""
+    found = [e for group in KINDS for e in sorted(entry_points(group=group), key=lambda e: e.name)]
+    return [_part(entry) for entry in found if entry.dist is None or entry.dist.name != "labcal"]
+
+
+def _part(entry: EntryPoint) -> Part:
+    package = f"{entry.dist.name} {entry.dist.version}" if entry.dist else ""
+    try:
+        load(entry)
+    except InputError as error:
+        return Part(KINDS[entry.group], entry.name, package, entry.value, str(error))
+    return Part(KINDS[entry.group], entry.name, package, entry.value)
 
 
 def load(entry: EntryPoint) -> Any:

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from labcal import certificate, fit, loop
+from labcal import certificate, loop
 from labcal.bench import shutdown
 from labcal.bench.clock import Clock
 from labcal.bench.coils.cage_file import CageCalibration, sha256_of, write_cage
@@ -22,7 +22,7 @@ from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
 from labcal.files import write_bytes
-from labcal.fit import Fit
+from labcal.fit import Fit, draft_calibration, fit, fit_all
 from labcal.home import home
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
@@ -37,6 +37,7 @@ from labcal.store import (
     RunSummary,
     Store,
     bundle_files,
+    bundle_of,
     describe,
     export,
     load_bundle,
@@ -51,6 +52,7 @@ if TYPE_CHECKING:
     from labcal.bench.look_again import Looked
     from labcal.fit.filters.history import History
 
+Source = str | Path | Run  # a run id of the local store or a path to a bundle, a path, or the run itself
 THIS_LAB = "this lab's trust list"
 
 
@@ -120,20 +122,30 @@ def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> Cage
     return found
 
 
-def load_run(run: str) -> Run:
-    """The run that `run` names: a path to a bundle, or a run id of the local store. Raises InputError."""
+def load_run(run: Source, channels: Sequence[str] | None = None) -> Run:
+    """The run that `run` names, with all its channels or only those of these names. Raises InputError."""
+    measured = run if isinstance(run, Run) else _run_of_name(run)
+    try:
+        return measured if channels is None else measured.with_channels(channels)
+    except KeyError as error:
+        raise InputError(str(error.args[0])) from None
+
+
+def _run_of_name(run: str | Path) -> Run:
     if _is_path(run):
         return load_bundle(Path(run)).run()
     with Store.open() as store:
-        return store.run(run)
+        return store.run(str(run))
 
 
-def run_bundle(run: str) -> Bundle:
+def run_bundle(run: Source) -> Bundle:
     """The exported bundle of the run that `run` names, byte for byte; its `sha256` is the contract's run_sha256."""
+    if isinstance(run, Run):
+        return bundle_of(run)
     if _is_path(run):
         return load_bundle(Path(run))
     with Store.open() as store:
-        return store.bundle(run)
+        return store.bundle(str(run))
 
 
 def runs() -> list[RunSummary]:
@@ -204,13 +216,15 @@ def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: 
             write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
 
 
-def paths(run: str) -> list[Path]:
+def paths(run: Source) -> list[Path]:
     """The path that `run` names, where it is none of the store's ids: what a command reads it from."""
-    return [Path(run)] if _is_path(run) else []
+    return [Path(run)] if not isinstance(run, Run) and _is_path(run) else []
 
 
-def _is_path(run: str) -> bool:
+def _is_path(run: str | Path) -> bool:
     """A plain word is a run id, unless a bundle of that name lies right here."""
+    if isinstance(run, Path):
+        return True
     here = Path(run)
     return "/" in run or "\\" in run or run.lower().endswith(".zip") or here.is_file() or (here / "run.json").is_file()
 
@@ -251,22 +265,17 @@ def sign(calibration: Path, name: str, passphrase: str) -> Path:
     return certificate.sign(calibration, name, key, certificate.keys.trusted(home()))
 
 
-def verify(calibration: Path, allowed_signers: Path | None = None, run: str | None = None) -> Verification:
+def verify(calibration: Path, allowed_signers: Path | None = None, run: Source | None = None) -> Verification:
     """Check every signature of the calibration against the lab's trust list, or the one that is named."""
     signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
-    sha256 = run_bundle(run).sha256 if run else None
+    sha256 = None if run is None else run_bundle(run).sha256
     return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
 
 
 def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
     """Estimate a calibration by one method, or by "all"; `channels` limits what `telemetry` may use."""
-    measured = load_run(run)
-    if channels is not None:
-        try:
-            measured = measured.with_channels(channels)
-        except KeyError as error:
-            raise InputError(str(error.args[0])) from None
-    return measured, fit.fit_all(measured) if method == "all" else [fit.fit(measured, method)]
+    measured = load_run(run, channels)
+    return measured, fit_all(measured) if method == "all" else [fit(measured, method)]
 
 
 def filter_history(run: str, method: str) -> History:
@@ -276,18 +285,18 @@ def filter_history(run: str, method: str) -> History:
     return history.filter_history(load_run(run), method)
 
 
-def draft(run: str, found: Fit, out: Path, *, force: bool = False) -> Calibration:
+def draft(run: Source, found: Fit, out: Path, *, force: bool = False) -> Calibration:
     """Write the draft calibration that a fit of `run` makes."""
     [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
-    made = fit.draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run))
+    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run))
     with output.writing():
         write_bytes(out, certificate.calibration_bytes(made))
     return made
 
 
 def close_loop(
-    run: str,
+    run: Source,
     out: Path | None = None,
     progress: Callable[[str], None] = lambda text: None,
     *,
@@ -300,12 +309,12 @@ def close_loop(
         check_form(report)  # before the work, not after it
     bundle = run_bundle(run)
     measured = bundle.run()
-    closed = _proposing(loop.close_loop(measured, progress))
+    closed = with_installed_procedure(loop.close_loop(measured, progress))
     if report is not None:
         with outputs[report].writing():
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
-        made = fit.draft_calibration(
+        made = draft_calibration(
             measured, closed.fit(), bundle.sha256, metrics=closed.metrics(), cage_sha256=_cage_sha256(run)
         )
         with outputs[out].writing():
@@ -318,15 +327,15 @@ def one_cause(run: str, effect: str, channels: tuple[str, ...]) -> loop.OneCause
     return loop.one_cause(load_run(run), effect, channels)
 
 
-def _cage_sha256(run: str) -> str | None:
+def _cage_sha256(run: Source) -> str | None:
     """SHA-256 of the cage calibration that a recorded run was driven by; a bundle does not tell."""
-    if _is_path(run):
+    if isinstance(run, Run) or _is_path(run):
         return None
     with Store.open() as store:
-        return store.cage_sha256(run)
+        return store.cage_sha256(str(run))
 
 
-def _proposing(closed: ClosedLoop) -> ClosedLoop:
+def with_installed_procedure(closed: ClosedLoop) -> ClosedLoop:
     """With a procedure that is installed: the loop's own choice, else one that says it separates the rivals."""
     proposed = closed.next_experiment
     if proposed is None or proposed.procedure in (there := procedures()):
@@ -358,7 +367,7 @@ def report(source: str, out: Path, allowed_signers: Path | None = None, *, force
             return _report_calibration(Path(source), out, allowed_signers)
         bundle = run_bundle(source)
         run = bundle.run()
-        return write_report(run_page(run, bundle.sha256, fit.fit(run, holdout=False)), out)
+        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False)), out)
 
 
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:

@@ -107,8 +107,8 @@ def test_somebody_without_labcal_can_check_the_signature(demo):
 def test_verify_says_yes_to_the_demo_and_no_to_another_run(demo, capsys):
     folder, _ = demo
     arguments = ["verify", str(folder / "calibration.json"), "--allowed-signers", str(folder / "allowed_signers")]
-    assert cli._run([*arguments, "--run", str(folder / "run.zip")]) == 0
-    assert cli._run(["verify", str(folder / "calibration.json")]) == 1  # this lab trusts nobody yet
+    assert cli.execute([*arguments, "--run", str(folder / "run.zip")]) == 0
+    assert cli.execute(["verify", str(folder / "calibration.json")]) == 1  # this lab trusts nobody yet
 
 
 def test_only_what_a_demo_left_gives_way_to_the_next(demo, tmp_path):
@@ -135,5 +135,5 @@ def test_only_what_a_demo_left_gives_way_to_the_next(demo, tmp_path):
 
 def test_a_demo_says_which_file_is_in_its_way(tmp_path, capsys):
     (tmp_path / "report.html").write_text("mine")
-    assert cli._run(["demo", "--out", str(tmp_path)]) == 2
+    assert cli.execute(["demo", "--out", str(tmp_path)]) == 2
     assert capsys.readouterr().err == f"labcal: {tmp_path / 'report.html'}: is there already; --force replaces it\n"

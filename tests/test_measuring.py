@@ -42,7 +42,7 @@ def test_a_rehearsal_beyond_a_limit_fails_before_anything_moves() -> None:
 
 
 def test_without_consent_nothing_is_measured(one_axis: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measuring, "_proposed", lambda closed: ["platform-signature", "reverse", "repeat"])
+    monkeypatch.setattr(measuring, "proposed_procedures", lambda closed: ["platform-signature", "reverse", "repeat"])
     plans: list[Rehearsal] = []
     before = len(session.runs())
 
@@ -65,7 +65,7 @@ def test_a_bench_that_holds_another_dut_is_refused(one_axis: str, tmp_path: Path
 def test_what_is_measured_is_added_and_kept_three_rounds_at_most(
     one_axis: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(measuring, "_proposed", lambda closed: iter(["reverse"]))
+    monkeypatch.setattr(measuring, "proposed_procedures", lambda closed: iter(["reverse"]))
     closed = close_by_measuring(one_axis, simulated_bench(), Talk(lambda plan: True), seed=SEED)
     assert [(r.procedure, r.verdict) for r in closed.rounds] == [("reverse", closed.verdict)]
     both = session.load_run(closed.run_id)
@@ -75,7 +75,7 @@ def test_what_is_measured_is_added_and_kept_three_rounds_at_most(
 
 
 def test_measure_without_a_bench_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli._run(["close-loop", "nothing", "--measure"]) == 2
+    assert cli.execute(["close-loop", "nothing", "--measure"]) == 2
     assert "--bench" in capsys.readouterr().err
 
 
@@ -85,7 +85,7 @@ def test_an_open_run_is_closed_by_what_the_bench_measures(
 ) -> None:
     out = tmp_path / "cal.json"
     given = ["close-loop", one_axis, "--measure", "--bench", str(simulated_bench()), "--seed", str(SEED), "--yes"]
-    assert cli._run([*given, "--out", str(out)]) == 0
+    assert cli.execute([*given, "--out", str(out)]) == 0
     said = capsys.readouterr()
     assert said.err.count("The plan:") == said.out.count("Measured: ") >= 1
     calibration = session.load_calibration(out)
@@ -110,7 +110,7 @@ def test_an_ambiguous_run_ends_explained_by_what_really_is_at_work(
     assert "cage-field" in {first.effect, *(rival.effect for rival in first.rivals)}
     assert open_yet.next_experiment is not None
     asked = ["close-loop", outcome.run_id, "--measure", "--bench", str(bench), "--seed", str(SEED), "--yes"]
-    assert cli._run([*asked, "--json", str(tmp_path / "result.json")]) == 0
+    assert cli.execute([*asked, "--json", str(tmp_path / "result.json")]) == 0
     capsys.readouterr()
     result = json.loads((tmp_path / "result.json").read_text())
     named = [open_yet.next_experiment.procedure, *(r.procedure for r in open_yet.next_experiment.ranking)]

@@ -74,9 +74,9 @@ def test_names_that_were_recorded_reach_no_terminal_as_they_are(capsys: pytest.C
     header = RunHeader("r1", "2026-03-02T08:15:00Z", False, "Ro\x9be", dut, Reference("none"))
     with Store.open() as store, store.begin(header) as writer:
         writer.write(Event(0.0, "note", "x"))
-    assert cli._run(["runs"]) == 0
-    assert cli._run(["show", "no\x1b[2Jsuch\nrun"]) == 2
-    assert cli._run(["runs", "--json", "-"]) == 0
+    assert cli.execute(["runs"]) == 0
+    assert cli.execute(["show", "no\x1b[2Jsuch\nrun"]) == 2
+    assert cli.execute(["runs", "--json", "-"]) == 0
     told = capsys.readouterr()
     assert not set(told.out + told.err) & set("\x1b\x9b\u202e")
     assert told.err.strip().count("\n") == 0

@@ -151,17 +151,17 @@ class Studio:
 
     def sign(self) -> None:
         """Two keys, one approval, one signature."""
+        from labcal.gui.ipc.messages import Approve, ListCalibrations, NewKey, Sign
+
         done: list[object] = []
-        self.app_state.request("calibrations", done.append)
+        self.app_state.request(ListCalibrations(), done.append)
         self.wait(lambda: bool(done))
         files = done[0]
-        assert isinstance(files, list)
-        if files and not files[0]["signatures"]:
-            path = files[0]["path"]
-            for do, what in (("new_key", {"name": "jdoe@lab", "passphrase": "render"}),
-                             ("approve", {"path": path, "name": "A. Smith"}),
-                             ("sign", {"path": path, "name": "jdoe@lab", "passphrase": "render"})):  # fmt: skip
-                self.app_state.quick_worker.request(do, done.append, done.append, **what)
+        assert isinstance(files, tuple)
+        if files and not files[0].standing.signatures:
+            path = files[0].path
+            for command in (NewKey("jdoe@lab", "render"), Approve(path, "A. Smith"), Sign(path, "jdoe@lab", "render")):
+                self.app_state.quick_worker.request(command, done.append, done.append)
             self.wait(lambda: len(done) == 4)
 
 
@@ -184,6 +184,8 @@ def main() -> None:
 
 def render(studio: Studio) -> None:
     """All pages in the order of the work."""
+    from labcal.gui.ipc.answers import RunLine
+    from labcal.gui.ipc.messages import ListRuns
     from labcal.gui.ipc.wire import Fault
 
     app_state = studio.app_state
@@ -191,10 +193,10 @@ def render(studio: Studio) -> None:
     if studio.wants("bench"):
         studio.window.page("Bench").check_all()
         studio.live(8)
-    runs: list[list[dict[str, str]]] = []
-    app_state.request("runs", runs.append)
+    runs: list[tuple[RunLine, ...]] = []
+    app_state.request(ListRuns(), runs.append)
     studio.wait(lambda: bool(runs))
-    finished = [one["run_id"] for one in runs[0] if one["status"] == "finished"]
+    finished = [one.run_id for one in runs[0] if one.status == "finished"]
     run = (
         finished[0]
         if finished and not studio.wants("run-prompt", "run-prompt-wall", "run-live", "run-over")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass, field, fields
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
@@ -162,7 +162,9 @@ class Loader:
 
     def refuse(self, what: str, keys: tuple[str, ...]) -> NoReturn:
         """Raise InputError for the key `keys` of this file."""
-        line = line_of(self.path.read_text(encoding="utf-8"), keys)
+        line = None
+        with suppress(OSError):  # it may be gone since it was read
+            line = line_of(self.path.read_text(encoding="utf-8"), keys)
         raise InputError(f"{'.'.join(keys)}: {what}", file=self.path, line=line)
 
     def emulator(self, name: str) -> Emulator:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from labcal.bench.coils.at_zero import AtZero
-from labcal.bench.guardian.client import Connection, ask_once, found, guarding
+from labcal.bench.guardian.client import Connection, ask_once, found, guarded_benches, guarding
 from labcal.bench.guardian.wire import zero_of
 from labcal.bench.links import ports
 from labcal.errors import InputError, InstrumentError
@@ -21,6 +21,10 @@ FREE_S = 5.0
 UNTOUCHED = (
     "no guardian drives this bench and no coil was touched. Correct the file and say off again, or switch the supplies "
     "off by hand"
+)
+OTHERS = (
+    "no guardian was started for this file and no coil was touched, but a guardian drives the bench of {}: name that "
+    "file, or switch the supplies off by hand"
 )
 
 
@@ -64,9 +68,15 @@ def _readable(path: Path) -> BenchConfig:
     try:
         return read_config(path)
     except InputError as error:
-        raise InputError(f"{error.what}; {UNTOUCHED}", file=path, line=error.line, column=error.column) from error
+        raise InputError(f"{error.what}; {_untouched()}", file=path, line=error.line, column=error.column) from error
     except OSError as error:
-        raise InputError(f"cannot be read ({error.strerror}); {UNTOUCHED}", file=path) from error
+        raise InputError(f"cannot be read ({error.strerror}); {_untouched()}", file=path) from error
+
+
+def _untouched() -> str:
+    """That nothing was done, and what may be: somebody may have meant the file of another guardian that lives."""
+    benches = guarded_benches()
+    return OTHERS.format(" and of ".join(benches)) if benches else UNTOUCHED
 
 
 def _with_own_hands(path: Path, config: BenchConfig) -> list[AtZero]:

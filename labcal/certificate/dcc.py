@@ -16,12 +16,12 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-import labcal
 from labcal import files
 from labcal.errors import InputError
 from labcal.model import Calibration, EffectRecord
 from labcal.record import Run
 from labcal.toml_file import read_toml
+from labcal.version import __version__
 
 DCC, SI = "https://ptb.de/dcc", "https://ptb.de/si"
 COVERAGE, PROBABILITY = 2, 0.95
@@ -104,7 +104,7 @@ def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, labor
 def _administrative(d: Any, c: Calibration, content: bytes, run: Run, laboratory: Laboratory) -> Any:
     begin = datetime.fromisoformat(run.started_utc)
     end = begin + timedelta(seconds=float(run.t_s[-1] - run.t_s[0]) if len(run) else 0.0)
-    software = d.software(_text(d, "name", "labcal"), d.release(labcal.__version__))
+    software = d.software(_text(d, "name", "labcal"), d.release(__version__))
     core = d.coreData(
         d.countryCodeISO3166_1(laboratory.country),
         d.usedLangCodeISO639_1("en"),

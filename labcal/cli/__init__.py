@@ -24,7 +24,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 COMMANDS = (
     *("demo", "gui", "bench", "run", "runs", "show", "import", "export", "check-store"),
-    *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report"),
+    *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "plugins"),
 )
 
 
@@ -53,10 +53,11 @@ def main() -> None:
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     gc.set_threshold(50_000)  # libraries that load make many objects, and nearly all of them stay
-    sys.exit(_run(sys.argv[1:]))
+    sys.exit(execute(sys.argv[1:]))
 
 
-def _run(arguments: list[str]) -> int:
+def execute(arguments: list[str]) -> int:
+    """Run one command, such as ["runs"]; every fault ends in one sentence on stderr. Returns the exit code."""
     import labcal.cli.commands  # noqa: F401  registers every command on `app`
 
     try:

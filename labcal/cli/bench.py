@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import typer
-from rich.table import Table
-from rich.text import Text
 
 from labcal.cli import DONE, INSTRUMENT_FAILED, app
 from labcal.cli.results import FORCE
@@ -25,6 +23,9 @@ def check(
     ),
 ) -> None:
     """Ask every instrument of FILE who it is; where the reference did not see a zero, measure that again."""
+    from rich.table import Table
+    from rich.text import Text
+
     from labcal.session import greetings, look_again
 
     table = Table("instrument", "role", "link", "answers as")

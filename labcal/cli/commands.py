@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import typer
 
-import labcal
 from labcal.cli import (  # noqa: F401  each registers its commands
     app,
     bench,
@@ -13,16 +12,18 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     gui,
     keys,
     loop,
+    plugins,
     report,
     run,
     runs,
     signing,
 )
+from labcal.version import __version__
 
 
 def _version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"labcal {labcal.__version__}")
+        typer.echo(f"labcal {__version__}")
         raise typer.Exit
 
 

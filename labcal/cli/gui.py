@@ -16,4 +16,6 @@ from labcal.home import for_children
 def gui(bench: Path | None = typer.Option(None, help="The bench file; else the last one that was used.")) -> int:
     """Open the technician's window."""
     named = ["--bench", str(bench)] if bench is not None else []
-    return subprocess.run([sys.executable, "-m", "labcal.gui", *named], env=for_children(), check=False).returncode
+    return subprocess.run(
+        [sys.executable, "-P", "-m", "labcal.gui", *named], env=for_children(), check=False
+    ).returncode

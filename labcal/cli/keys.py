@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
-from rich.table import Column, Table
 
 from labcal.cli import app
 from labcal.cli.screen import console, say, say_lines
@@ -38,6 +37,8 @@ def list_keys(
     allowed_signers: bool = typer.Option(False, "--allowed-signers", help="Print the trust list as OpenSSH reads it."),
 ) -> None:
     """Show whose signatures this lab accepts."""
+    from rich.table import Column, Table
+
     from labcal import session
 
     if allowed_signers:

@@ -9,12 +9,12 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Protocol
 
-from rich.progress import BarColumn, Progress, TextColumn
-
 from labcal.cli.screen import console, say
 from labcal.errors import InputError
 
 if TYPE_CHECKING:
+    from rich.progress import Progress
+
     from labcal.record.stream import Item, Prompt
 
 
@@ -47,6 +47,8 @@ def shown(how: str) -> Iterator[Display]:
     if how != "bar":
         yield Lines() if how == "json" else Nothing()
         return
+    from rich.progress import BarColumn, Progress, TextColumn
+
     columns = (TextColumn("{task.description:<28}", markup=False), BarColumn(), TextColumn("{task.fields[left]}"))
     with Progress(*columns, console=console(stderr=True), transient=True) as progress:
         yield Bar(progress)

@@ -1,7 +1,7 @@
 """Estimators, one file each: pure functions, `Run` in, `Fit` out."""
 
 from labcal.fit.draft import draft_calibration
-from labcal.fit.registry import METHODS, fit, fit_all
+from labcal.fit.registry import METHODS, fit, fit_all, methods
 from labcal.fit.result import Fit
 
-__all__ = ["METHODS", "Fit", "draft_calibration", "fit", "fit_all"]
+__all__ = ["METHODS", "Fit", "draft_calibration", "fit", "fit_all", "methods"]

@@ -6,14 +6,13 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-import labcal
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
+from labcal.model.effects import of_temperature
 from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
-
-TEMPERATURE = ("offset-temperature", "gain-temperature")
+from labcal.version import __version__
 
 
 def draft_calibration(
@@ -48,7 +47,7 @@ def draft_calibration(
         metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
         instruments=_instruments(run),
         cage_sha256=cage_sha256,
-        software=f"labcal {labcal.__version__}",
+        software=f"labcal {__version__}",
         operator=run.operator,
     )
 
@@ -77,7 +76,7 @@ def _validity(run: Run, effects: Sequence[EffectRecord]) -> Validity:
 def _temperatures(run: Run, effects: Sequence[EffectRecord]) -> tuple[float, float] | None:
     """Range of the temperature that an effect follows, else of `temp_dut`, else of the only one there is."""
     there = [c.name for c in run.channels if c.quantity == "temperature" and c.role == "dut"]
-    used = [name for e in effects if e.effect in TEMPERATURE for name in e.channels]
+    used = [name for e in effects if of_temperature(e) for name in e.channels]
     wanted = [name for name in (*used, "temp_dut", *(there if len(there) == 1 else ())) if name in there]
     values = run.channel(wanted[0]).values if wanted else np.array([])
     values = values[np.isfinite(values)]

@@ -5,18 +5,21 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cache
 from importlib import import_module
-from importlib.util import find_spec
+from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 import numpy as np
 
+from labcal import outside
 from labcal.errors import InputError
 from labcal.fit.metrics import axis_errors_deg, folds, reading_bias_nT, scalar_residual
 from labcal.fit.result import Fit
 from labcal.record import Run
 
 Estimator = Callable[..., Fit]
+GROUP = "labcal.estimators"  # entry points of other packages
 
 METHODS: Mapping[str, str] = {
     "ml": "labcal.fit.vector.ml:ml",
@@ -40,12 +43,7 @@ def fit(run: Run, method: str = "ml", *, holdout: bool = True, **options: Any) -
     its parameters. Residuals, held-out residuals (skipped with `holdout=False`), axis errors and the time are added
     here. Raises InputError for a method that does not exist.
     """
-    if method not in METHODS:
-        raise InputError(f"there is no method {method!r}; the methods are {', '.join(METHODS)}")
-    module, _, function = METHODS[method].partition(":")
-    if find_spec(module) is None:
-        return Fit(method=method, ok=False, why_not="not available yet")
-    estimator: Estimator = getattr(import_module(module), function)
+    estimator = load_method(method)
     start = time.perf_counter()
     found = _estimate(estimator, method, run, options)
     found = replace(found, method=method, seconds=time.perf_counter() - start)
@@ -53,8 +51,57 @@ def fit(run: Run, method: str = "ml", *, holdout: bool = True, **options: Any) -
 
 
 def fit_all(run: Run, **options: Any) -> list[Fit]:
-    """Every method's answer, in the order of `METHODS`; `options` by method name, each a mapping."""
-    return [fit(run, method, **options.get(method, {})) for method in METHODS]
+    """Every method's answer, ours in the order of `METHODS`; `options` by method name, each a mapping."""
+    return [_answer(run, method, options.get(method, {})) for method in methods()]
+
+
+def _answer(run: Run, method: str, options: Mapping[str, Any]) -> Fit:
+    """A method's answer; where another package's fails, the sentence about it: the others stand."""
+    try:
+        return fit(run, method, **options)
+    except InputError as error:
+        if method in METHODS:
+            raise
+        return Fit(method=method, ok=False, why_not=str(error))
+
+
+def methods() -> tuple[str, ...]:
+    """The names of all installed methods: ours, then other packages' by name."""
+    return (*METHODS, *_others())
+
+
+def load_method(name: str) -> Estimator:
+    """The estimator of this name. Raises InputError where there is none, or one of another package does not load."""
+    if name in METHODS:
+        module, _, function = METHODS[name].partition(":")
+        return getattr(import_module(module), function)  # type: ignore[no-any-return]
+    if name not in _others():
+        raise InputError(f"there is no method {name!r}; the methods are {', '.join(methods())}")
+    return _guarded(_others()[name])
+
+
+@cache
+def _others() -> dict[str, EntryPoint]:
+    """What other packages bring, by name; one of a name of ours is left out. To look takes 40 ms."""
+    found = sorted(entry_points(group=GROUP), key=lambda entry: entry.name)
+    return {entry.name: entry for entry in found if entry.name not in METHODS}
+
+
+def _guarded(entry: EntryPoint) -> Estimator:
+    """Another package's estimator; its faults are said with its name, and only a `Fit` passes."""
+    estimator, named = outside.load(entry), outside.named(entry)
+
+    def answer(run: Run, **options: Any) -> Fit:
+        with outside.blamed(named, f"on run {run.run_id}"):
+            try:
+                found = estimator(run, **options)
+            except (np.linalg.LinAlgError, ArithmeticError) as error:
+                return Fit(method=entry.name, ok=False, why_not=f"the numbers broke down: {error}")
+            if not isinstance(found, Fit):
+                raise TypeError(f"it gives a {type(found).__name__}, not a labcal.fit.Fit")
+        return found
+
+    return answer
 
 
 def _estimate(estimator: Estimator, method: str, run: Run, options: Mapping[str, Any]) -> Fit:

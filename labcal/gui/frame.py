@@ -37,6 +37,7 @@ LIGHT_SHAPES = {
     "absent": ("○", "", "not asked"),
 }
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
+NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
 UNITS = ("nT", "µT", "mG")
 
@@ -94,13 +95,13 @@ class SidePanel(Surface):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         self._column.setSpacing(GRID)
-        self._unit = QPushButton("nT")
-        self._unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
-        self._unit.clicked.connect(self._next_unit)
+        self.unit = QPushButton("nT")
+        self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
+        self.unit.clicked.connect(self._next_unit)
         head = QHBoxLayout()
         head.addWidget(label(self.tr("FIELD"), "caption"))
         head.addStretch()
-        head.addWidget(self._unit)
+        head.addWidget(self.unit)
         self._column.addLayout(head)
         self._field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
         self._column.addWidget(self._field)
@@ -121,11 +122,11 @@ class SidePanel(Surface):
         self._rows: list[QLabel] = []
 
     def _next_unit(self) -> None:
-        self.unit_asked.emit(UNITS[(UNITS.index(self._unit.text()) + 1) % len(UNITS)])
+        self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])
 
     def show_state(self, state: LabState) -> None:
         """Write the field, the coils and the lights."""
-        self._unit.setText(state.unit)
+        self.unit.setText(state.unit)
         self._show_field(state)
         for row, axis in enumerate(state.coil_A or (None,) * 3):
             self._coils.show_row(row, "–" if axis is None else format_number(axis, 3))
@@ -222,9 +223,10 @@ class Frame(QMainWindow):
         for index, (name, page) in enumerate(pages.items()):
             entry = named(QPushButton(translated(name)), "rail")
             entry.setCheckable(True)
-            entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
-            words = self.tr("the page {0}").format(translated(name))
-            described(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
+            if index < NUMBERED:
+                entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
+                words = self.tr("the page {0}").format(translated(name))
+                described(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
             self._sidebar_buttons.addButton(entry, index)
             column.addWidget(entry)
             self.stack.addWidget(page)

@@ -10,7 +10,6 @@ from dataclasses import asdict
 from importlib.metadata import version
 from io import BytesIO
 from pathlib import Path
-from typing import Any
 
 from labcal.files import write_bytes
 from labcal.gui.ipc.wire import Fault
@@ -20,14 +19,14 @@ PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
 
 
 def save_problem(
-    out: Path, fault: Fault | None, bench: str, steps: list[tuple[str, str]], facts: dict[str, Any]
+    out: Path, fault: Fault | None, bench: str, steps: list[tuple[str, str]], simulated: bool | None
 ) -> None:
     """Write fault, versions, bench file and steps to `out`, which a dialogue has asked for. Raises InputError."""
     [output] = claim("problem report", out, inputs=[Path(bench)] if bench else (), force=True)
     about = {
         "fault": asdict(fault) if fault is not None else None,
         "steps": steps,
-        "simulated": facts.get("simulated"),
+        "simulated": simulated,
         "python": sys.version,
         "system": platform.platform(),
         "packages": {name: version(name) for name in PACKAGES},

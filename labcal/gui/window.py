@@ -2,105 +2,43 @@
 
 from __future__ import annotations
 
-import gc
-import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import partial
-from importlib import import_module
 from pathlib import Path
 from threading import Thread
-from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
-from PySide6.QtWidgets import QApplication, QFileDialog, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
+from labcal import outside
+from labcal.errors import InputError
 from labcal.gui.frame import Frame
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages.lazy_page import LazyPage
+from labcal.gui.pages.registry import pages
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
 from labcal.gui.widgets.fault_card import FaultCard
-from labcal.gui.widgets.idle_queue import TIME_SLICE_S, IdleQueue
+from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import described
-
-if TYPE_CHECKING:
-    from labcal.gui.pages.run import RunPage
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
 SPARE_PLOTS = 4  # of a page, at most, when it is built
-PAGES = ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History")
-
-
-class LazyPage(QWidget):
-    """A page that is built when it is first seen: the window is up before the plots are."""
-
-    wanted = Signal()  # it is in sight, and not yet built
-
-    def __init__(self, build: Callable[[], QWidget], sheet: Callable[[], str]) -> None:
-        super().__init__()
-        self._build, self._sheet, self._parts = build, sheet, self._in_parts()
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(0, 0, 0, 0)
-        self.page: QWidget | None = None
-
-    @property
-    def ready(self) -> bool:
-        """Whether it is built, and has its style sheets."""
-        return self.page is not None and self.page.parent() is self
-
-    def built(self) -> QWidget:
-        """The page itself, at once."""
-        while self.page is None or not self.ready:
-            self.build()
-        return self.page
-
-    def build(self) -> None:
-        """Build the page, a part at a time; at last put it into its place."""
-        next(self._parts, None)
-        gc.freeze()  # what is built stays: the collector need not go through it again
-
-    def _in_parts(self) -> Iterator[None]:
-        self.page = page = self._build()
-        yield
-        while getattr(page, "build_more", bool)():
-            yield
-        applied = ""
-        while applied != (applied := self._sheet()):  # again, where another theme has come meanwhile
-            until = time.monotonic() + TIME_SLICE_S
-            for one in styled_widgets(page):
-                if time.monotonic() > until:
-                    yield
-                    until = time.monotonic() + TIME_SLICE_S
-                apply_style(one, applied)
-                one.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
-        self._column.addWidget(page)
-        page.show()
-
-    def styled_widgets(self) -> list[QWidget]:
-        """What has a style sheet of its own, in order."""
-        return styled_widgets(self.page) if self.page is not None and self.ready else []
-
-    def theme_updates(self, theme: Theme) -> Iterator[Callable[[], object]]:
-        """What puts each part that draws for itself into the colours of `theme`; holders come after what they hold."""
-        parts = [] if self.page is None else [*reversed(self.page.findChildren(QWidget)), self.page]
-        return (partial(part.set_theme, theme) for part in parts if hasattr(part, "set_theme"))
-
-    def showEvent(self, event: object) -> None:
-        """Ask to be built next."""
-        if not self.ready:
-            self.wanted.emit()
 
 
 def import_pages() -> None:
     """What the pages are made of takes a second to import: in a thread of its own, the window is alive meanwhile."""
     from labcal.store.items import prepare
 
-    for name in PAGES:
-        import_module(f"labcal.gui.pages.{name.lower()}")
+    for entry in pages().values():
+        with suppress(InputError):  # its card says so
+            outside.load(entry)
     prepare()
 
 
@@ -109,13 +47,6 @@ def preallocate_plot() -> bool:
     from labcal.gui.widgets.plots import preallocate_plots
 
     return preallocate_plots(SPARE_PLOTS)
-
-
-def build_page(name: str, app_state: AppState, theme: Callable[[], Theme]) -> QWidget:
-    """The page called `name`: class NamePage in labcal.gui.pages.name."""
-    module = import_module(f"labcal.gui.pages.{name.lower()}")
-    built: QWidget = getattr(module, f"{name}Page")(app_state, theme())
-    return built
 
 
 def system_theme() -> Theme:
@@ -130,13 +61,14 @@ class Window(Frame):
     def __init__(self, app_state: AppState, theme: Theme | None = None) -> None:
         self.app_state = app_state
         self.theme = theme or system_theme()
-        build = {name: partial(build_page, name, app_state, lambda: self.theme) for name in PAGES}
-        self.lazy_pages = {name: LazyPage(build[name], self.sheet) for name in PAGES}
+        self.lazy_pages = {
+            name: LazyPage(entry, app_state, lambda: self.theme, self.sheet) for name, entry in pages().items()
+        }
         super().__init__(app_state.lab, dict(self.lazy_pages))
         self.style_queue = IdleQueue(self)
-        self._prebuild_timer = QTimer(self, singleShot=True)
-        self._prebuild_timer.timeout.connect(self.prebuild)
-        self._imports = Thread(target=import_pages, daemon=True, name="imports")
+        self.prebuild_timer = QTimer(self, singleShot=True)
+        self.prebuild_timer.timeout.connect(self.prebuild)
+        self.imports = Thread(target=import_pages, daemon=True, name="imports")
         self.wall = str(app_state.settings.value("wall", "no")) == "yes"
         self._before_wall: QSize | None = None
         self.fault = FaultCard()
@@ -161,14 +93,11 @@ class Window(Frame):
         app_state.page_requested.connect(self.open_page)
         app_state.fault.connect(self.fault.show_fault)
         app_state.report_requested.connect(self._save_problem)
-        app_state.fit_requested.connect(self._study)
-        app_state.procedure_requested.connect(self._procedure)
-        app_state.plan_requested.connect(self._plan)
         app_state.run.changed.connect(self._lock)
         wall = self.tr("letters to be read from two metres, and back")
         described(QShortcut(QKeySequence("F11"), self, self.toggle_wall), wall)
         for lazy_page in self.lazy_pages.values():
-            lazy_page.wanted.connect(partial(self._prebuild_timer.start, 0))
+            lazy_page.wanted.connect(partial(self.prebuild_timer.start, 0))
 
     def prebuild(self) -> None:
         """Build a piece of a page that is not there yet, what is in sight first; go on until all are there.
@@ -177,22 +106,22 @@ class Window(Frame):
         """
         waiting = [lazy_page for lazy_page in self.lazy_pages.values() if not lazy_page.ready]
         if not waiting:
-            return self.app_state.study_vm.prepare() if preallocate_plot() else self._prebuild_timer.start(0)
+            return self.app_state.study_vm.prepare() if preallocate_plot() else self.prebuild_timer.start(0)
         first = min(waiting, key=lambda lazy_page: not lazy_page.isVisible())
-        if first is self.lazy_pages["Start"]:
+        if first is next(iter(self.lazy_pages.values())):  # it is light: it needs none of the imports
             first.build()
-        elif self._imports.ident is None:
-            self._imports.start()
-        elif self._imports.is_alive() or (self.app_state.run.alive and not first.isVisible()):
-            return self._prebuild_timer.start(POLL_MS)
+        elif self.imports.ident is None:
+            self.imports.start()
+        elif self.imports.is_alive() or (self.app_state.run.alive and not first.isVisible()):
+            return self.prebuild_timer.start(POLL_MS)
         elif first.page is not None or preallocate_plot():
             first.build()
-        return self._prebuild_timer.start(0)
+        return self.prebuild_timer.start(0)
 
     def page(self, name: str) -> QWidget:
         """The page called `name`, built if it was not."""
-        if self._imports.is_alive():
-            self._imports.join()
+        if self.imports.is_alive():
+            self.imports.join()
         return self.lazy_pages[name].built()
 
     def toggle_wall(self) -> None:
@@ -246,22 +175,6 @@ class Window(Frame):
         for entry in (self.top.dut, self.top.operator):
             entry.setReadOnly(self.app_state.run.alive)
 
-    def _study(self, run: str) -> None:
-        self.open_page("Fit")
-        self.app_state.study_vm.open(run)
-
-    def _procedure(self, names: str) -> RunPage:
-        from labcal.gui.pages.run import RunPage
-
-        self.open_page("Run")
-        page = self.page("Run")
-        assert isinstance(page, RunPage)
-        page.open_procedure(names)
-        return page
-
-    def _plan(self, name: str) -> None:
-        self._procedure(name).choose.rehearse()
-
     def _save_problem(self, fault: Fault | None) -> None:
         from labcal.gui.problem_report import save_problem
 
@@ -269,7 +182,8 @@ class Window(Frame):
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Save a problem report"), start, "*.zip")
         if out:
             steps = [(name, str(mark)) for name, mark in self.app_state.run.steps()]
-            save_problem(Path(out), fault, self.app_state.bench, steps, self.app_state.facts)
+            facts = self.app_state.facts
+            save_problem(Path(out), fault, self.app_state.bench, steps, None if facts is None else facts.simulated)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Remember where it stood; coils to zero; hang up."""

@@ -28,6 +28,7 @@ from labcal.loop.selection.surrogates import p_value
 from labcal.loop.uncertainty import Uncertainty, uncertainty_of
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
+from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -41,7 +42,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     problem = after.problem
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
-    found = replace(found, cv_error=_as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
+    found = replace(found, cv_error=as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
     verdict = _verdict(found, aside, len(problem))
     of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
     uncertain = uncertainty_of(after)
@@ -75,13 +76,13 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         shape=left,
         unsupported=frozenset(len(of_the_data) + i for i in unsupported),
         shipped=errors,
-        twins=confounded(problem, {c.scored.candidate.family.id for rivals in found.equivalents for c in rivals}),
+        twins=confounded(problem, [c.scored.candidate.family for rivals in found.equivalents for c in rivals]),
         remarks=(tests_text(tests["after"]), *(finding.says for finding in noticed)),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
 
 
-def _as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
+def as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
     """The held-out error, no smaller than what the shipped map and effects leave on the rows of their fit.
 
     Blocks are predicted to first order about the last fit; where an effect is too nonlinear, the file is worse.
@@ -137,7 +138,7 @@ def _covariance(after: JointFit, uncertain: Uncertainty) -> Array:
 def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     reaches = found.cv_error.after <= AT_FLOOR * found.level.nT
     known = found.level.source != "differences" or not _correlated(found)
-    outlying = aside["outliers"] > MOST_OUTLIERS * rows
+    outlying = aside[OUTLIERS.id] > MOST_OUTLIERS * rows
     if any(len(r) > 1 for r in found.equivalents):
         return "ambiguous"
     if found.accepted:
@@ -145,8 +146,8 @@ def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     if outlying:
         return "partly-explained"
     if (
-        aside["saturation"] >= MIN_SET_ASIDE
-        or (aside["outliers"] >= MIN_SET_ASIDE and found.outlier_distance > GROSS_SIGMAS)
+        aside[SATURATION.id] >= MIN_SET_ASIDE
+        or (aside[OUTLIERS.id] >= MIN_SET_ASIDE and found.outlier_distance > GROSS_SIGMAS)
     ) and reaches:
         return "explained"
     return "clean" if reaches else "unexplained"
@@ -192,7 +193,7 @@ def _data_effects(aside: dict[str, int], problem: LinearProblem, verdict: Verdic
     """Rows set aside are named as a cause where they are more than chance and the rest is understood."""
     found = []
     for effect, count in aside.items():
-        gross = effect != "outliers" or far > GROSS_SIGMAS
+        gross = effect != OUTLIERS.id or far > GROSS_SIGMAS
         if count >= MIN_SET_ASIDE and gross and verdict != "unexplained":
             part = count / (len(problem) + count)
             rows = Parameter("rows", float(count), 0.0, "1")

@@ -23,6 +23,7 @@ from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_ch
 from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select
+from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
 MIN_WHITE_LEVEL = 0.85  # of a declared noise; 0.5 of a measured one
@@ -51,7 +52,7 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     progress("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
     before, after = (joint_fit(problem, [c.term for c in chosen], found.pool.valid) for chosen in ((), found.accepted))
-    return assemble(run, found, before, after, {"outliers": int((~found.pool.valid).sum()), "saturation": stuck})
+    return assemble(run, found, before, after, {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck})
 
 
 def _supporting_channels(found: Selection) -> set[str]:
@@ -76,7 +77,7 @@ def without_search(run: Run, problem: LinearProblem, level: NoiseFloor, stuck: i
     cv_error = cross_validate(pool, blocks, fixed_choice(()))
     found = Evidence(pool, pool, (), (), (), cv_error, (), level, blocks, np.zeros(1), {}, 0.0)
     base = joint_fit(problem, [])
-    return replace(assemble(run, found, base, base, {"outliers": 0, "saturation": stuck}), **of_faulty_data(finding))
+    return replace(assemble(run, found, base, base, {OUTLIERS.id: 0, SATURATION.id: stuck}), **of_faulty_data(finding))
 
 
 def prepare(run: Run) -> tuple[LinearProblem, NoiseFloor, int]:

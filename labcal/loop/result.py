@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from labcal.fit import Fit
 from labcal.model import AffineMap, EffectRecord
 from labcal.model.calibration import Owner
+from labcal.model.effects import Confounded
 
 Array = NDArray[np.float64]
 Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexplained"]
@@ -69,15 +70,6 @@ class ResidualShape:
     field_nT: tuple[float, float] | None  # where most of it is, if anywhere
     angle_deg: tuple[float, float] | None
     says: str
-
-
-@dataclass(frozen=True, slots=True)
-class Confounded:
-    """Two explanations of one run that no fit can separate, and what does."""
-
-    one: str
-    other: str
-    separated_by: str
 
 
 @dataclass(frozen=True, slots=True)

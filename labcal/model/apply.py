@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
-from labcal.model.effects import Fitted, Scene, load_shipped
+from labcal.model.effects import Fitted, Scene, load_shipped, of_temperature
 from labcal.model.gaps import bridged
-from labcal.model.pieces import TEMPERATURE, Recording, Taken, Walk, remembers
+from labcal.model.pieces import Recording, Taken, Walk, remembers
 from labcal.model.plausibility import bends, saturated, second_difference_outliers
 from labcal.model.readings import Applied, Readings
 from labcal.model.seen import Seen
@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time")
 MATERIAL = 1.15  # held-out residuals beyond this many times the noise are more than noise
+SPAN_ROWS = 200  # over which the size of an effect of the run's own clock is taken
 FEW = 8  # rows of a channel: fewer do not tell what it does in a gap
 
 
@@ -33,7 +34,7 @@ def needed_columns(calibration: Calibration) -> tuple[str, ...]:
             names["t_s"] = None
         if remembers(effect):
             names["segment"] = None
-        if effect.family.id == "offset-mode":
+        if effect.family.modes is not None:
             names["mode"] = None
     return tuple(names)
 
@@ -187,7 +188,7 @@ def misfit_variance(calibration: Calibration, noise: float) -> float:
 
 def temperature_channel(calibration: Calibration, names: Mapping[str, Array]) -> str | None:
     """The column that the calibration's temperature range speaks of."""
-    used = [r.channels[0] for r in calibration.effects if r.effect in TEMPERATURE and r.channels]
+    used = [r.channels[0] for r in calibration.effects if of_temperature(r) and r.channels]
     return next((name for name in (*used, "temp_dut") if name in names), None)
 
 
@@ -222,15 +223,22 @@ def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: 
 
     Never less than what the run's held-out residual lost by it: the recording may not show it at all.
     """
-    if effect.family.bound_to_run:
-        times = np.linspace(*calibration.span_s, 200)
-        there = Scene(times, np.zeros(200, dtype=np.intp), np.zeros((200, 3)))
-        return np.asarray(np.mean(effect.predict(there) ** 2, axis=0))
-    if effect.family.id == "offset-mode":
-        return np.asarray(np.mean(effect.beta.reshape(-1, 3) ** 2, axis=0))
+    if (rows := _where_it_acts(calibration, effect)) is not None:
+        return np.asarray(np.mean(effect.predict(rows) ** 2, axis=0))
     before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0
     lost = max(before**2 - after**2, 0.0) / (3 if calibration.frame_known else 1)
     return np.asarray(np.maximum(seen.mean_square, np.full(3, lost)))
+
+
+def _where_it_acts(calibration: Calibration, effect: Fitted) -> Scene | None:
+    """Rows over the run's span, or one in each mode; None for an effect that takes more than that."""
+    family, term = effect.family, effect.term
+    modes = list(family.modes(term)) if family.modes is not None else []
+    if term.channels or family.of_field or not (family.bound_to_run or modes):
+        return None
+    times = np.linspace(*calibration.span_s, SPAN_ROWS) if family.bound_to_run else np.zeros(len(modes))
+    mode = np.resize(np.array(modes, dtype=np.str_), len(times)) if modes else None
+    return Scene(times, np.zeros(len(times), dtype=np.intp), np.zeros((len(times), 3)), mode=mode)
 
 
 def _beyond_validity(calibration: Calibration, readings: Readings, field_nT: Array, flags: dict[str, Mask]) -> None:

@@ -5,7 +5,7 @@ What follows as a state is carried from piece to piece; what looks at rows near 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,15 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.calibration import Calibration, EffectRecord
-from labcal.model.effects import Fitted, Scene, load_shipped
-from labcal.model.effects.following import has_memory, reach_s
+from labcal.model.effects import DELAY, Fitted, Scene, Shape, load_shipped
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-TEMPERATURE = frozenset({"offset-temperature", "gain-temperature"})
-REMEMBERING = frozenset({"lag", "hysteresis"})  # and whatever has a time constant
 BESIDE = 3  # usable rows beyond an effect's reach that a piece has on either side: a cubic's, and its slopes'
 
 
@@ -72,7 +69,7 @@ class Recording:
 
 def remembers(effect: Fitted) -> bool:
     """Whether a row's effect depends on other rows."""
-    return (has_memory(effect.term) and not effect.family.bound_to_run) or effect.family.id in REMEMBERING
+    return effect.family.reach_s(effect.term) is not None and not effect.family.bound_to_run
 
 
 class Walk:
@@ -81,7 +78,7 @@ class Walk:
     def __init__(self, calibration: Calibration, record: EffectRecord, recording: Recording) -> None:
         self._calibration, self._record, self._recording = calibration, record, recording
         self.effect = load_shipped(record)
-        self._reach_s = reach_s(self.effect.term) if remembers(self.effect) else 0.0
+        self._reach_s = (self.effect.family.reach_s(self.effect.term) or 0.0) if remembers(self.effect) else 0.0
         self._left: Mapping[str, State] = {}
 
     @property
@@ -106,13 +103,13 @@ class Walk:
             value[usable] = columns @ self.effect.beta
             u = {p.name: p.u for p in self._record.parameters}
             variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in self.effect.term.parameters])
-        if self.effect.family.id == "lag":
+        if self.effect.term.found_by("own secant") is not None:
             flags["rate"] = self._recording.out_of_reach(rows, float(self.effect.beta[0]))
             variance[flags["rate"]] += value[flags["rate"]] ** 2
-        if self.effect.family.id == "offset-step":
-            unsure = self._beside_the_step(rows)
-            flags["time"] = flags["time"] | unsure
-            variance[unsure] += self.effect.beta**2 / 4
+        if (moment := self.effect.term.found_by("changepoints")) is not None:
+            unsure = self._beside(moment, rows)
+            flags["time"] = flags.get("time", unsure) | unsure
+            variance[unsure] += self._jump(rows, unsure) ** 2 / 4
         return Taken(value, variance, usable, flags, self._late(rows))
 
     def _columns(self, rows: slice) -> Array:
@@ -153,17 +150,18 @@ class Walk:
         readings, record = self._recording.readings, self._record
         lacking: dict[str, Mask] = {"": np.asarray(~np.isfinite(self._field(rows)).all(axis=1))}
         for name in record.channels:
-            word = "temperature" if record.effect in TEMPERATURE else ""
+            word = "temperature" if self.effect.family.of_temperature else ""
             missing = ~np.isfinite(readings.channels[name][rows])
             lacking[word] = lacking[word] | missing if word in lacking else missing
         if self.effect.family.bound_to_run and readings.t_s is not None:
             first, last = self._calibration.span_s
             lacking["time"] = ~((readings.t_s[rows] >= first) & (readings.t_s[rows] <= last))
-        if self.effect.family.id == "offset-mode" and (mode := readings.rows(rows.start, rows.stop).mode) is not None:
-            lacking["mode"] = ~np.isin(mode, self._known_modes())
+        own_modes, mode = self.effect.family.modes, readings.rows(rows.start, rows.stop).mode
+        if own_modes is not None and mode is not None:
+            lacking["mode"] = ~np.isin(mode, self._known_modes(own_modes(self.effect.term)))
         return lacking
 
-    def _scene(self, rows: slice, usable: Mask, past: Past) -> Scene:
+    def _scene(self, rows: slice, usable: Mask, past: Past | None) -> Scene:
         part = self._recording.readings.rows(rows.start, rows.stop)
         channels = {name: part.channels[name][usable] for name in self._record.channels}
         mode = None if part.mode is None else part.mode[usable]
@@ -178,18 +176,23 @@ class Walk:
         t_s = self._recording.readings.t_s
         return np.zeros(len(range(*rows.indices(len(self._recording))))) if t_s is None else t_s[rows]
 
-    def _known_modes(self) -> list[str]:
-        """Modes that have an offset of their own, and the one that k belongs to: that may be "", a row without one."""
-        own = [p.name.split(" ", 1)[1] for p in self._record.parameters if " " in p.name]
+    def _known_modes(self, own: Sequence[str]) -> list[str]:
+        """Modes that have parameters of their own, and the one that k belongs to: that may be "", a row without one."""
         base = [mode for mode in self._calibration.validity.modes if mode not in own]
         return [*own, *(base or [""])]
 
-    def _beside_the_step(self, rows: slice) -> Mask:
-        """Rows (n,) of which nobody knows on which side of the step they lie: it was between two rows of the run."""
-        step = next(p for p in self._record.parameters if p.name == "t_step_s")
-        return np.asarray(np.abs(self._time(rows) - step.value) < np.sqrt(3) * step.u * (1 - 1e-6))
+    def _beside(self, moment: Shape, rows: slice) -> Mask:
+        """Rows (n,) of which nobody knows on which side of the moment they lie: it was between two rows of the run."""
+        u = next(p.u for p in self._record.parameters if p.name == moment.name)
+        return np.asarray(np.abs(self._time(rows) - moment.value) < np.sqrt(3) * u * (1 - 1e-6))
+
+    def _jump(self, rows: slice, which: Mask) -> Array:
+        """What the effect is after its moment (m, 3), in some of the rows; 0 where it lacks what it needs."""
+        usable, jump = self._usable(rows) & which, np.zeros((len(which), 3))
+        jump[usable] = self.effect.term.stepped().columns(self._scene(rows, usable, None)) @ self.effect.beta
+        return jump[which]
 
     def _late(self, rows: slice) -> Mask | None:
         """Rows (n,) whose channel a delay earlier lies beyond their segment's ends; None for an effect without one."""
-        delay_s = next((s.value for s in self.effect.term.shape if s.name == "delay_s"), 0.0)
-        return self._recording.out_of_reach(rows, -delay_s) if delay_s else None
+        delay = self.effect.term.of(DELAY)
+        return self._recording.out_of_reach(rows, -delay.value) if delay is not None and delay.value else None

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.calibration import Calibration, EffectRecord, Parameter
+from labcal.model.effects.set_aside import beyond_limits, saturation_record
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -27,24 +28,12 @@ def saturation_limits(reading: Array, unit: str) -> EffectRecord | None:
         for side, extreme in (("lower", np.nanmin), ("upper", np.nanmax)):
             if (end := float(extreme(reading[:, axis]))) in stuck:
                 limits.append(Parameter(f"{side}_{name}", end, 0.0, unit))
-    if not limits:
-        return None
-    where = ", ".join(f"{p.name} at {p.value:g} {p.unit}" for p in limits)
-    return EffectRecord(
-        "saturation", (), {}, "data", tuple(limits), why=f"readings stop at the end of the range: {where}"
-    )
+    return saturation_record(limits) if limits else None
 
 
 def saturated(calibration: Calibration, reading: Array) -> Mask:
     """Rows (n,) beyond the limits of the calibration's finding `saturation`, or on a plateau at an axis' extreme."""
-    out = np.zeros(len(reading), dtype=bool)
-    for record in calibration.findings:
-        for limit in record.parameters if record.effect == "saturation" else ():
-            for axis, name in enumerate("xyz"):
-                if limit.name == f"upper_{name}":
-                    out |= reading[:, axis] >= limit.value
-                if limit.name == f"lower_{name}":
-                    out |= reading[:, axis] <= limit.value
+    out = beyond_limits(calibration.findings, reading)
     for axis in range(3):
         out |= _plateau(reading, axis)
     return out

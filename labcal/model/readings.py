@@ -7,7 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from labcal.errors import InputError
+from labcal.record import Run
 
 Array = NDArray[np.float64]
 
@@ -32,6 +35,38 @@ class Readings:
         mode = mode if mode is None or self.modes is None else np.array(self.modes, dtype=np.str_)[mode]
         channels = {name: values[start:stop] for name, values in self.channels.items()}
         return Readings(self.reading[start:stop], t_s, segment, mode, channels)
+
+
+def readings_of(
+    reading: ArrayLike | Run,
+    t_s: ArrayLike | None = None,
+    segment: ArrayLike | None = None,
+    mode: ArrayLike | None = None,
+    channels: Mapping[str, ArrayLike] | None = None,
+) -> Readings:
+    """The columns (n rows, or one reading of three numbers), or those of a run. Raises InputError naming a column."""
+    if isinstance(reading, Run):
+        segments = np.array([s.id for s in reading.segments], dtype=np.str_)[reading.segment_index]
+        housekeeping = {channel.name: channel.values for channel in reading.channels}
+        return Readings(reading.reading, reading.t_s, segments, reading.mode, housekeeping)
+    rows = np.atleast_2d(_numbers("reading", reading))
+    if rows.ndim != 2 or rows.shape[1] != 3:
+        raise InputError(f"expected n rows of three numbers; this has the shape {rows.shape}", column="reading")
+    names, modes = (None if c is None else np.atleast_1d(np.asarray(c, dtype=np.str_)) for c in (segment, mode))
+    times = None if t_s is None else np.atleast_1d(_numbers("t_s", t_s))
+    named = {name: np.atleast_1d(_numbers(name, values)) for name, values in (channels or {}).items()}
+    found = Readings(rows, times, names, modes, named)
+    for name, column in {"t_s": found.t_s, "segment": found.segment, "mode": found.mode, **named}.items():
+        if column is not None and column.shape != (len(rows),):
+            raise InputError(f"has the shape {column.shape}; there are {len(rows)} readings", column=name)
+    return found
+
+
+def _numbers(name: str, values: ArrayLike) -> Array:
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("expected numbers", column=name) from None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-import labcal
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import NOT_READ, LabState
@@ -29,6 +28,7 @@ from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
+from labcal.version import __version__
 
 RESUMED, INTERRUPTED = "resumed", "interrupted"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
@@ -102,7 +102,7 @@ def run_procedure(
         source_sha256=procedure.sha256,
         bench=bench_file,
         instruments=_named(identities),
-        software=f"labcal {labcal.__version__}",
+        software=f"labcal {__version__}",
         cage_sha256=cage_sha256,
     )
     writer = store.begin(header)
@@ -133,7 +133,7 @@ def resume_run(
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
     writer = store.resume(run_id)
     offset = at_s - bench.clock.now()
-    software = {"software": f"labcal {labcal.__version__}"}
+    software = {"software": f"labcal {__version__}"}
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
     _tell_lifted(bench, writer, at_s)
     return _drive(bench, procedure, values | {"resume": done}, writer, answer, control, tell, show, offset)

@@ -76,7 +76,7 @@ class Store:
         require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
         _refuse_name(header.run_id)
         self._require_free(header.run_id)
-        alive = Alive(self._lock_file(header.run_id))
+        alive = Alive(self.lock_file(header.run_id))
         try:
             with self._written():
                 number = self._add(header.run_id, to_json(asdict(header)), "running")
@@ -90,7 +90,7 @@ class Store:
         if (status := self.status(run_id)) != "interrupted":
             raise InputError(f"run {run_id} was not interrupted: it is {status}")
         require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
-        alive = Alive(self._lock_file(run_id))
+        alive = Alive(self.lock_file(run_id))
         try:
             with self._written():
                 number = self._number(run_id)
@@ -222,7 +222,8 @@ class Store:
         found = self._all("SELECT run_json, samples_csv FROM bundle WHERE run = ?", self._number(run_id))
         return Bundle(found[0][0], found[0][1], Path(run_id), of_store=True) if found else None
 
-    def _lock_file(self, run_id: str) -> Path:
+    def lock_file(self, run_id: str) -> Path:
+        """The file that is locked as long as the run's writer is alive."""
         return lock_file(self.path, run_id)
 
     def _all(self, query: str, *values: object) -> list[tuple[Any, ...]]:

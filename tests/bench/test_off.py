@@ -16,7 +16,7 @@ from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
 from labcal.bench.links import ports
 from labcal.bench.shutdown import coils_off
-from labcal.cli import _run
+from labcal.cli import execute
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="needs Unix sockets and ptys, which Windows lacks")
 
@@ -87,7 +87,7 @@ def test_without_both_it_says_what_stands_there_and_that_nothing_was_touched(
 ) -> None:
     file = tmp_path / "bench.toml"
     file.write_text("name = 'a'\n[cage\n")
-    assert _run(["bench", "off", str(file)]) == 2
+    assert execute(["bench", "off", str(file)]) == 2
     said = capsys.readouterr().err
     assert said.count("\n") == 1
     assert "line 2, column 6: is not TOML" in said

@@ -9,7 +9,7 @@ import pytest
 
 from labcal.certificate.calibration_file import calibration_bytes
 from labcal.certificate.dcc import DCC, SI, Laboratory, Place, dcc_xml, read_laboratory, si_unit
-from labcal.cli import _run
+from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.model import Calibration
 from labcal.record import Dut, Reference, Run, Segment
@@ -123,13 +123,13 @@ def test_the_command_needs_the_run_and_the_laboratory(
     made = replace(calibration, run_id=run.run_id, run_sha256=bundle_of(run).sha256)
     (tmp_path / "cal.json").write_bytes(calibration_bytes(made))
     command = ["report", str(tmp_path / "cal.json"), "--out", str(tmp_path / "cal.xml")]
-    assert _run(command) == 2
+    assert execute(command) == 2
     assert "is not in this lab's store" in capsys.readouterr().err
-    assert _run(["import", str(tmp_path / "bundle")]) == 0
-    assert _run(command) == 2
+    assert execute(["import", str(tmp_path / "bundle")]) == 0
+    assert execute(command) == 2
     assert "laboratory.toml" in capsys.readouterr().err
     text = 'name = "A"\ncity = "Bern"\ncountry = "CH"\n[customer]\nname = "X"\ncity = "Y"\ncountry = "DE"\n'
     (home_of_its_own / "laboratory.toml").write_text(text)
     assert not (tmp_path / "cal.xml").exists()
-    assert _run(command) == 0
+    assert execute(command) == 0
     assert etree.parse(str(tmp_path / "cal.xml")).getroot().tag == f"{{{DCC}}}digitalCalibrationCertificate"

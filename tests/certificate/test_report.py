@@ -18,7 +18,7 @@ from labcal.certificate.report.figures import coverage
 from labcal.certificate.report.html import html
 from labcal.certificate.report.style import decimals_for, number
 from labcal.certificate.report.unstated import not_stated
-from labcal.cli import _run
+from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.fit import Fit
 from labcal.model import AffineMap, Calibration
@@ -208,12 +208,12 @@ def test_decimals_show_two_digits_of_the_uncertainty():
 
 def test_the_command_writes_both_forms(draft: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]):
     for ending in ("html", "pdf"):
-        assert _run(["report", str(draft), "--out", str(tmp_path / f"r.{ending}")]) == 0
+        assert execute(["report", str(draft), "--out", str(tmp_path / f"r.{ending}")]) == 0
     assert (tmp_path / "r.pdf").read_bytes().startswith(b"%PDF")
-    assert _run(["report", str(draft), "--out", str(tmp_path / "r.txt")]) == 2
-    assert _run(["report", "no-such-run", "--out", str(tmp_path / "r.html")]) == 2
+    assert execute(["report", str(draft), "--out", str(tmp_path / "r.txt")]) == 2
+    assert execute(["report", "no-such-run", "--out", str(tmp_path / "r.html")]) == 2
     draft.write_bytes(b"{}")
-    assert _run(["report", str(draft), "--out", str(tmp_path / "s.html")]) == 2
+    assert execute(["report", str(draft), "--out", str(tmp_path / "s.html")]) == 2
     assert not (tmp_path / "s.html").exists()
 
 

@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 import pytest
 
-from labcal.cli import _run
+from labcal.cli import execute
 
 
 @pytest.fixture(autouse=True)
@@ -19,7 +19,7 @@ def passphrase(monkeypatch: pytest.MonkeyPatch) -> None:
 def run(*words: object) -> int:
     """A command as a process runs it: what it does to its environment is its own."""
     with patch.dict(os.environ):
-        return _run([str(word) for word in words])
+        return execute([str(word) for word in words])
 
 
 def test_the_whole_way_of_a_file(draft: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]):

@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 
 from labcal.bench.links.ports import claim
-from labcal.cli import _run
+from labcal.cli import execute
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
 
 def test_check_greets_every_instrument_by_name(capsys: pytest.CaptureFixture[str]) -> None:
-    assert _run(["bench", "check", str(EXAMPLE)]) == 0
+    assert execute(["bench", "check", str(EXAMPLE)]) == 0
     said = capsys.readouterr().out
     for name in ("supply_x", "supply_y", "supply_z", "reversers", "stage", "reference", "dut"):
         assert name in said
@@ -28,23 +28,23 @@ def test_one_that_is_not_there_hides_no_other_and_ends_with_3(
 ) -> None:
     path, text = tmp_path / "bench.toml", EXAMPLE.read_text()
     path.write_text(text[: text.rindex("[twin]")].replace('link = "emulated://"', 'link = "serial:///dev/none"', 1))
-    assert _run(["bench", "check", str(path)]) == 3
+    assert execute(["bench", "check", str(path)]) == 3
     said = capsys.readouterr().out
     assert "lost" in said
     assert "HMR2300" in said
 
 
 def test_off_says_how_every_coil_ended(capsys: pytest.CaptureFixture[str]) -> None:
-    assert _run(["bench", "off", str(EXAMPLE)]) == 0
+    assert execute(["bench", "off", str(EXAMPLE)]) == 0
     assert capsys.readouterr().out.count("zero, open") == 3
 
 
 def test_a_wrong_file_is_one_sentence_and_2(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "bench.toml"
     path.write_text("nme = 1\n")
-    assert _run(["bench", "check", str(path)]) == 2
+    assert execute(["bench", "check", str(path)]) == 2
     assert capsys.readouterr().err.count("\n") == 1
-    assert _run(["bench", "off", str(tmp_path / "absent.toml")]) == 2
+    assert execute(["bench", "off", str(tmp_path / "absent.toml")]) == 2
 
 
 class Stranger:
@@ -88,7 +88,7 @@ def test_another_instrument_and_a_wrong_baud_rate_are_told_with_3(
     with closing(Stranger(reply)) as stranger:
         patient = f'link = "{stranger.link}"\nsettings = {{ timeout_s = 60.0 }}'
         path = changed(tmp_path, 'link = "emulated://"', patient)
-        assert _run(["bench", "check", str(path)]) == 3
+        assert execute(["bench", "check", str(path)]) == 3
     assert says in capsys.readouterr().out
 
 
@@ -100,10 +100,10 @@ def test_a_wrong_port_and_one_that_is_in_use_are_told_with_3(
         link = f"tcp://127.0.0.1:{server.getsockname()[1]}"
         path = changed(tmp_path, 'link = "emulated://"', f'link = "{link}"')
         give_back = claim(link)
-        assert _run(["bench", "check", str(path)]) == 3
+        assert execute(["bench", "check", str(path)]) == 3
         assert f"(process {os.getpid()}) holds this port" in capsys.readouterr().out
         give_back()
-    assert _run(["bench", "check", str(path)]) == 3
+    assert execute(["bench", "check", str(path)]) == 3
     assert "the link is lost" in capsys.readouterr().out
 
 
@@ -122,7 +122,7 @@ def test_what_is_wrong_in_the_file_is_one_sentence_with_its_line_and_2(
     old: str, new: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = changed(tmp_path, old, new)
-    assert _run(["bench", "check", str(path)]) == 2
+    assert execute(["bench", "check", str(path)]) == 2
     said = capsys.readouterr().err
     assert says in said
     assert "line" in said

@@ -11,7 +11,7 @@ from labcal.errors import InputError, InstrumentError, LimitError, Stopped
 
 @pytest.fixture(autouse=True)
 def commands_registered(capsys):
-    cli._run(["--version"])
+    cli.execute(["--version"])
     capsys.readouterr()
 
 
@@ -28,7 +28,7 @@ def commands_registered(capsys):
 )
 def test_every_fault_ends_in_one_sentence_and_its_code(monkeypatch, capsys, fault, code, words):
     monkeypatch.setattr(cli, "app", raiser(fault))
-    assert cli._run([]) == code
+    assert cli.execute([]) == code
     said = capsys.readouterr().err
     assert words in said
     assert said.count("\n") == 1
@@ -36,7 +36,7 @@ def test_every_fault_ends_in_one_sentence_and_its_code(monkeypatch, capsys, faul
 
 def test_a_fault_of_our_own_is_a_sentence_and_a_file_with_the_details(monkeypatch, capsys, home_of_its_own):
     monkeypatch.setattr(cli, "app", raiser(ZeroDivisionError("division by zero")))
-    assert cli._run([]) == 2
+    assert cli.execute([]) == 2
     said = capsys.readouterr().err
     assert "Traceback" not in said
     assert "last-fault.txt" in said
@@ -44,7 +44,7 @@ def test_a_fault_of_our_own_is_a_sentence_and_a_file_with_the_details(monkeypatc
 
 
 def test_an_unknown_command_is_a_wrong_request():
-    assert cli._run(["calibrat"]) == 2
+    assert cli.execute(["calibrat"]) == 2
 
 
 def test_help_is_quick_to_load(monkeypatch):
@@ -66,14 +66,14 @@ def raiser(fault):
 
 @pytest.mark.parametrize("words", [["fit"], ["export", "r", "--format", "xml", "--out", "x"], ["show", "r", "--nope"]])
 def test_a_wrong_word_is_one_sentence_that_says_where_help_is(words, capsys):
-    assert cli._run(words) == 2
+    assert cli.execute(words) == 2
     said = capsys.readouterr().err
     assert said.count("\n") == 1
     assert f"`labcal {words[0]} --help`" in said
 
 
 def test_a_run_id_that_is_no_text_is_a_sentence(capsys):
-    assert cli._run(["show", "\udcff"]) == 2
+    assert cli.execute(["show", "\udcff"]) == 2
     assert "no UTF-8" in capsys.readouterr().err
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from labcal.certificate import read_calibration
-from labcal.cli import _run
+from labcal.cli import execute
 from labcal.fit import METHODS
 from labcal.store import read_bundle
 
@@ -23,12 +23,12 @@ FIT_KEYS = {
 def calibration(shared: Path, tmp_path: Path) -> Path:
     """The draft that `labcal fit` makes of a practice run."""
     out = tmp_path / "cal.json"
-    assert _run(["fit", str(shared / PRACTICE / "bundle"), "--out", str(out)]) == 0
+    assert execute(["fit", str(shared / PRACTICE / "bundle"), "--out", str(out)]) == 0
     return out
 
 
 def test_fit_json_on_stdout_is_the_contracts_and_nothing_else(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert _run(["fit", str(shared / PRACTICE / "bundle"), "--json", "-"]) == 0
+    assert execute(["fit", str(shared / PRACTICE / "bundle"), "--json", "-"]) == 0
     said = json.loads(capsys.readouterr().out)
     assert said.keys() == {"format", "run_id", "n_samples", "fits"}
     assert (said["format"], said["n_samples"]) == ("labcal-fit/1", 1788)
@@ -45,7 +45,7 @@ def test_apply_comes_as_near_to_the_true_field_as_the_noise_allows(
     shared: Path, calibration: Path, tmp_path: Path
 ) -> None:
     fresh, out = shared / PRACTICE / "fresh/samples.csv", tmp_path / "out.csv"
-    assert _run(["apply", str(calibration), str(fresh), "--out", str(out), "--dut", "SN328"]) == 0
+    assert execute(["apply", str(calibration), str(fresh), "--out", str(out), "--dut", "SN328"]) == 0
     truth = json.loads((shared / PRACTICE / "truth.json").read_text())
     rows, true = (
         list(csv.DictReader(path.read_text().splitlines())) for path in (out, shared / PRACTICE / "truth_fresh.csv")
@@ -63,7 +63,7 @@ def test_apply_comes_as_near_to_the_true_field_as_the_noise_allows(
 
 def test_apply_keeps_every_row_and_cell(shared: Path, calibration: Path, tmp_path: Path) -> None:
     fresh, out = shared / PRACTICE / "fresh/samples.csv", tmp_path / "out.csv"
-    assert _run(["apply", str(calibration), str(fresh), "--out", str(out)]) == 0
+    assert execute(["apply", str(calibration), str(fresh), "--out", str(out)]) == 0
     before, after = fresh.read_text().splitlines(), out.read_text().splitlines()
     assert after[0] == before[0] + ",b_x,b_y,b_z,u_nT,flag"
     assert [line.rsplit(",", 5)[0] for line in after] == before
@@ -72,7 +72,7 @@ def test_apply_keeps_every_row_and_cell(shared: Path, calibration: Path, tmp_pat
 def test_another_serial_is_refused_and_nothing_is_written(shared: Path, calibration: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.csv"
     fresh = str(shared / PRACTICE / "fresh/samples.csv")
-    assert _run(["apply", str(calibration), fresh, "--out", str(out), "--dut", "SN999"]) == 2
+    assert execute(["apply", str(calibration), fresh, "--out", str(out), "--dut", "SN999"]) == 2
     assert not out.exists()
 
 
@@ -91,7 +91,7 @@ def test_bad_readings_are_a_sentence_with_the_place(
 ) -> None:
     bad = tmp_path / "bad.csv"
     bad.write_text(text)
-    assert _run(["apply", str(calibration), str(bad), "--out", str(tmp_path / "out.csv")]) == 2
+    assert execute(["apply", str(calibration), str(bad), "--out", str(tmp_path / "out.csv")]) == 2
     assert place in capsys.readouterr().err
     assert not (tmp_path / "out.csv").exists()
 
@@ -108,7 +108,7 @@ def test_the_draft_says_where_it_comes_from_and_where_it_holds(shared: Path, cal
 
 def test_a_run_that_determines_nothing_is_a_negative_result(shared: Path, tmp_path: Path) -> None:
     out = tmp_path / "cal.json"
-    assert _run(["fit", str(shared / "data/px4-battery-current"), "--out", str(out)]) == 1
+    assert execute(["fit", str(shared / "data/px4-battery-current"), "--out", str(out)]) == 1
     assert not out.exists()
 
 
@@ -116,9 +116,9 @@ def test_currents_that_depend_on_each_other_are_named(
     bench_run: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("COLUMNS", "200")
-    assert _run(["fit", str(bench_run), "--method", "telemetry"]) == 1
+    assert execute(["fit", str(bench_run), "--method", "telemetry"]) == 1
     assert "the currents i_panel, i_total are linearly dependent" in capsys.readouterr().out
-    assert _run(["fit", str(bench_run), "--method", "telemetry", "--channels", "i_panel,i_load", "--json", "-"]) == 0
+    assert execute(["fit", str(bench_run), "--method", "telemetry", "--channels", "i_panel,i_load", "--json", "-"]) == 0
     (found,) = json.loads(capsys.readouterr().out)["fits"]
     assert [effect["channels"] for effect in found["effects"]] == [["i_panel"], ["i_load"]]
 
@@ -127,7 +127,7 @@ def test_all_methods_stand_side_by_side_with_what_the_columns_mean(
     bench_run: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("COLUMNS", "200")
-    _run(["fit", str(bench_run), "--method", "all"])
+    execute(["fit", str(bench_run), "--method", "all"])
     said = capsys.readouterr().out
     assert all(f" {method} " in said for method in METHODS)
     assert "standard uncertainties of the offsets" in said
@@ -161,10 +161,10 @@ def bench_run(tmp_path: Path) -> Path:
 
 def test_unknown_methods_and_channels_are_refused(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run = str(shared / PRACTICE / "bundle")
-    assert _run(["fit", run, "--method", "magic"]) == 2
+    assert execute(["fit", run, "--method", "magic"]) == 2
     said = capsys.readouterr().err
     assert all(name in said for name in METHODS)
-    assert _run(["fit", run, "--channels", "nothing"]) == 2
+    assert execute(["fit", run, "--channels", "nothing"]) == 2
     assert "hk01" in capsys.readouterr().err
 
 
@@ -172,9 +172,9 @@ def test_a_recording_is_never_replaced_by_what_is_corrected(shared: Path, calibr
     recording = tmp_path / "in.csv"
     recording.write_text("dut_x,dut_y,dut_z,t_s\n20000,0,0,2026-11-21T08:00:00\n")
     before = recording.read_bytes()
-    assert _run(["apply", str(calibration), str(recording), "--out", str(recording)]) == 2
+    assert execute(["apply", str(calibration), str(recording), "--out", str(recording)]) == 2
     assert recording.read_bytes() == before
-    assert _run(["apply", str(calibration), str(recording), "--out", str(tmp_path / "no_t_s_needed.csv")]) == 0
+    assert execute(["apply", str(calibration), str(recording), "--out", str(tmp_path / "no_t_s_needed.csv")]) == 0
 
 
 def test_a_crafted_effect_is_refused_with_the_file_and_its_place(
@@ -186,6 +186,6 @@ def test_a_crafted_effect_is_refused_with_the_file_and_its_place(
     stated["effects"] = [lag | {"parameters": [*parameters, {**parameters[0], "name": "t_step_s"}]}]
     calibration.write_text(json.dumps(stated))
     fresh, out = shared / PRACTICE / "fresh/samples.csv", tmp_path / "out.csv"
-    assert _run(["apply", str(calibration), str(fresh), "--out", str(out)]) == 2
+    assert execute(["apply", str(calibration), str(fresh), "--out", str(out)]) == 2
     assert f"{calibration}: effects[0]: the effect offset-step is not whole" in capsys.readouterr().err
     assert not out.exists()

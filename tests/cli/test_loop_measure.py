@@ -20,10 +20,13 @@ def closed_with(effect: str, rival: str) -> Any:
 
 
 def test_the_rivals_choose_the_procedure_that_separates_them() -> None:
-    assert session._proposing(closed_with("lag", "hysteresis")).next_experiment.procedure in ("rate-sweep", "reverse")
-    found = session._proposing(closed_with("offset-current", "offset-drift"))
+    assert session.with_installed_procedure(closed_with("lag", "hysteresis")).next_experiment.procedure in (
+        "rate-sweep",
+        "reverse",
+    )
+    found = session.with_installed_procedure(closed_with("offset-current", "offset-drift"))
     assert found.next_experiment.procedure == "current-coupling"
-    assert session._proposing(closed_with("outliers", "saturation")).next_experiment.procedure is None
+    assert session.with_installed_procedure(closed_with("outliers", "saturation")).next_experiment.procedure is None
 
 
 def test_every_pair_names_effects_that_there_are() -> None:

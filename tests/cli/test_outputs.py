@@ -17,8 +17,8 @@ from typer.models import OptionInfo
 
 import labcal.cli.commands
 from labcal import outputs
-from labcal.cli import _run as labcal
 from labcal.cli import app
+from labcal.cli import execute as labcal
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store import Store, write_bundle
 from labcal.store.live import FILE

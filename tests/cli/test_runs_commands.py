@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
-from labcal.cli import _run as labcal
+from labcal.cli import execute as labcal
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Measurement
 from labcal.store import Store
@@ -32,6 +34,17 @@ def test_a_bundle_goes_in_is_shown_and_comes_out_the_same(tmp_path: Path, capsys
     for format_ in ("csv", "hdf5", "mat"):
         assert labcal(["export", RUN_ID, "--format", format_, "--out", str(tmp_path / format_)]) == 0
     assert (tmp_path / "csv").read_bytes() == (GOLDEN / "samples.csv").read_bytes()
+
+
+def test_the_list_of_runs_loads_no_numbers_no_tables_and_no_window() -> None:
+    header = RunHeader("r9", "2026-03-02T08:15:00Z", True, "", Dut("S"), Reference("none"), procedure="ambient")
+    with Store.open() as store, store.begin(header):
+        pass
+    list_runs = "import sys; from labcal.cli import execute; assert execute(['runs']) == 0; print(*sys.modules)"
+    said = subprocess.run([sys.executable, "-c", list_runs], capture_output=True, text=True, check=True).stdout
+    assert said.splitlines()[1].startswith("r9 ")
+    heavy = {"numpy", "scipy", "rich", "matplotlib", "h5py", "cryptography", "serial", "PySide6", "labcal.session"}
+    assert not heavy & {*said.splitlines()[-1].split()}
 
 
 def test_json_is_alone_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:

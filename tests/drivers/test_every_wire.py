@@ -27,7 +27,7 @@ from labcal.bench.platform import BenchPlatform
 from labcal.errors import InstrumentError, LimitError
 
 PAUSE_S, LONG_S = 0.02, 60.0
-DRIVERS = {entry.name: entry.load() for entry in entry_points(group="labcal.drivers")}
+DRIVERS = {e.name: e.load() for e in entry_points(group="labcal.drivers") if e.value.startswith("drivers.")}
 ALPHALAB = bytes.fromhex("10 00 0000 04D2  10 02 0000 3039  10 09 0000 07D0  10 01 0000 000F  10 01 0000 092E  08")
 EA_TEXT = [
     read(f"0003 {at:04X} 0014", [int.from_bytes(text.ljust(40, b"\0")[k : k + 2]) for k in range(0, 40, 2)])
@@ -135,7 +135,7 @@ WIRES: dict[str, Wire] = {
         settings={"x": 0},
     ),
     "waveshare-interlock": Wire(
-        always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d._closed()), 1.0, rtu("0101 01 00")
+        always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d.contact_closed()), 1.0, rtu("0101 01 00")
     ),
     "zaber": Wire(
         zaber, angle, 90.0, zaber(0, 5)[1],

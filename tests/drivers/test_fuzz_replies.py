@@ -109,7 +109,7 @@ def tesla(reply: bytes) -> set[float]:
 
 
 def metrolab(driver: Any) -> float:
-    reading = driver._reading(0.0)
+    reading = driver.reading(0.0)
     if reading is None or max(map(abs, reading[0])) >= driver.settings.full_scale_nT:
         raise InstrumentError("no good reading, or overloaded")
     return float(reading[0][0])

@@ -1,10 +1,13 @@
+from collections.abc import Iterator
+from pathlib import Path
+
 import made_up_runs as lab
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 from labcal.errors import InputError
-from labcal.fit import METHODS, fit
+from labcal.fit import METHODS, fit, fit_all, methods, registry
 from labcal.fit.swarm.particle_swarm import SwarmSettings
 from labcal.fit.swarm.pso_axis import Options
 from labcal.record import Dut, Reference, Run, Segment
@@ -56,3 +59,54 @@ def test_a_run_without_a_reference_gets_no_calibration(method: str) -> None:
     found = fit(empty_run(), method)
     assert not found.ok
     assert found.why_not
+
+
+FOREIGN = """
+from labcal.fit.result import Fit
+
+def refuses(run, **options):
+    return Fit("any", ok=False, why_not="not today")
+
+def raises(run, **options):
+    raise KeyError("temp_dut")
+
+def breaks(run, **options):
+    return 1 / 0
+
+def other(run, **options):
+    return "a map"
+"""
+
+
+@pytest.fixture
+def foreign(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """A package with estimators of its own, one of them with a name of ours."""
+    info = tmp_path / "their_methods-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: their-methods\nVersion: 1.0\n")
+    points = "".join(f"their-{name} = their_methods:{name}\n" for name in ("refuses", "raises", "breaks", "other"))
+    (info / "entry_points.txt").write_text(f"[labcal.estimators]\n{points}ml = their_methods:raises\n")
+    (tmp_path / "their_methods.py").write_text(FOREIGN)
+    monkeypatch.syspath_prepend(tmp_path)
+    registry._others.cache_clear()
+    yield
+    registry._others.cache_clear()
+
+
+def test_estimators_of_other_packages_are_methods_after_ours(foreign: None) -> None:
+    assert methods() == (*METHODS, "their-breaks", "their-other", "their-raises", "their-refuses")
+    found = fit(empty_run(), "their-refuses")
+    assert (found.method, found.ok, found.why_not) == ("their-refuses", False, "not today")
+    assert not fit(empty_run(), "ml").ok  # ours, whoever else has the name
+    assert "broke down" in str(fit(empty_run(), "their-breaks").why_not)
+
+
+def test_one_that_fails_is_said_with_its_name_and_place_and_the_others_stand(foreign: None) -> None:
+    place = r"their_methods\.py, line 8: entry point 'their-raises' of labcal\.estimators .* on run r: KeyError"
+    with pytest.raises(InputError, match=place):
+        fit(empty_run(), "their-raises")
+    with pytest.raises(InputError, match=r"it gives a str, not a labcal\.fit\.Fit"):
+        fit(empty_run(), "their-other")
+    answers = {found.method: found for found in fit_all(empty_run())}
+    assert set(answers) == set(methods())
+    assert "KeyError" in str(answers["their-raises"].why_not)

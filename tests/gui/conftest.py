@@ -1,49 +1,27 @@
 """The window under test: its own home, its own settings, the simulated bench at once."""
 
 import time
+from contextlib import contextmanager
+from datetime import UTC, datetime
 from pathlib import Path
+from shutil import copytree
+from types import SimpleNamespace
 
 import pytest
-from PySide6.QtCore import QObject, QSettings, Signal
+from lab_states import runs_of
+from PySide6.QtCore import QSettings
 
+from labcal.gui.ipc.messages import CloseLoop
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.testing.pages import DeafWorker
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
+SHORT = {"axes": "x,y,z", "magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "rate_deg_per_s": "20"}
 KEPT = []  # windows that were closed: plots that the collector takes apart in its own order bring Qt down
 SCAN_WAIT_MS = 40
 PATIENCE_MS = 180_000  # a condition that does not come true fails the test; a slow computer does not
-
-
-class Deaf(QObject):
-    """A worker that answers only when it is told to."""
-
-    items = Signal(list)
-    states = Signal(dict)
-    progress = Signal(str)
-
-    def __init__(self):
-        super().__init__()
-        self.asked, self.said, self.killed, self.busy, self.pid = [], [], 0, False, 0
-
-    def request(self, do, then, failed, **what):
-        self.asked.append((do, then, failed, what))
-
-    def send(self, do, **what):
-        self.said.append((do, what))
-
-    def kill(self):
-        self.killed += 1
-
-    def close(self, wait_ms=0):
-        pass
-
-    def answer(self, do, result):
-        """Answer every request for `do` that waits."""
-        mine = [one for one in self.asked if one[0] == do]
-        self.asked = [one for one in self.asked if one[0] != do]
-        for _, then, _, _ in mine:
-            then(result)
 
 
 @pytest.fixture(scope="session")
@@ -58,7 +36,7 @@ def patience():
 
 @pytest.fixture
 def deaf(qapp):
-    return Deaf
+    return DeafWorker
 
 
 def settings_in(folder):
@@ -68,52 +46,78 @@ def settings_in(folder):
     return settings
 
 
-@pytest.fixture(scope="session")
-def deaf_window(tmp_path_factory, qapp):
-    """A window whose workers are all deaf: no process is started. One for all tests."""
+@contextmanager
+def deaf_window_at(home):
+    """A window whose workers are all deaf: no process is started."""
     from labcal.gui.ipc.bench_commands import procedures
+    from labcal.gui.ipc.messages import ListProcedures
     from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(app_state, "Client", lambda parent: Deaf())
-        window = Window(AppState(settings_in(tmp_path_factory.mktemp("home"))), LIGHT)
+        patch.setattr(app_state, "Client", DeafWorker)
+        window = Window(AppState(settings_in(home)), LIGHT)
     KEPT.append(window)
     window.show()
     window.open_page("Run")
     window.page("Run")
-    window.app_state.quick_worker.answer("procedures", procedures(None))
+    window.procedures = procedures(None, ListProcedures())
+    window.app_state.quick_worker.answer(ListProcedures, window.procedures)
     yield window
     window.close()
+
+
+@pytest.fixture(scope="session")
+def deaf_window(tmp_path_factory, qapp):
+    """One for all tests."""
+    with deaf_window_at(tmp_path_factory.mktemp("home")) as window:
+        yield window
 
 
 @pytest.fixture
 def still(deaf_window):
     """The window on a bench that is known, with nothing asked, said or begun."""
-    from labcal.gui.ipc.bench_commands import bench_facts
+    return at_rest(deaf_window)
 
-    window, app_state = deaf_window, deaf_window.app_state
+
+@pytest.fixture
+def new_window(tmp_path, qapp):
+    """The same for one test alone, where what other tests have shown before would count."""
+    with deaf_window_at(tmp_path) as window:
+        yield at_rest(window)
+
+
+def at_rest(window):
+    """Nothing asked, said or begun, on a known bench; forms and cards as they were at first."""
+    from labcal.gui.ipc.bench_commands import read_bench
+    from labcal.gui.ipc.messages import ReadBench
+
+    app_state = window.app_state
+    window.scanner.flush()
     window.raise_()
     window.activateWindow()
     for worker in (app_state.quick_worker, app_state.bench_worker, app_state.fit_worker, app_state.off_worker):
         worker.asked, worker.said, worker.killed = [], [], 0
-    scanner = window.scanner
-    scanner._now, scanner._kept = time.monotonic, []
-    scanner._wait.setInterval(SCAN_WAIT_MS)
-    app_state._force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
-    app_state._force_timer.stop()
-    app_state.run._forget()
-    app_state.known = app_state._taken = None
-    app_state.lab.update(coils_at_zero=None)
+    window.scanner.now = time.monotonic
+    window.scanner.wait.setInterval(SCAN_WAIT_MS)
+    app_state.force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
+    app_state.force_timer.stop()
+    app_state.run.forget()
+    app_state.known = app_state.taken = None
+    app_state.lab.update(coils_at_zero=None, message="", unit="nT")
     app_state.run.order = None
-    app_state.study_vm._forget("")
+    app_state.study_vm.forget("")
     app_state.run.changed.emit()
     window.page("Run").live.put_away.emit()
     for card in (window.fault, window.page("Run").live.fault):
         card.show_fault(None)
     app_state.open_bench(str(BENCH))
-    app_state.quick_worker.answer("bench", bench_facts(None, str(BENCH)))
+    app_state.quick_worker.answer(ReadBench, read_bench(None, ReadBench(str(BENCH))))
     app_state.set_identity(operator="J. Doe", dut="EM-07")
+    choose = window.page("Run").choose
+    choose.choose("preflight")
+    choose.show_procedures(window.procedures)  # forms as they were
+    window.show_state(app_state.lab.state)
     window.open_page("Run")
     return window
 
@@ -142,6 +146,127 @@ def window(qtbot, alive, monkeypatch):
     if app_state.run.alive:
         app_state.run.abort()
         qtbot.waitUntil(lambda: not app_state.run.alive, timeout=PATIENCE_MS)
-    qtbot.waitUntil(lambda: bool(app_state.facts) and not app_state.off_worker.busy, timeout=PATIENCE_MS)
+    if app_state.bench != str(BENCH):
+        app_state.open_bench(str(BENCH))
+    qtbot.waitUntil(lambda: app_state.bench == str(BENCH) and bool(app_state.facts), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: not app_state.off_worker.busy, timeout=PATIENCE_MS)
     app_state.set_identity(operator="J. Doe", dut="EM-07")
     return alive
+
+
+@contextmanager
+def window_at(home):
+    """A window on the lab whose home is `home`."""
+    from labcal.gui.window import Window
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("LABCAL_HOME", str(home))
+        window = Window(AppState(QSettings(str(home / "w.ini"), QSettings.Format.IniFormat)), LIGHT)
+        window.show()
+        window.app_state.open_bench(str(BENCH))
+        window.app_state.set_identity(dut="EM-07", operator="J. Doe")
+        window.home = str(home)
+        KEPT.append(window)
+        yield window
+        window.close()
+
+
+@pytest.fixture(scope="session")
+def recorded(tmp_path_factory):
+    """The home of a lab whose store has one short preflight. Nobody writes to it: windows have copies."""
+    from labcal import session
+    from labcal.bench.clock import VirtualClock
+
+    home = tmp_path_factory.mktemp("recorded") / "home"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("LABCAL_HOME", str(home))
+        clock = VirtualClock(datetime(2026, 1, 5, tzinfo=UTC))
+        session.run("preflight", BENCH, SHORT | {"zero_s": "3"}, dut="EM-07", operator="J. Doe", clock=clock, seed=3)
+    return home
+
+
+@pytest.fixture(scope="session")
+def drafted(tmp_path_factory, recorded):
+    """The same with the draft and the verdict of its loop."""
+    from labcal import session
+    from labcal.gui.ipc.study_commands import loop
+
+    home = copytree(recorded, tmp_path_factory.mktemp("drafted") / "home")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("LABCAL_HOME", str(home))
+        loop(SimpleNamespace(send=lambda event: None), CloseLoop(session.runs()[0].run_id))
+    return home
+
+
+@pytest.fixture(scope="module")
+def undrafted_lab(tmp_path_factory, recorded):
+    with window_at(copytree(recorded, tmp_path_factory.mktemp("lab") / "home")) as window:
+        yield window
+
+
+@pytest.fixture(scope="module")
+def signed_lab(tmp_path_factory, drafted):
+    """Its calibration is approved by a.smith and signed by jdoe@lab."""
+    from labcal import session
+
+    home = copytree(drafted, tmp_path_factory.mktemp("signed") / "home")
+    (draft,) = (home / "calibrations").glob("*.json")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("LABCAL_HOME", str(home))
+        session.new_key("jdoe@lab", "a long passphrase")
+        session.approve(draft, "a.smith")
+        session.sign(draft, "jdoe@lab", "a long passphrase")
+    with window_at(home) as window:
+        yield window
+
+
+def at_home(window, monkeypatch):
+    """The window as each test finds it: in its own home, no card open."""
+    monkeypatch.setenv("LABCAL_HOME", window.home)
+    for card in window.findChildren(FaultCard):
+        card.show_fault(None)
+    window.app_state.set_identity(dut="EM-07", operator="J. Doe")
+    return window
+
+
+@pytest.fixture
+def lab(undrafted_lab, monkeypatch):
+    """A lab with one recorded run; tests look at it, fit and trace it, and leave the store as it is."""
+    return at_home(undrafted_lab, monkeypatch)
+
+
+@pytest.fixture
+def signed(qtbot, signed_lab, monkeypatch):
+    """A lab whose one calibration is signed, on the Certificate page."""
+    at_home(signed_lab, monkeypatch)
+    signed_lab.open_page("Certificate")
+    qtbot.waitUntil(lambda: signed_lab.page("Certificate").chosen() is not None, timeout=PATIENCE_MS)
+    return signed_lab
+
+
+@pytest.fixture
+def own_lab(tmp_path, drafted, monkeypatch):
+    """A lab with a draft, for one test alone: it may write whatever it likes."""
+    with window_at(copytree(drafted, tmp_path / "home")) as window:
+        yield at_home(window, monkeypatch)
+
+
+@pytest.fixture
+def fitted(qtbot, lab):
+    """The run is open on the Fit page, and fitted."""
+    study, (run,) = lab.app_state.study_vm, runs_of(qtbot, lab)
+    lab.app_state.open_study(run)
+    study.fit("ml")
+    qtbot.waitUntil(lambda: "ml" in study.fits and not study.busy, timeout=PATIENCE_MS)
+    return lab
+
+
+@pytest.fixture
+def traced(qtbot, fitted):
+    """And its residual is traced."""
+    study = fitted.app_state.study_vm
+    if study.loop is None:
+        study.close_loop()
+    qtbot.waitUntil(lambda: study.loop is not None, timeout=PATIENCE_MS)
+    fitted.open_page("Loop")
+    return fitted

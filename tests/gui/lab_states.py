@@ -20,7 +20,16 @@ def told(to, currents=(0.0, 0.0, 0.0), *, verdict="agrees", age_s=0.0):
         for axis, i in zip("xyz", currents, strict=True)
     )
     witness = Witness(verdict, "no ambient field", **SEEN, difference_nT=98_900.0, limit_nT=2_000.0, read_s=read_s)
-    worker.states.emit(LabState(coils, witness).as_json(0.0))
+    worker.states.emit(LabState(coils, witness))
+
+
+def runs_of(qtbot, window):
+    """Ids of the runs of its store, as the History page has them."""
+    window.open_page("History")
+    page = window.page("History")
+    page.search.clear()
+    qtbot.waitUntil(lambda: page.table.rowCount() > 0, timeout=180_000)
+    return [page.table.text(row, 6) for row in range(page.table.rowCount())]
 
 
 def silent(axis, read_s):

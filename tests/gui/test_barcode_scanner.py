@@ -18,8 +18,8 @@ class Clock:
 def keys(still, qtbot, patience):
     """Type `text` into a widget, `apart_s` between two keys."""
     clock = Clock()
-    still.scanner._now = clock
-    still.scanner._wait.setInterval(3_600_000)  # nothing is decided but by the clock above, or at the end
+    still.scanner.now = clock
+    still.scanner.wait.setInterval(3_600_000)  # nothing is decided but by the clock above, or at the end
 
     def struck(widget, text, apart_s, ends_with=None):
         widget.setFocus()
@@ -43,18 +43,17 @@ def test_a_burst_of_characters_is_a_scan_and_goes_to_the_serial(still, keys):
 
 
 def test_a_scan_reaches_no_answer_of_an_open_question(still, keys):
-    from labcal.gui.ipc.wire import item_to_json
-    from labcal.gui.viewmodels.run import Order
+    from labcal.gui.ipc.messages import Answer, RunProcedure
     from labcal.record.stream import Prompt
 
-    still.app_state.run.start(Order("preflight", "bench.toml"))
-    still.app_state.bench_worker.items.emit([item_to_json(Prompt(1.0, "why", "Why?", ()))])
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit((Prompt(1.0, "why", "Why?", ()),))
     entry = still.page("Run").live.prompt.entry
     keys(entry, "EM-19", 0.01, Qt.Key.Key_Return)
     assert entry.text() == ""
     assert still.app_state.bench_worker.said == []
     keys(entry, "lift", 0.2, Qt.Key.Key_Return)
-    assert still.app_state.bench_worker.said == [("answer", {"key": "why", "text": "lift"})]
+    assert still.app_state.bench_worker.said == [Answer("why", "lift")]
 
 
 @pytest.mark.parametrize("apart_s", [0.05, 0.2])

@@ -5,8 +5,9 @@ import pytest
 from lab_states import told
 from PySide6.QtCore import Qt
 
-from labcal.gui.ipc.wire import item_to_json
-from labcal.gui.viewmodels.run import Order
+from labcal.gui.ipc.answers import Doubt, Greeting, Identified
+from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure
+from labcal.gui.ipc.wire import Fault
 from labcal.record.stream import Block
 
 T = np.array([1.0])
@@ -21,17 +22,17 @@ def bench(still):
 
 
 def test_the_parts_of_the_field_are_those_that_were_recorded_together(still, bench):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     blocks = (
         Block("channel", "cage", ("i_coil_x", "i_coil_y", "i_coil_z"), T, CURRENTS),
         Block("reference", "reference", ("ref_x", "ref_y", "ref_z"), T, FIELD),
         Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), T, np.array([[1.0, 2.0, 3.0]])),
     )
-    still.app_state.bench_worker.items.emit([item_to_json(item) for item in blocks])
+    still.app_state.bench_worker.items.emit(blocks)
     told(still)
-    bench._show_readings()
-    applied = np.asarray(still.app_state.facts["cage"]["matrix"]) @ CURRENTS[0]
-    (_, first), (_, second), (_, third) = bench.cage._vectors
+    bench.show_readings()
+    applied = np.asarray(still.app_state.facts.cage.matrix) @ CURRENTS[0]
+    (_, first), (_, second), (_, third) = bench.cage.vectors
     np.testing.assert_allclose(first, applied)
     np.testing.assert_allclose(np.add(first, second), third)
     np.testing.assert_allclose(third, FIELD[0])
@@ -41,35 +42,33 @@ def test_the_parts_of_the_field_are_those_that_were_recorded_together(still, ben
 
 
 def test_the_cage_is_turned_by_keys(qtbot, bench):
-    before = list(bench.cage._eye)
+    before = list(bench.cage.eye)
     qtbot.keyClick(bench.cage, Qt.Key.Key_Left)
     qtbot.keyClick(bench.cage, Qt.Key.Key_Up)
-    assert [b - a for a, b in zip(before, bench.cage._eye, strict=True)] == [-5.0, 5.0]
+    assert [b - a for a, b in zip(before, bench.cage.eye, strict=True)] == [-5.0, 5.0]
 
 
 def test_reconnect_lets_go_reads_the_file_again_and_asks_everybody(qtbot, still, bench):
     qtbot.mouseClick(bench.reconnect, Qt.MouseButton.LeftButton)
-    assert [one[0] for one in still.app_state.quick_worker.asked if one[0] == "bench"] == ["bench"]
-    assert still.app_state.off_worker.asked[-1][0] == "greet"
-    silent = {"kind": "instrument", "text": "supply_x does not answer.", "remedy": "Switch it on.", "details": ""}
-    names = list(still.app_state.facts["instruments"])
-    greetings = [{"name": n, "role": "", "link": "", "identity": "", "fault": silent if n == "supply_x" else None}
-                 for n in names]  # fmt: skip
-    still.app_state.off_worker.answer("greet", greetings)
+    assert len(still.app_state.quick_worker.commands(ReadBench)) == 1
+    assert isinstance(still.app_state.off_worker.asked[-1].command, Identify)
+    silent = Fault("instrument", "supply_x does not answer.", "Switch it on.")
+    names = still.app_state.facts.instruments
+    greetings = tuple(Greeting(n, "", "", "", silent if n == "supply_x" else None) for n in names)
+    still.app_state.off_worker.answer(Identify, Identified(greetings))
     said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
     assert said["supply_x"] == "✕ supply_x does not answer. Switch it on."
     assert said["stage"] == "✓ answers"
 
 
 def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench):
-    answer = {"name": "supply_x", "role": "coil-x", "link": "tcp://x", "identity": "a supply", "fault": None}
+    answers = (Greeting("supply_x", "coil-x", "tcp://x", "a supply"),)
     bench.check_all()
-    still.app_state.off_worker.answer(
-        "greet", [answer | {"doubt": {"words": "NOT at zero by the reference", "lifted": False}}]
-    )
+    doubt = Doubt("NOT at zero by the reference", lifted=False)
+    still.app_state.off_worker.answer(Identify, Identified(answers, doubt))
     assert bench.fault.isVisible()
     assert bench.fault.text.text() == "NOT at zero by the reference"
     assert "--clear-as NAME" in bench.fault.remedy.text()
     bench.check_all()
-    still.app_state.off_worker.answer("greet", [answer | {"doubt": {"words": "they agree again", "lifted": True}}])
+    still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", lifted=True)))
     assert still.app_state.lab.state.message == "they agree again"

@@ -1,11 +1,16 @@
 """What to run: what it needs, how long it takes, its form, and what keeps Start waiting."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from labcal.gui.ipc.bench_commands import plan
-from labcal.gui.ipc.wire import Fault, pack
+from labcal.gui.ipc.answers import Change, Ended, Look, Loop, Proposal
+from labcal.gui.ipc.bench_commands import procedures, rehearse
+from labcal.gui.ipc.messages import CloseLoop, JoinRuns, ListProcedures, LookAt, Rehearse, RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.model.calibration import EffectRecord, Rival
 
 
 @pytest.fixture
@@ -25,7 +30,7 @@ def test_a_setting_out_of_range_is_named_and_start_waits(choose):
     assert choose.start.isEnabled()
     choose.form.set_text("inclination_deg", "80")
     assert not choose.start.isEnabled()
-    assert "35 to 65" in choose.form._complaints["inclination_deg"].text()
+    assert "35 to 65" in choose.form.complaints["inclination_deg"].text()
 
 
 def test_no_operator_no_run(still, choose):
@@ -34,34 +39,37 @@ def test_no_operator_no_run(still, choose):
     assert "operator" in choose.objection.text()
 
 
-def test_a_procedure_that_does_not_load_is_listed_with_its_fault_and_is_not_chosen(choose, monkeypatch):
-    monkeypatch.setattr(choose, "_procedures", choose._procedures)  # the window is that of the tests after this one
-    choose._known([{"name": "other", "fault": "other.py, line 3: it exits"}])
+def test_a_procedure_that_does_not_load_is_listed_with_its_fault_and_is_not_chosen(choose):
+    there = procedures(None, ListProcedures())
+    choose.choose("preflight")
+    choose.show_procedures(replace(there, broken={"other": "other.py, line 3: it exits"}))
     broken = choose.list.item(choose.list.count() - 1)
     assert (broken.text(), broken.toolTip()) == ("✕ other", "other.py, line 3: it exits")
     assert not broken.flags() & Qt.ItemFlag.ItemIsSelectable
-    choose.list.takeItem(choose.list.count() - 1)
+    assert choose.list.currentItem().text() == "preflight"
+    choose.show_procedures(there)
+    assert choose.list.count() == len(there.found)
 
 
 def told_by_the_loop(procedure):
     """A loop's answer that is not sure, as the worker gives it."""
     t = np.linspace(0.0, 100.0, 50)
-    effect = {"effect": "offset-current", "channels": ["i_eps"], "why": "it falls", "improvement_ci95_nT": [5.0, 9.0],
-              "holdout_rms_before_nT": 50.0, "holdout_rms_after_nT": 30.0,
-              "rivals": [{"effect": "offset-drift", "channels": [], "holdout_rms_after_nT": 31.0}]}  # fmt: skip
-    rms = {"train_rms_nT": 50.0, "holdout_rms_nT": 50.0}
-    proposed = {"why": "drift goes on", "do": "turn back", "procedure": procedure}
-    loop = {"verdict": "ambiguous", "summary": "Two causes do as well.", "before": rms, "after": rms,
-            "noise_floor_nT": 27.0, "noise_floor_source": "declared", "set_aside": {}, "accepted": [effect],
-            "rejected": [], "next_experiment": proposed}  # fmt: skip
-    against = {"time  s": pack(t), "i_eps  A": pack(t)}
-    residual = pack(np.ones((50, 3)))
-    return {"loop": loop, "remarks": [], "draft": "d.json", "before": residual, "after": residual, "against": against}
+    effect = EffectRecord(
+        "offset-current", ("i_eps",), {}, "sensor", (), why="it falls", improvement_ci95_nT=(5.0, 9.0),
+        holdout_rms_before_nT=50.0, holdout_rms_after_nT=30.0, rivals=(Rival("offset-drift", (), 31.0),),
+    )  # fmt: skip
+    residual = np.ones((50, 3))
+    return Loop(
+        verdict="ambiguous", summary="Two causes do as well.", before_nT=50.0, after_nT=50.0, noise_floor_nT=27.0,
+        noise_floor_source="declared", set_aside={}, accepted=(effect,), rejected=(),
+        next_experiment=Proposal("drift goes on", "turn back", procedure), remarks=(), draft="d.json",
+        change=Change(residual, residual, {"time  s": t, "i_eps  A": t}),
+    )  # fmt: skip
 
 
 def looked_at(run, dut="EM-07"):
     """What the worker says of a run."""
-    return {"run_id": run, "dut": dut, "n_samples": 50, "against": {}, "before": pack(np.ones((50, 3)))}
+    return Look(run, dut, 50, np.ones((50, 3)), {})
 
 
 @pytest.fixture
@@ -71,9 +79,9 @@ def undecided(still):
     still.page("Loop")
     study, worker = still.app_state.study_vm, still.app_state.fit_worker
     study.open("r1")
-    worker.answer("look", looked_at("r1"))
+    worker.answer(LookAt, looked_at("r1"))
     study.close_loop()
-    worker.answer("loop", told_by_the_loop("reverse"))
+    worker.answer(CloseLoop, told_by_the_loop("reverse"))
     return still
 
 
@@ -109,25 +117,24 @@ def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_d
     qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
     choose, worker = still.page("Run").choose, still.app_state.bench_worker
     assert still.stack.currentWidget() is still.lazy_pages["Run"]
-    ((do, _, _, what),) = worker.asked
-    assert (do, what["procedure"], what["given"]) == ("plan", "reverse", {})
+    (asked,) = worker.commands()
+    assert asked == Rehearse("reverse", still.app_state.bench)
     assert not choose.start.isEnabled()  # nothing moves before the plan is read
-    worker.answer("plan", plan(None, **what))
+    worker.answer(Rehearse, rehearse(None, asked))
     said = choose.plan.text()
     assert choose.plan.isVisible()
     for words in ("largest field at the DUT 50.0 µT", "turns between", "°/s", "°C", " min,", "asked:\n– Mount the DUT"):
         assert words in said
     assert "added to run r1" in said
     qtbot.mouseClick(choose.start, Qt.MouseButton.LeftButton)
-    assert [(one[0], one[3]["procedure"], one[3]["after"]) for one in worker.asked] == [("run", "reverse", "r1")]
-    worker.answer("run", {"run_id": "r2", "status": "finished", "fault": None, "failed": []})
+    assert [(one.procedure, one.after) for one in worker.commands(RunProcedure)] == [("reverse", "r1")]
+    worker.answer(RunProcedure, Ended("r2", "finished"))
     assert still.stack.currentWidget() is still.lazy_pages["Loop"]
-    ((_, _, _, what),) = [one for one in still.app_state.fit_worker.asked if one[0] == "together"]
-    assert what == {"run": "r1", "new": "r2"}
-    still.app_state.fit_worker.answer("together", "r1+r2")
-    assert [one[3] for one in still.app_state.fit_worker.asked if one[0] == "loop"] == [{"run": "r1+r2"}]
-    still.app_state.fit_worker.answer("look", looked_at("r1+r2"))
-    still.app_state.fit_worker.answer("loop", told_by_the_loop("repeat"))
+    assert still.app_state.fit_worker.commands(JoinRuns) == [JoinRuns("r1", "r2")]
+    still.app_state.fit_worker.answer(JoinRuns, "r1+r2")
+    assert still.app_state.fit_worker.commands(CloseLoop) == [CloseLoop("r1+r2")]
+    still.app_state.fit_worker.answer(LookAt, looked_at("r1+r2"))
+    still.app_state.fit_worker.answer(CloseLoop, told_by_the_loop("repeat"))
     assert study.run == "r1+r2"
     assert "Added to it: reverse (r2)." in page.unknown.toPlainText()
 
@@ -136,21 +143,21 @@ def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_d
 def test_a_run_that_did_not_finish_is_added_to_nothing(qtbot, undecided, status):
     undecided.app_state.study_vm.want("reverse")
     undecided.app_state.start("reverse", {})
-    undecided.app_state.bench_worker.answer("run", {"run_id": "r2", "status": status, "fault": None, "failed": []})
+    undecided.app_state.bench_worker.answer(RunProcedure, Ended("r2", status))
     undecided.app_state.start("preflight", {})  # another procedure is no answer to the question either
-    undecided.app_state.bench_worker.answer("run", {"run_id": "r3", "status": "finished", "fault": None, "failed": []})
-    assert [one for one in undecided.app_state.fit_worker.asked if one[0] == "together"] == []
+    undecided.app_state.bench_worker.answer(RunProcedure, Ended("r3", "finished"))
+    assert undecided.app_state.fit_worker.commands(JoinRuns) == []
 
 
 def test_a_plan_is_that_of_its_settings_and_one_beyond_a_limit_is_refused_in_words(qtbot, still, choose):
     choose.choose("reverse")
     qtbot.mouseClick(choose.show_plan, Qt.MouseButton.LeftButton)
-    _, late, _, _ = still.app_state.bench_worker.asked[-1]
+    late = still.app_state.bench_worker.asked[-1].then
     choose.form.set_text("rate_deg_per_s", "25")
-    late(["the plan of other settings"])
+    late(("the plan of other settings",))
     assert not choose.plan.text()
     qtbot.mouseClick(choose.show_plan, Qt.MouseButton.LeftButton)
-    _, _, failed, what = still.app_state.bench_worker.asked[-1]
-    assert what["given"] == {"rate_deg_per_s": "25"}
-    failed(Fault("input", "25 deg/s is beyond the DUT's limit.", "Nothing was moved."))
+    asked = still.app_state.bench_worker.asked[-1]
+    assert asked.command.given == {"rate_deg_per_s": "25"}
+    asked.failed(Fault("input", "25 deg/s is beyond the DUT's limit.", "Nothing was moved."))
     assert choose.plan.text() == "✕ 25 deg/s is beyond the DUT's limit. Nothing was moved."

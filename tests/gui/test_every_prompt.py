@@ -22,8 +22,7 @@ from labcal.bench import steps
 from labcal.bench.clock import VirtualClock
 from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
-from labcal.gui.ipc.wire import item_to_json
-from labcal.gui.viewmodels.run import Order
+from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
 from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import Prompt
@@ -31,7 +30,7 @@ from labcal.runner import find, run_procedure
 from labcal.store import Store
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
-INSTALLED = sorted(entry.name for entry in entry_points(group="labcal.procedures"))
+INSTALLED = sorted(e.name for e in entry_points(group="labcal.procedures") if e.value.startswith("procedures."))
 BESIDE = ("preflight, redone", "preflight, resumed", "rotate-axis, by hand", "configuration, no such file", "a fault")
 DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
@@ -141,12 +140,12 @@ class Asked:
 
     def ask(self):
         self.worker.said = []
-        self.worker.items.emit([item_to_json(self.prompt)])
+        self.worker.items.emit((self.prompt,))
         QApplication.processEvents()
         assert self.window.app_state.run.state == "asking"
 
     def told(self):
-        return [what["text"] for word, what in self.worker.said if word == "answer"]
+        return [word.text for word in self.worker.said if isinstance(word, Answer)]
 
     def strike(self, widget, *keys):
         widget.setFocus()
@@ -157,17 +156,17 @@ class Asked:
     def scan(self, widget):
         """A burst: every key within one instant, Enter at its end."""
         scanner = self.window.scanner
-        now, scanner._now = scanner._now, lambda: 1e9
+        now, scanner.now = scanner.now, lambda: 1e9
         widget.setFocus()
         self.bot.keyClicks(widget, "EM-99")
         self.bot.keyClick(widget, Qt.Key.Key_Return)
         scanner.flush()
-        scanner._now = now
+        scanner.now = now
 
     def hold(self, button):
         """The button's own key, held, with the focus elsewhere; the 0.7 s are counted, not waited for."""
-        assert button._held.interval() == HOLD_MS
-        button._held.setInterval(0)
+        assert button.held.interval() == HOLD_MS
+        button.held.setInterval(0)
         self.window.sidebar.setFocus()
         self.bot.keyPress(self.window, button.key)
         self.bot.waitUntil(lambda: bool(self.worker.said), timeout=180_000)
@@ -209,9 +208,9 @@ class Asked:
     "case", [pytest.param(one, marks=pytest.mark.slow) if one in DEAR else one for one in (*INSTALLED, *BESIDE)]
 )
 def test_every_question_of_a_procedure_is_shown_and_answered_as_it_may_be(qtbot, still, questions, case):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
-    still.scanner._now = float  # the time stands still: whatever is struck until it is looked at is one burst
-    still.scanner._wait.setInterval(3_600_000)
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    still.scanner.now = float  # the time stands still: whatever is struck until it is looked at is one burst
+    still.scanner.wait.setInterval(3_600_000)
     for prompt in questions.of(case):
         asked = Asked(still, prompt, qtbot)
         asked.is_shown()
@@ -255,7 +254,7 @@ def by_keyboard(asked, words):
 
 
 def test_a_photograph_that_is_not_wanted_is_answered_too(qtbot, still, questions):
-    still.app_state.run.start(Order("configuration", "bench.toml"))
+    still.app_state.run.start(RunProcedure("configuration", "bench.toml"))
     photo = next(p for p in questions.of("configuration") if p.key.startswith("photo-"))
     asked = Asked(still, photo, qtbot)
     qtbot.mouseClick(asked.card.choices[""], Qt.MouseButton.LeftButton)

@@ -8,8 +8,9 @@ from lab_states import told
 from PySide6.QtCore import Qt
 
 from labcal.errors import InstrumentError
-from labcal.gui.ipc.wire import Fault, fault_of, item_to_json, with_instrument_names
-from labcal.gui.viewmodels.run import Order
+from labcal.gui.ipc.answers import CoilEnd, SwitchedOff
+from labcal.gui.ipc.messages import RunProcedure, SwitchOff
+from labcal.gui.ipc.wire import Fault, fault_of, with_instrument_names
 from labcal.record.stream import Prompt
 
 LINKS = {"reference": "serial:///dev/ttyUSB9", "supply_x": "modbus-rtu:///dev/ttyUSB1"}
@@ -19,11 +20,11 @@ ON, ZERO, UNSURE = (1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (None, 0.0, 0.0)
 
 def fail(window, fault, *items, coils=()):
     run = window.app_state.run
-    run.start(Order("preflight", "bench.toml"))
-    window.app_state.bench_worker.items.emit([item_to_json(item) for item in items])
+    run.start(RunProcedure("preflight", "bench.toml"))
+    window.app_state.bench_worker.items.emit(items)
     for currents in coils:
         told(window, currents)
-    (_, _, failed, _) = window.app_state.bench_worker.asked[-1]
+    failed = window.app_state.bench_worker.asked[-1].failed
     failed(fault)
     return window.page("Run").live.fault
 
@@ -42,21 +43,19 @@ def test_a_run_that_fails_says_how_it_left_the_coils(still, coils, words):
     assert card.coils.isVisible()
     said = "coils not read back in this session" if "Press" in words else words  # by then they are asked for zero
     assert card.coils.text().startswith(said)
-    asked_for_zero = any(one[0] == "off" for one in still.app_state.off_worker.asked)
+    asked_for_zero = bool(still.app_state.off_worker.commands(SwitchOff))
     assert asked_for_zero == ("Press" in words)  # by another worker, without being told to
 
 
 def test_the_card_of_a_run_learns_that_its_coils_were_switched_off_after_it(qtbot, still):
     card = fail(still, LOST, coils=(ON,))
     qtbot.keyClick(still, Qt.Key.Key_F12)
-    still.app_state.off_worker.answer(
-        "off", [{"axis": a, "current_A": 0.0, "words": "zero", "ok": True} for a in "xyz"]
-    )
+    still.app_state.off_worker.answer(SwitchOff, SwitchedOff(tuple(CoilEnd(a, 0.0, "zero", True) for a in "xyz")))
     assert card.coils.text() == "zero by the supply's word only: no reference was asked"
 
 
 def test_what_was_read_grows_old_in_the_window(still):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     told(still)
     assert still.app_state.lab.state.coil_words == "coils at zero"
     told(still, age_s=7.0)
@@ -84,14 +83,14 @@ def test_a_full_disk_is_said_as_such_and_is_no_fault_of_labcal_s():
 def test_a_bench_that_cannot_be_read_leaves_the_one_that_is_open(still, tmp_path):
     before = still.app_state.bench
     still.app_state.open_bench(str(tmp_path / "broken.toml"))
-    (_, _, failed, _) = still.app_state.quick_worker.asked[-1]
+    failed = still.app_state.quick_worker.asked[-1].failed
     failed(Fault("input", "broken.toml, line 1: is not TOML"))
     assert still.fault.isVisible()
     assert still.app_state.bench == before == str(still.app_state.settings.value("bench"))
 
 
 def test_no_other_bench_is_opened_while_a_run_goes_on(still, tmp_path):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     asked = len(still.app_state.quick_worker.asked)
     still.app_state.open_bench(str(tmp_path / "other.toml"))
     assert len(still.app_state.quick_worker.asked) == asked
@@ -102,7 +101,7 @@ def test_coils_off_without_a_bench_says_so(qtbot, still, monkeypatch):
     monkeypatch.setattr(still.app_state, "bench", "")
     qtbot.keyClick(still, Qt.Key.Key_F12)
     assert still.app_state.lab.state.message == "Coils off: no bench is open, this window drives no coil."
-    assert not [one for one in still.app_state.off_worker.asked if one[0] == "off"]
+    assert not still.app_state.off_worker.commands(SwitchOff)
 
 
 def test_what_breaks_in_the_window_itself_is_a_card(still, capsys):

@@ -50,7 +50,7 @@ def test_simulated_is_shown_where_it_is_and_only_there(lab, frame):
 def test_the_unit_button_changes_what_is_shown_and_nothing_else(qtbot, lab, frame):
     lab.update(field_measured_nT=(0.0, 0.0, -19998.7))
     assert "\u221219\u202f998.7" in texts(frame.side)
-    qtbot.mouseClick(frame.side._unit, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(frame.side.unit, Qt.MouseButton.LeftButton)
     assert "\u221219.9987" in texts(frame.side)
     assert lab.state.field_measured_nT == (0.0, 0.0, -19998.7)
 
@@ -132,9 +132,9 @@ def test_pages_out_of_sight_are_not_built_while_a_run_goes_on(still, monkeypatch
     read.start()
     read.join()
     monkeypatch.setattr(still, "lazy_pages", {"Start": there, "Fit": missing})
-    monkeypatch.setattr(still, "_imports", read)
+    monkeypatch.setattr(still, "imports", read)
     for state, expected in (("running", []), ("idle", ["Fit"])):
         monkeypatch.setattr(still.app_state.run, "state", state)
         still.prebuild()
-        still._prebuild_timer.stop()
+        still.prebuild_timer.stop()
         assert built == expected

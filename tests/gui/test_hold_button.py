@@ -3,8 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from labcal.gui.ipc.wire import item_to_json
-from labcal.gui.viewmodels.run import Order
+from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.record.stream import Prompt
 
 ACTS = Prompt(1.0, "ready", "The coils go to 50 µT. Hands off?", ("done", "redo x"), True)
@@ -12,8 +11,8 @@ ACTS = Prompt(1.0, "ready", "The coils go to 50 µT. Hands off?", ("done", "redo
 
 @pytest.fixture
 def asked(still):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
-    still.app_state.bench_worker.items.emit([item_to_json(ACTS)])
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit((ACTS,))
     return still.page("Run").live.prompt
 
 
@@ -22,20 +21,20 @@ def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked):
     button.setFocus()
     for key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
         qtbot.keyClick(button, key)
-    assert not button._held.isActive()
+    assert not button.held.isActive()
     qtbot.keyPress(still, button.key)
-    assert button._held.isActive()
+    assert button.held.isActive()
     qtbot.keyRelease(still, button.key)
-    assert not button._held.isActive()
+    assert not button.held.isActive()
     assert (still.app_state.run.state, still.app_state.bench_worker.said) == ("asking", [])
 
 
 def test_its_own_key_held_answers_whatever_has_the_focus(qtbot, still, asked, patience):
-    assert asked.choices["done"]._held.interval() == 700
+    assert asked.choices["done"].held.interval() == 700
     still.top.operator.setFocus()
     qtbot.keyPress(still.top.operator, asked.choices["done"].key)
     qtbot.waitUntil(lambda: still.app_state.run.state == "running", timeout=patience)
-    assert still.app_state.bench_worker.said == [("answer", {"key": "ready", "text": "done"})]
+    assert still.app_state.bench_worker.said == [Answer("ready", "done")]
 
 
 def test_to_redo_an_axis_acts_too_and_has_a_key_of_its_own(asked):

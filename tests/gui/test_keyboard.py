@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
 )
 
-from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.ipc.messages import Answer, Note, RunProcedure, Stop
 from labcal.record.stream import Prompt
 
 CONTROLS = (QAbstractButton, QAbstractItemView, QComboBox, QLineEdit, QPlainTextEdit)
@@ -56,8 +56,8 @@ def test_a_run_is_started_answered_noted_and_stopped_without_a_mouse(qtbot, acti
     by_tab(qtbot, active, page.choose.start)
     qtbot.keyClick(page.choose.start, Qt.Key.Key_Space)
     active.scanner.flush()  # Space is held back until it is known to be no scan
-    assert worker.asked[-1][0] == "run"
-    worker.items.emit([item_to_json(Prompt(1.0, "ready", "Hands off?", ("done",), True))])
+    assert isinstance(worker.asked[-1].command, RunProcedure)
+    worker.items.emit((Prompt(1.0, "ready", "Hands off?", ("done",), True),))
     qtbot.keyPress(active, Qt.Key.Key_F8)
     qtbot.waitUntil(lambda: active.app_state.run.state == "running", timeout=patience)
     by_tab(qtbot, active, page.live.note)
@@ -69,7 +69,7 @@ def test_a_run_is_started_answered_noted_and_stopped_without_a_mouse(qtbot, acti
     by_tab(qtbot, active, page.live.stop)
     qtbot.keyClick(page.live.stop, Qt.Key.Key_Space)
     active.scanner.flush()
-    assert [word for word, _ in worker.said] == ["answer", "note", "stop"]
+    assert worker.said == [Answer("ready", "done"), Note("up"), Stop()]
 
 
 @pytest.mark.parametrize("name", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])

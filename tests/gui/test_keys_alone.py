@@ -123,7 +123,7 @@ def test_a_preflight_from_the_box_to_the_verified_file_without_a_mouse(hands, tm
     hands.until(lambda: opened == [str(tmp_path / "report.html")])
     assert "EM-07" in (tmp_path / "report.html").read_text(encoding="utf-8")
     choose = next(one for one in page.drop.children() if hasattr(one, "text") and one.text() == "Choose a file …")
-    hands.name_a_file(choose, page.chosen()["path"])
+    hands.name_a_file(choose, page.chosen().path)
     hands.until(lambda: page.drop.words.text().startswith("✓"))
     assert "VALID: signed by jdoe@lab, a.smith." in page.drop.words.text()
     hands.page(7)
@@ -150,8 +150,8 @@ def measured(hands):
     names = [choose.list.item(row).text() for row in range(choose.list.count())]
     hands.choose(names.index("preflight"), choose.list)
     for name, text in SHORT.items():
-        hands.enter(choose.form._fields[name], text)
-    hands.press(choose.form._fields["reverse"])
+        hands.enter(choose.form.fields[name], text)
+    hands.press(choose.form.fields["reverse"])
     assert choose.form.given() == SHORT | {"reverse": "no"}
     hands.choose(3, choose.pace)
     assert choose.pace.currentData() == "at once"
@@ -196,5 +196,5 @@ def signed(hands):
         hands.press(page.new_key)
         hands.until(lambda n=name: n in page.said.text() and page.sign.isVisible())
         hands.press(page.sign)
-        hands.until(lambda n=name: n in (page.chosen() or {}).get("signers", ()))
+        hands.until(lambda n=name: page.chosen() is not None and n in page.chosen().standing.signers)
     assert "PROVISIONAL" not in page.standing.text()

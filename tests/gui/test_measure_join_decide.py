@@ -1,5 +1,6 @@
 """What tells causes apart, through the real workers: its plan is read, it is measured, joined, and decided again."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -16,6 +17,7 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
 ):
     from labcal import session
     from labcal.bench.clock import VirtualClock
+    from labcal.gui.ipc.answers import Proposal
     from labcal.gui.theming.theme import LIGHT
     from labcal.gui.viewmodels.app_state import AppState
     from labcal.gui.window import Window
@@ -44,8 +46,8 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
         click(loop.close_loop)
         qtbot.waitUntil(lambda: study.loop is not None or study.fault is not None, timeout=patience)
         assert study.fault is None
-        rows = len(study.loop["before"]["f8"])
-        study.loop["loop"]["next_experiment"] = {"why": "", "do": "", "procedure": "reverse"}  # whatever was found
+        rows = len(study.loop.change.before)
+        study.loop = replace(study.loop, next_experiment=Proposal("", "", "reverse"))  # whatever was found
         study.changed.emit()
         click(loop.next)
         choose = window.page("Run").choose
@@ -63,7 +65,7 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
         )
         assert study.fault is None
         assert study.run not in (first.run_id, second)
-        assert len(study.loop["before"]["f8"]) > rows
+        assert len(study.loop.change.before) > rows
         assert f"reverse ({second})" in loop.unknown.toPlainText()
         assert loop.verdict.text()
         assert {one.run_id for one in session.runs()} == {first.run_id, second, study.run}

@@ -7,15 +7,16 @@ from PySide6.QtWidgets import QLineEdit
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError
-from labcal.gui.ipc.wire import Fault, fault_of, item_to_json
+from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.number_format import step_title
-from labcal.gui.viewmodels.run import Order
 from labcal.gui.widgets.parameter_form import range_of
 from labcal.record.stream import Event, Prompt, Step
 
 
 def send(window, *items):
-    window.app_state.bench_worker.items.emit([item_to_json(item) for item in items])
+    window.app_state.bench_worker.items.emit(items)
 
 
 @pytest.mark.parametrize(
@@ -37,33 +38,32 @@ def test_a_small_limit_is_written_out():
 
 
 def test_an_answer_is_no_news_and_what_goes_on_is_said_without_a_loose_end(still):
-    still.app_state.run.start(Order("axes-check", "bench.toml"))
+    still.app_state.run.start(RunProcedure("axes-check", "bench.toml"))
     send(still, Prompt(1.0, "ready", "Hands off?", ("done",), True))
     still.app_state.run.answer("done")
     send(still, Event(1.1, "answer", "done", {"key": "ready"}))
     assert "done" not in still.app_state.lab.state.message
     live = still.page("Run").live
-    live._draw()
+    live.draw()
     assert live.headline.text() == "Hands off"
 
 
 def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
-    still.app_state.run.start(Order("axes-check", "bench.toml"))
+    still.app_state.run.start(RunProcedure("axes-check", "bench.toml"))
     live = still.page("Run").live
     assert not any(part.isVisible() for part in (live.steps, live.lights, live.loci, live.coverage))
-    ended = {"run_id": "r1", "status": "finished", "fault": None, "failed": []}
-    still.app_state.bench_worker.answer("run", ended)
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
     assert (live.fit.isVisible(), live.close_run.isVisible()) == (False, True)
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "closing"), 20.0))
     assert all(part.isVisible() for part in (live.steps, live.lights, live.loci, live.coverage))
 
 
 def test_who_stops_a_run_reads_how_it_stands_and_no_alarm(still):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     told(still)
-    stopped = {"kind": "stopped", "text": "stopped by the operator", "remedy": "", "details": "Traceback: …"}
-    still.app_state.bench_worker.answer("run", {"run_id": "r1", "status": "stopped", "fault": stopped, "failed": []})
+    stopped = Fault("stopped", "stopped by the operator", "", "Traceback: …")
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped", stopped))
     card = still.page("Run").live.fault
     assert card.coils.text() == "coils at zero"
     assert card.text.text().startswith("What was measured is kept")
@@ -95,10 +95,10 @@ def test_the_names_of_parameters_stand_whole_beside_eleven_methods(still, qtbot)
 
     page = still.page("Fit")
     still.open_page("Fit")
-    failed = {"fit": {"ok": False, "why_not": "diverged"}}
+    failed = Fitted(FitFigures(False, "diverged"))
     still.app_state.study_vm.fits = {f"method-number-{n}": failed for n in range(11)}
     still.app_state.study_vm.changed.emit()
-    page._idle_queue.finish()
+    page.idle_queue.finish()
     widest = max(page.table.fontMetrics().horizontalAdvance(name) for name in (*QUALITY, *OFFSETS, *GAINS))
     assert page.table.columnWidth(0) >= widest
 
@@ -111,7 +111,7 @@ def test_what_is_typed_as_a_passphrase_is_never_taken_for_a_scan(still, qtbot, p
     secret.show()
     secret.setFocus()
     qtbot.waitUntil(secret.hasFocus, timeout=patience)
-    still.scanner._wait.setInterval(3_600_000)
+    still.scanner.wait.setInterval(3_600_000)
     qtbot.keyClicks(secret, "correct horse")
     assert secret.text() == "correct horse"
     assert still.app_state.lab.state.dut_serial == "EM-07"

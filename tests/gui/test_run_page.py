@@ -97,7 +97,7 @@ def test_an_instrument_that_dies_is_named_and_the_coils_are_not_called_safe(qtbo
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as lab:
         assert lab.stdout.readline().strip() == "ready"
         window.app_state.open_bench(str(served))
-        qtbot.waitUntil(lambda: window.app_state.facts["simulated"] is False, timeout=LONG_MS)
+        qtbot.waitUntil(lambda: window.app_state.facts.simulated is False, timeout=LONG_MS)
         page = begin(qtbot, window, "axes-check", {})
         lab.kill()
     qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)

@@ -1,5 +1,7 @@
 """Small things that made a stranger hesitate: what a button does, what an empty page wants, which figure is which."""
 
+from dataclasses import replace
+
 import numpy as np
 import pyqtgraph as pg
 import pytest
@@ -7,15 +9,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QLabel
 
-from labcal.gui.ipc.wire import item_to_json
+from labcal.gui.ipc.answers import Ended, RunLine
+from labcal.gui.ipc.messages import ExportRun, FitRun, ListRuns, RunProcedure, WriteReport
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.number_format import MINUS
-from labcal.gui.viewmodels.run import Order
 from labcal.gui.widgets.key_sheet import KeySheet
 from labcal.record.stream import Measurement, Prompt
 
-RUN = {"run_id": "r1", "started_utc": "2026-01-05T07:00:00Z", "dut_serial": "EM-07", "procedure": "preflight",
-       "status": "finished"}  # fmt: skip
+RUN = RunLine("r1", "2026-01-05T07:00:00Z", "finished", "EM-07", "J. Doe", "preflight")
 
 
 def words_in(widget):
@@ -31,8 +32,8 @@ def words_in(widget):
     ],
 )
 def test_the_button_of_a_question_says_what_has_been_done(still, prompt, words):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
-    still.app_state.bench_worker.items.emit([item_to_json(prompt)])
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit((prompt,))
     assert still.page("Run").live.prompt.choices["done"].text() == words
 
 
@@ -40,12 +41,12 @@ def test_the_button_of_a_question_says_what_has_been_done(still, prompt, words):
 def test_a_page_without_runs_says_where_they_come_from(still, qtbot, name):
     page = still.page(name)
     still.open_page(name)
-    still.app_state.quick_worker.answer("runs", [])
+    still.app_state.quick_worker.answer(ListRuns, ())
     assert "record one on the Run page" in page.empty.text()
     qtbot.mouseClick(page.to_run, Qt.MouseButton.LeftButton)
     assert still.stack.currentWidget() is still.lazy_pages["Run"]
     page.chooser.refresh()
-    still.app_state.quick_worker.answer("runs", [RUN, RUN | {"run_id": "r2", "status": "failed: aborted"}])
+    still.app_state.quick_worker.answer(ListRuns, (RUN, replace(RUN, run_id="r2", status="failed: aborted")))
     assert page.to_run.isHidden()
     assert "Choose a run above" in page.empty.text()
     assert page.chooser.itemText(0).startswith("2026-01-05")
@@ -53,13 +54,13 @@ def test_a_page_without_runs_says_where_they_come_from(still, qtbot, name):
 
 
 def test_fit_on_the_run_page_begins_at_once_and_once(still, qtbot):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
-    still.app_state.bench_worker.answer("run", {"run_id": "r1", "status": "finished", "fault": None, "failed": []})
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
     live = still.page("Run").live
     for _ in range(2):
         live.fit.click()
     assert still.stack.currentWidget() is still.lazy_pages["Fit"]
-    assert [do for do, *_ in still.app_state.fit_worker.asked].count("fit") == 1
+    assert len(still.app_state.fit_worker.commands(FitRun)) == 1
 
 
 def test_instruments_have_words_beside_their_lights(still):
@@ -77,9 +78,9 @@ def test_of_a_long_serial_the_beginning_is_seen_and_the_whole_is_in_its_tip(stil
 
 
 def test_a_long_name_of_a_measurement_is_whole_in_its_tip(still):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     name = "closure, DUT less reference, of the first position after the last turn about the body's z"
-    still.app_state.bench_worker.items.emit([item_to_json(Measurement(1.0, name, 3.0, 1.0, "nT", 50.0))])
+    still.app_state.bench_worker.items.emit((Measurement(1.0, name, 3.0, 1.0, "nT", 50.0),))
     assert still.page("Run").live.table.item(0, 0).toolTip() == name
 
 
@@ -94,7 +95,7 @@ def test_the_morning_check_leads_to_a_page_of_that_name(still, qtbot):
     still.page("Start").morning.click()
     choose = still.page("Run").choose
     assert choose.list.currentItem().text() == "axes-check"
-    assert choose._heading.text() == "Morning check · axes-check"
+    assert choose.heading.text() == "Morning check · axes-check"
 
 
 def test_f1_lists_every_shortcut_there_is(still, qtbot):
@@ -116,7 +117,7 @@ def test_a_report_is_opened_and_its_folder_is_offered(still, qtbot, tmp_path, mo
     page, out = still.page("Certificate"), str(tmp_path / "r.html")
     page.write_report("c.json", out)
     assert (opened, page.folder.isHidden()) == ([], True)
-    still.app_state.quick_worker.answer("report", out)
+    still.app_state.quick_worker.answer(WriteReport, out)
     assert (opened, page.folder.isHidden()) == ([out], False)
     page.folder.click()
     assert opened == [out, str(tmp_path)]
@@ -128,19 +129,20 @@ def test_an_exported_run_says_where_it_lies(still, qtbot, tmp_path, monkeypatch)
     still.open_page("History")
     page, out = still.page("History"), str(tmp_path / "r.zip")
     page.export_to("r1", "bundle", out)
-    still.app_state.quick_worker.answer("export", out)
+    still.app_state.quick_worker.answer(ExportRun, out)
     assert page.said.text() == f"Exported: {out}"
     qtbot.mouseClick(page.folder, Qt.MouseButton.LeftButton)
     assert opened == [str(tmp_path)]
 
 
-def test_a_small_screen_has_room_for_every_page_and_for_a_question_with_two_answers(still, qtbot):
+def test_a_small_screen_has_room_for_every_page_and_for_a_question_with_two_answers(new_window, qtbot):
+    still = new_window
     for name in still.lazy_pages:
         still.page(name)
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     drawing = {"body_from_cage": np.eye(3).tolist()}
     asked = Prompt(0.0, "mount-y", "Mount the DUT with body Y up.", ("done", "redo x"), True, drawing)
-    still.app_state.bench_worker.items.emit([item_to_json(asked)])
+    still.app_state.bench_worker.items.emit((asked,))
     size = still.size()
     still.resize(1100, 700)
     QApplication.processEvents()

@@ -1,7 +1,6 @@
 """Every state of a run: Stop, F12, a dying instrument and a dying worker, on a window without a process."""
 
 import re
-from dataclasses import asdict
 
 import numpy as np
 import pytest
@@ -9,9 +8,10 @@ from lab_states import told
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from labcal.gui.ipc.wire import Fault, item_to_json
+from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
+from labcal.gui.ipc.messages import Abort, GoOn, KeepPhoto, Note, Pause, RunProcedure, Stop, SwitchOff
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import DARK, LIGHT
-from labcal.gui.viewmodels.run import Order
 from labcal.gui.widgets.prompt_card import PromptCard
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
@@ -30,25 +30,24 @@ SILENT = Fault("instrument", "ref: no sample for 2.1 s.", "Look at its power and
 
 
 def send(window, *items):
-    window.app_state.bench_worker.items.emit([item_to_json(item) for item in items])
+    window.app_state.bench_worker.items.emit(items)
 
 
 @pytest.fixture(params=INTO)
 def brought(request, still):
-    still.app_state.run.start(Order("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     send(still, *INTO[request.param])
     return still
 
 
 def end(window, status, fault=None):
-    said = {"run_id": "r1", "status": status, "fault": asdict(fault) if fault else None, "failed": []}
-    window.app_state.bench_worker.answer("run", said)
+    window.app_state.bench_worker.answer(RunProcedure, Ended("r1", status, fault))
 
 
 def test_stop_is_there_in_every_state_and_ends_in_order(qtbot, brought):
     live, worker = brought.page("Run").live, brought.app_state.bench_worker
     qtbot.mouseClick(live.stop, Qt.MouseButton.LeftButton)
-    assert worker.said == [("stop", {})]
+    assert worker.said == [Stop()]
     assert (brought.app_state.run.state, live.prompt.isVisible()) == ("stopping", False)
     told(brought)
     end(brought, "stopped")
@@ -62,18 +61,18 @@ def test_stop_is_there_in_every_state_and_ends_in_order(qtbot, brought):
 
 def test_coils_off_is_heard_in_every_state(qtbot, brought):
     qtbot.keyClick(brought, Qt.Key.Key_F12)
-    assert brought.app_state.bench_worker.said == [("abort", {})]
+    assert brought.app_state.bench_worker.said == [Abort()]
     assert brought.app_state.run.state == "stopping"
-    assert brought.app_state._force_timer.isActive()
-    brought.app_state._off_by_force()  # what happens where the run does not come to its end
+    assert brought.app_state.force_timer.isActive()
+    brought.app_state.force_timer.timeout.emit()  # what happens where the run does not come to its end
     assert brought.app_state.bench_worker.killed == 1
-    assert brought.app_state.off_worker.asked[-1][0] == "off"
+    assert isinstance(brought.app_state.off_worker.asked[-1].command, SwitchOff)
 
 
 def test_a_run_that_comes_to_its_end_by_itself_leaves_nothing_behind_that_could_kill_the_next(qtbot, brought):
     qtbot.keyClick(brought, Qt.Key.Key_F12)
     end(brought, "failed: aborted by the operator")
-    assert not brought.app_state._force_timer.isActive()
+    assert not brought.app_state.force_timer.isActive()
 
 
 def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(brought):
@@ -88,15 +87,15 @@ def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(
 
 
 def test_a_worker_that_dies_in_any_state_is_a_card_and_another_one_switches_the_coils_off(brought):
-    (_, _, failed, _) = brought.app_state.bench_worker.asked[-1]
+    failed = brought.app_state.bench_worker.asked[-1].failed
     failed(Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
     assert brought.page("Run").live.fault.isVisible()
-    assert brought.app_state.off_worker.asked[-1][0] == "off"
+    assert isinstance(brought.app_state.off_worker.asked[-1].command, SwitchOff)
 
 
 def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
     still.app_state.coils_off()
-    _, _, failed, _ = still.app_state.off_worker.asked[-1]
+    failed = still.app_state.off_worker.asked[-1].failed
     failed(Fault("instrument", "supply_x does not answer."))
     assert still.app_state.lab.state.coils_at_zero is None
     assert "Switch the supplies off" in still.fault.remedy.text()
@@ -105,33 +104,31 @@ def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
 
 def test_coils_off_without_a_run_asks_for_them_at_once(qtbot, still):
     qtbot.keyClick(still, Qt.Key.Key_F12)
-    assert still.app_state.off_worker.asked[-1][0] == "off"
-    still.app_state.off_worker.answer(
-        "off", [{"axis": a, "current_A": 0.0, "words": "at zero", "ok": True} for a in "xyz"]
-    )
+    assert isinstance(still.app_state.off_worker.asked[-1].command, SwitchOff)
+    still.app_state.off_worker.answer(SwitchOff, SwitchedOff(tuple(CoilEnd(a, 0.0, "at zero", True) for a in "xyz")))
     assert still.app_state.lab.state.coils_at_zero is True
 
 
 def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, monkeypatch):
     card = still.page("Run").live.prompt
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     heard = []
     monkeypatch.setattr(QApplication, "beep", lambda: heard.append("beep"))
     send(still, *INTO["asking"])
     assert heard
     heard.clear()
-    assert (card._call.isActive(), card._call.interval()) == (True, 20_000)
-    card._call.timeout.emit()  # twenty seconds later
+    assert (card.call.isActive(), card.call.interval()) == (True, 20_000)
+    card.call.timeout.emit()  # twenty seconds later
     assert heard == ["beep"]
     closed = PromptCard(LIGHT)
     closed.show_prompt(still.app_state.run.prompt)
     assert heard == ["beep"]
     qtbot.mouseClick(card.choices["done"], Qt.MouseButton.LeftButton)
-    assert not card._call.isActive()
+    assert not card.call.isActive()
 
 
 def test_pause_and_go_on(qtbot, still):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     send(still, *INTO["running"])
     live, worker = still.page("Run").live, still.app_state.bench_worker
     qtbot.mouseClick(live.pause, Qt.MouseButton.LeftButton)
@@ -139,23 +136,23 @@ def test_pause_and_go_on(qtbot, still):
     assert live.pause.text() == "Go on"
     qtbot.mouseClick(live.pause, Qt.MouseButton.LeftButton)
     send(still, Event(2.0, "pause", "goes on", {}))
-    assert [word for word, _ in worker.said] == ["pause", "go on"]
+    assert worker.said == [Pause(), GoOn()]
     assert still.app_state.run.state == "running"
 
 
 def test_what_happens_can_be_read_from_the_cage(still):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     live = still.page("Run").live
     send(still, *INTO["measuring"])
     t = np.array([6.0])
     send(still, Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.ones((1, 3))))
-    live._draw()
+    live.draw()
     assert live.headline.text() == "Hands off · 14 s · x +20 µT nominal"
     assert still.app_state.lab.state.waiting == "hands off, measuring"
 
 
 def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_it_is_redone(still):
-    still.app_state.run.start(Order("preflight", "bench.toml"))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     lights, name = still.page("Run").live.lights, "x+20uT-nominal"
     send(still, *INTO["measuring"], SegmentClosed(20.0))
     assert lights.worst["x"].text() == "X  ○"
@@ -181,13 +178,13 @@ def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_i
 def test_a_note_and_a_photograph_go_into_the_record_at_any_moment(qtbot, brought):
     live, worker = brought.page("Run").live, brought.app_state.bench_worker
     live.note.setText("lift moved")
-    live._note()
+    live.note.returnPressed.emit()
     live.note.setText("how it stands")
     live.keep_photo("/tmp/picture.jpg")
-    brought.app_state.quick_worker.answer("photo", {"photo": "ab.jpg", "sha256": "ab"})
+    brought.app_state.quick_worker.answer(KeepPhoto, {"photo": "ab.jpg", "sha256": "ab"})
     assert worker.said == [
-        ("note", {"text": "lift moved", "data": {}}),
-        ("note", {"text": "how it stands", "data": {"photo": "ab.jpg", "sha256": "ab"}}),
+        Note("lift moved"),
+        Note("how it stands", {"photo": "ab.jpg", "sha256": "ab"}),
     ]
 
 
@@ -207,10 +204,10 @@ def test_a_form_that_comes_up_new_is_in_the_theme_and_so_after_another_theme(qtb
 
 
 def test_a_page_is_built_in_several_events_and_then_put_into_its_place(qapp, still):
-    from labcal.gui.pages.run import RunPage
-    from labcal.gui.window import LazyPage
+    from labcal.gui.pages.lazy_page import LazyPage
+    from labcal.gui.pages.registry import pages
 
-    page, turns = LazyPage(lambda: RunPage(still.app_state, LIGHT), still.sheet), 0
+    page, turns = LazyPage(pages()["Run"], still.app_state, lambda: LIGHT, still.sheet), 0
     while not page.ready:
         page.build()
         turns += 1

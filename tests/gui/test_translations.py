@@ -11,8 +11,8 @@ from PySide6.QtCore import QLocale, QTranslator
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QTableWidget, QWidget
 
 from labcal.gui.frame import TopBar
+from labcal.gui.pages.registry import OUR_PAGES, build_page
 from labcal.gui.translations import translate
-from labcal.gui.window import PAGES
 
 MARK = "§"
 LRELEASE = next(Path(PySide6.__file__).parent.glob("lrelease*"), None)
@@ -70,11 +70,9 @@ def unmarked(page):
     return {text for text in plain if MARK not in text and re.search("[A-Za-z]{2}", text)} - DATA
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_every_word_of_a_page_is_in_the_ts_file(still, marked, name):
-    from labcal.gui.window import build_page
-
-    page = build_page(name, still.app_state, lambda: still.theme)
+@pytest.mark.parametrize("entry", OUR_PAGES, ids=lambda entry: entry.name)
+def test_every_word_of_a_page_is_in_the_ts_file(still, marked, entry):
+    page = build_page(entry, still.app_state, still.theme)
     try:
         assert unmarked(page) == set()
     finally:

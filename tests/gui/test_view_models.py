@@ -6,8 +6,10 @@ from lab_states import told
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError, InstrumentError
+from labcal.gui.ipc.answers import Change, FitFigures, Fitted
+from labcal.gui.ipc.messages import Abort, Answer, FilterHistory, ListMethods, LookAt, RunProcedure, Stop, TryCause
 from labcal.gui.ipc.wire import Fault, fault_of, item_from_json, item_to_json, pack, unpack
-from labcal.gui.viewmodels.run import Order, RunViewModel
+from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
 from labcal.gui.widgets.parameter_form import title_of
 from labcal.record import Segment
@@ -22,12 +24,12 @@ def worker(deaf):
 @pytest.fixture
 def run(worker):
     made = RunViewModel(worker, nominal_nT_per_unit=4.0)
-    made.start(Order("preflight", "bench.toml", {"axes": "x"}, "EM-07", "J. Doe"))
+    made.start(RunProcedure("preflight", "bench.toml", {"axes": "x"}, "EM-07", "J. Doe"))
     return made
 
 
 def send(worker, *items):
-    worker.items.emit([item_to_json(item) for item in items])
+    worker.items.emit(items)
 
 
 def block(stream, columns, t, values):
@@ -37,10 +39,9 @@ def block(stream, columns, t, values):
 
 
 def test_a_run_asks_its_worker_and_takes_no_second(run, worker):
-    do, _, _, what = worker.asked[0]
-    assert (do, what["procedure"], what["given"], what["dut"]) == ("run", "preflight", {"axes": "x"}, "EM-07")
+    assert worker.commands() == [RunProcedure("preflight", "bench.toml", {"axes": "x"}, "EM-07", "J. Doe")]
     with pytest.raises(RuntimeError):
-        run.start(Order("preflight", "bench.toml"))
+        run.start(RunProcedure("preflight", "bench.toml"))
 
 
 def test_steps_are_marked_as_they_come(run, worker):
@@ -73,7 +74,7 @@ def test_an_answer_goes_to_the_prompt_it_is_for_and_only_once(run, worker):
     assert run.state == "asking"
     run.answer("done")
     run.answer("done")
-    assert worker.said == [("answer", {"key": "mount-x", "text": "done"})]
+    assert worker.said == [Answer("mount-x", "done")]
 
 
 def test_the_light_of_an_axis_is_the_worst_of_what_was_measured_about_it(run, worker):
@@ -96,27 +97,27 @@ def test_currents_and_field_follow_set_points_and_read_backs(run, worker):
 
 
 def test_a_failure_ends_the_run_with_its_words(run, worker):
-    worker.asked[0][2](Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
+    worker.asked[0].failed(Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
     assert (run.state, run.fault.kind) == ("ended", "crash")
     assert not run.alive
 
 
-@pytest.mark.parametrize("word", ["stop", "abort"])
-def test_after_stop_no_answer_goes_out(run, worker, word):
+@pytest.mark.parametrize(("end", "word"), [(RunViewModel.stop, Stop()), (RunViewModel.abort, Abort())])
+def test_after_stop_no_answer_goes_out(run, worker, end, word):
     send(worker, Prompt(1.0, "ready", "Ready?", ("done",), True))
-    getattr(run, word)()
+    end(run)
     run.answer("done")
-    assert worker.said == [(word, {})]
+    assert worker.said == [word]
 
 
 def test_a_study_forgets_what_belongs_to_another_run(worker):
     study = StudyViewModel(worker)
     study.open("one")
     study.fit("ml")
-    late = worker.asked[-1][1]
+    late = worker.asked[-1].then
     study.open("two")
     assert worker.killed == 1
-    late({"fit": {"ok": True}})
+    late(Fitted(FitFigures(True)))
     assert study.fits == {}
 
 
@@ -124,14 +125,14 @@ def test_a_worker_made_ready_ahead_is_not_given_up_when_a_run_is_opened(worker):
     study = StudyViewModel(worker)
     study.prepare()
     study.open("one")
-    assert (worker.killed, [one[0] for one in worker.asked]) == (0, ["methods", "look", "methods"])
+    assert (worker.killed, worker.commands()) == (0, [ListMethods(), LookAt("one"), ListMethods()])
 
 
 def test_a_study_that_crashes_waits_for_nothing(worker):
     study = StudyViewModel(worker)
     study.open("one")
     study.close_loop()
-    worker.asked[-1][2](Fault("crash", "gone"))
+    worker.asked[-1].failed(Fault("crash", "gone"))
     assert not study.busy
     assert study.fault.kind == "crash"
 
@@ -161,14 +162,15 @@ def test_a_parameter_is_named_without_its_unit():
 def test_any_cause_is_looked_at_once_and_a_filter_that_refuses_is_not_asked_again(worker):
     study = StudyViewModel(worker)
     study.open("one")
-    study.look_at("offset-current", ["i_eps"])
-    study.look_at("offset-current", ["i_eps"])
-    asked = [one for one in worker.asked if one[0] == "cause"]
-    assert [one[3]["channels"] for one in asked] == [["i_eps"]]
-    asked[0][1]({"before": 1})
-    study.look_at("offset-current", ["i_eps"])
-    assert study.causes == {"offset-current (i_eps)": {"before": 1}}
+    study.look_at("offset-current", ("i_eps",))
+    study.look_at("offset-current", ("i_eps",))
+    assert worker.commands(TryCause) == [TryCause("one", "offset-current", ("i_eps",))]
+    change = Change(np.ones((2, 3)), np.ones((2, 3)), {})
+    worker.answer(TryCause, change)
+    study.look_at("offset-current", ("i_eps",))
+    assert worker.commands(TryCause) == []
+    assert study.causes == {"offset-current (i_eps)": change}
     study.follow("ekf")
-    worker.asked[-1][2](Fault("input", "too short"))
+    worker.asked[-1].failed(Fault("input", "too short"))
     study.follow("ekf")
-    assert [one[0] for one in worker.asked].count("growth") == 1
+    assert len(worker.commands(FilterHistory)) == 1

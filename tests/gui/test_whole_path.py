@@ -68,7 +68,7 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
         click(page.sign)
         qtbot.waitUntil(lambda: "VALID: signed by jdoe@lab" in page.standing.text(), timeout=patience)
         assert "Good to use as PROVISIONAL" in page.next.text()
-        page.verify(page.chosen()["path"])
+        page.verify(page.chosen().path)
         qtbot.waitUntil(lambda: page.drop.words.text().startswith("▲"), timeout=patience)
     finally:
         window.close()

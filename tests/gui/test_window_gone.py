@@ -12,10 +12,14 @@ from labcal import session
 from labcal.errors import Stopped
 from labcal.gui.ipc.bench_commands import run
 from labcal.gui.ipc.channel import FROZEN_S, Channel
+from labcal.gui.ipc.lines import write_line
+from labcal.gui.ipc.messages import Beat, ListRuns, Request, RunProcedure
 from labcal.record.stream import Event
 from labcal.store.live import Store
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
+ASKED = Request(1, ListRuns())
+ASK, BEAT = (f"{write_line(one)}\n".encode() for one in (ASKED, Beat()))
 SHORT = {"axes": "x", "magnitudes_nT": "20000", "reverse": "no", "modes": "nominal", "zero_s": "3"}
 
 
@@ -53,18 +57,18 @@ def test_a_run_whose_window_has_died_is_interrupted_with_the_coils_at_zero(tmp_p
     channel.answer = lambda prompt: prompt.choices[0]
     requests = channel.requests()
     if way == "its mouth is gone":
-        os.write(says, b'{"do": "run"}\n')
-        assert next(requests) == {"do": "run"}
-    ended = run(channel, "preflight", str(BENCH), SHORT, "EM-07", "J. Doe", seed=3)
+        os.write(says, ASK)
+        assert next(requests) == ASKED
+    ended = run(channel, RunProcedure("preflight", str(BENCH), SHORT, "EM-07", "J. Doe", seed=3))
     if way == "its ear is gone":
         os.close(says)
     else:
         assert list(requests) == []
     heard.close()
-    assert ended["status"] == "interrupted"
+    assert ended.status == "interrupted"
     assert [one.status for one in session.runs()] == ["interrupted"]
     with Store.open() as store:
-        *_, last = (item for item in store.items(ended["run_id"]) if isinstance(item, Event))
+        *_, last = (item for item in store.items(ended.run_id) if isinstance(item, Event))
     assert (last.kind, last.text) == ("read-back", "coils at zero")
 
 
@@ -74,8 +78,8 @@ def test_a_window_that_stands_still_while_real_coils_are_driven_has_gone(simulat
     with os.fdopen(hears) as heard:
         channel = Channel(heard, io.StringIO())
         requests = channel.requests()
-        os.write(says, b'{"do": "beat"}\n' * beats + b'{"do": "run"}\n')
-        assert next(requests) == {"do": "run"}
+        os.write(says, BEAT * beats + ASK)
+        assert next(requests) == ASKED
         channel.run_begins(simulated)
         deadline = time.monotonic() + (30.0 if left else 3 * FROZEN_S)
         with pytest.raises(Stopped) if left else nullcontext():
@@ -91,12 +95,12 @@ def test_a_window_that_moves_is_there():
     with os.fdopen(hears) as heard:
         channel = Channel(heard, io.StringIO())
         requests = channel.requests()
-        os.write(says, b'{"do": "beat"}\n{"do": "run"}\n')
-        assert next(requests) == {"do": "run"}
+        os.write(says, BEAT + ASK)
+        assert next(requests) == ASKED
         channel.run_begins(simulated=False)
         deadline, slowest, before = time.monotonic() + 3 * FROZEN_S, 0.0, time.monotonic()
         while time.monotonic() < deadline:
-            os.write(says, b'{"do": "beat"}\n')
+            os.write(says, BEAT)
             time.sleep(0.2)
             slowest, before = max(slowest, time.monotonic() - before), time.monotonic()
             if slowest > FROZEN_S / 2:

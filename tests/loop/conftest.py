@@ -6,7 +6,7 @@ import csv
 import io
 import json
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -18,6 +18,7 @@ from labcal import session
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
+from labcal.model.effects import families
 
 Rows = dict[str, np.ndarray]
 Writer = Callable[..., Path]
@@ -92,11 +93,35 @@ def closed_loop(capsys: pytest.CaptureFixture[str]) -> Callable[[Path], tuple[in
     from labcal import cli
 
     def run(bundle: Path) -> tuple[int, dict[str, Any], str]:
-        code = cli._run(["close-loop", str(bundle), "--json", "-"])
+        code = cli.execute(["close-loop", str(bundle), "--json", "-"])
         said = capsys.readouterr()
         return code, json.loads(said.out) if said.out else {}, said.err
 
     return run
+
+
+@pytest.fixture
+def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str, str], None]]:
+    """Installs a package with one effect, as an installer leaves it: its module and its entry point."""
+    site = tmp_path / "site"
+
+    def install(effect: str, family: str, source: str) -> None:
+        package = effect.replace("-", "_")
+        left = {
+            f"{package}/__init__.py": "",
+            f"{package}/effect.py": source,
+            f"{package}-1.0.dist-info/METADATA": f"Metadata-Version: 2.1\nName: {package}\nVersion: 1.0\n",
+            f"{package}-1.0.dist-info/entry_points.txt": f"[labcal.effects]\n{effect} = {package}.effect:{family}\n",
+        }
+        for name, text in left.items():
+            (site / name).parent.mkdir(parents=True, exist_ok=True)
+            (site / name).write_text(text, encoding="utf-8")
+        monkeypatch.syspath_prepend(site)
+        families.cache_clear()
+
+    yield install
+    monkeypatch.undo()
+    families.cache_clear()
 
 
 @pytest.fixture

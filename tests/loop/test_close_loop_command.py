@@ -16,7 +16,7 @@ EFFECT_KEYS = {
 def test_the_result_has_the_contract_s_keys_and_an_explained_run_exits_0(
     shared: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert cli._run(["close-loop", str(shared / "data/practice/p03/bundle"), "--json", "-"]) == 0
+    assert cli.execute(["close-loop", str(shared / "data/practice/p03/bundle"), "--json", "-"]) == 0
     result = json.loads(capsys.readouterr().out)
     assert set(result) >= {
         "format", "run_id", "residual_kind", "base", "noise_floor_nT", "noise_floor_source", "before", "after",
@@ -27,12 +27,12 @@ def test_the_result_has_the_contract_s_keys_and_an_explained_run_exits_0(
 
 
 def test_a_run_that_does_not_exist_exits_2(capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli._run(["close-loop", "nowhere/at/all"]) == 2
+    assert cli.execute(["close-loop", "nowhere/at/all"]) == 2
     assert "nowhere/at/all" in capsys.readouterr().err
 
 
 def test_an_ambiguous_run_exits_1_and_says_what_to_measure(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli._run(["close-loop", str(shared / "data/practice/p08/bundle"), "--json", "-"]) == 1
+    assert cli.execute(["close-loop", str(shared / "data/practice/p08/bundle"), "--json", "-"]) == 1
     result = json.loads(capsys.readouterr().out)
     assert result["verdict"] == "ambiguous"
     assert result["next_experiment"]["do"]
@@ -41,7 +41,7 @@ def test_an_ambiguous_run_exits_1_and_says_what_to_measure(shared: Path, capsys:
 
 def test_the_flight_log_names_its_battery_current_with_base_offset(shared: Path, tmp_path: Path) -> None:
     out = tmp_path / "r.json"
-    cli._run(["close-loop", str(shared / "data/px4-battery-current"), "--json", str(out)])
+    cli.execute(["close-loop", str(shared / "data/px4-battery-current"), "--json", str(out)])
     result = json.loads(out.read_text())
     assert result["base"] == "offset"
     assert 850 < result["before"]["holdout_rms_nT"] < 950

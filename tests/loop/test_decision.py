@@ -12,7 +12,7 @@ import pytest
 
 from labcal import session
 from labcal.loop import close_loop
-from labcal.loop.assemble import _as_shipped
+from labcal.loop.assemble import as_shipped
 from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.changepoints import changepoints
 from labcal.loop.candidates.library import Candidate
@@ -137,9 +137,9 @@ def test_a_temperature_has_to_carry_as_much_as_a_curve_and_a_switched_load_less(
 
 
 def test_a_file_that_leaves_more_than_was_foretold_says_so() -> None:
-    assert _as_shipped(_held(300.0, 50.0), 80.0).after == pytest.approx(80.0)
-    assert _as_shipped(_held(70.0, 70.0), 80.0, added=False).before == pytest.approx(80.0)
-    assert _as_shipped(_held(300.0, 50.0), 45.0).after == pytest.approx(50.0)
+    assert as_shipped(_held(300.0, 50.0), 80.0).after == pytest.approx(80.0)
+    assert as_shipped(_held(70.0, 70.0), 80.0, added=False).before == pytest.approx(80.0)
+    assert as_shipped(_held(300.0, 50.0), 45.0).after == pytest.approx(50.0)
 
 
 @pytest.mark.parametrize(("drifts", "name"), [(0.0, "cage-field"), (2.0, "reference-drift")])

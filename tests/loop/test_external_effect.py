@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable
 from importlib.metadata import EntryPoint
 from pathlib import Path
 from types import SimpleNamespace
@@ -50,27 +50,13 @@ def _write_run(folder: Path) -> None:
 
 
 @pytest.fixture
-def pump_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """The package that docs/closed-loop.md shows, as an installer leaves it: its module and its entry point."""
+def pump_installed(installed: Callable[[str, str, str], None]) -> None:
+    """The package that docs/closed-loop.md shows."""
     page = (Path(__file__).parents[2] / "docs" / "closed-loop.md").read_text(encoding="utf-8")
     source, declared = (re.findall(f"```{kind}\n(.*?)```", page, re.DOTALL)[0] for kind in ("python", "toml"))
-    points = re.search(r'(\w+) = "([\w.]+:\w+)"', declared)
-    assert points is not None
-    site = tmp_path / "site"
-    _put(site / "pump" / "__init__.py", "")
-    _put(site / "pump" / "effect.py", source)
-    _put(site / "pump-1.0.dist-info" / "METADATA", "Metadata-Version: 2.1\nName: pump\nVersion: 1.0\n")
-    _put(site / "pump-1.0.dist-info" / "entry_points.txt", f"[labcal.effects]\n{points[1]} = {points[2]}\n")
-    monkeypatch.syspath_prepend(site)
-    families.cache_clear()
-    yield
-    monkeypatch.undo()
-    families.cache_clear()
-
-
-def _put(path: Path, text: str) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
+    point = re.search(r'(\w+) = "pump\.effect:(\w+)"', declared)
+    assert point is not None
+    installed(point[1], point[2], source)
 
 
 def test_a_copy_that_is_not_installed_says_so_and_names_nothing(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -17,7 +17,6 @@ from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.design.discrimination import CLEAR, rank_experiments
 from labcal.loop.design.experiments import experiments
-from labcal.loop.findings.confounded import CONFOUNDED
 from labcal.model.effects import families, family
 from labcal.runner import procedures
 
@@ -108,8 +107,8 @@ def test_every_procedure_proposed_is_one_of_the_lab_s() -> None:
     assert named <= set(procedures())
 
 
-def test_every_twin_names_effects_that_there_are() -> None:
-    assert {name for effects, _ in CONFOUNDED for name in effects} <= {f.id for f in families()}
+def test_every_family_that_another_one_names_is_there() -> None:
+    assert {name for f in families() for name in (*f.extends, *f.related)} <= {f.id for f in families()}
 
 
 def test_an_ambiguous_run_says_which_experiment_and_how_far_apart(

@@ -89,6 +89,15 @@ def test_a_step_is_found_at_its_moment_and_its_drop_is_that_of_a_fit(started: St
     assert np.isclose(explained_by_step(pool, (), best.term)[row], fell, rtol=1e-6)
 
 
+def test_a_step_may_be_taken_twice_at_two_moments(started: Started) -> None:
+    def added(rows: dict[str, np.ndarray]) -> np.ndarray:
+        t = rows["t_s"]
+        return 60.0 * (t > 190.3)[:, None] * np.ones(3) + 90.0 * (t > 330.2)[:, None] * np.array([1.0, -1.0, 0.0])
+
+    accepted, _ = stepwise_forward(_search(started(added)), 2)
+    assert [c.family.id for c in accepted] == ["offset-step", "offset-step"]
+
+
 def _levelled_on_a_tilted_platform(rows: dict[str, np.ndarray], segments: list[dict[str, Any]]) -> None:
     """Each body axis mounted along the cage's z at angle 0, in ± one field; the platform turns 0.4° off z."""
     platform = rotation_vector(np.radians([0.3, -0.25, 0.0])) @ [0.0, 0.0, 1.0]

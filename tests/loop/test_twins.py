@@ -15,6 +15,7 @@ from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.design.experiments import experiments
 from labcal.loop.findings.confounded import confounded
+from labcal.model.effects import family
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -40,7 +41,7 @@ def test_a_lag_at_one_rate_is_the_phases_and_turning_backwards_tells_it(
 
 
 def _said(problem: LinearProblem, *named: str) -> set[tuple[str, str]]:
-    return {(pair.one, pair.other) for pair in confounded(problem, named)}
+    return {(pair.one, pair.other) for pair in confounded(problem, map(family, named))}
 
 
 def test_a_current_that_follows_the_attitude_is_a_twin_of_soft_iron(making: ModuleType, tmp_path: Path) -> None:

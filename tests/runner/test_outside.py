@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 
 from labcal.bench.loading import _installed
 from labcal.bench.opening import load_bench
-from labcal.cli import _run as labcal
+from labcal.cli import execute as labcal
 from labcal.errors import InputError
 from labcal.runner import catalogue, find
 
@@ -78,3 +79,17 @@ def test_a_driver_that_exits_is_named_in_the_bench_file(site: Path) -> None:
             load_bench(bench, None, 0)
     finally:
         _installed.cache_clear()
+
+
+def test_what_others_bring_is_listed_and_what_does_not_load_is_said_with_its_place(
+    site: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert labcal(["plugins"]) == 1
+    told = capsys.readouterr()
+    assert [line.split()[:4] for line in told.out.splitlines() if line.startswith("driver")] == [
+        ["driver", "other", "other", "1.0"]
+    ]
+    assert sum(line.startswith("procedure") for line in told.out.splitlines()) == len(FAULTS)
+    for name, (_, says) in FAULTS.items():
+        if name != "number":
+            assert re.search(rf"other_{name}\.py, {says}" if says.startswith("line") else says, told.err, re.MULTILINE)

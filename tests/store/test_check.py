@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from labcal.cli import _run
+from labcal.cli import execute
 from labcal.errors import InputError, InstrumentError
 from labcal.home import home
 from labcal.record import Dut, Reference, RunHeader
@@ -54,9 +54,9 @@ def edit(path: Path, statement: str, *values: object) -> None:
 
 def test_a_sound_store_is_called_sound(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = path.read_bytes()
-    assert _run(["check-store"]) == 0
+    assert execute(["check-store"]) == 0
     assert capsys.readouterr().out == "sound: 3 runs, 120 rows\n"
-    assert _run(["check-store", "r2"]) == 0
+    assert execute(["check-store", "r2"]) == 0
     assert capsys.readouterr().out == "sound: 1 run, 60 rows\n"
     assert path.read_bytes() == before
 
@@ -102,7 +102,7 @@ def test_a_row_that_was_edited_behind_the_guards_is_told(path: Path, statement: 
 
 def test_it_is_one_line_and_exit_1(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     edit(path, "UPDATE status SET status = ? WHERE run = 2", "\x1b[2Jfine\n")
-    assert _run(["check-store"]) == 1
+    assert execute(["check-store"]) == 1
     said = capsys.readouterr()
     assert said.out.startswith("NOT SOUND: run r2: its first status is ")
     assert "\x1b" not in said.out

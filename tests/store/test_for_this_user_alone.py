@@ -13,9 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from labcal import session
+from labcal import cli, session
 from labcal.bench.guardian import logbook
-from labcal.cli import _report_of
 from labcal.errors import InstrumentError
 from labcal.home import for_children, own_folder
 from labcal.record import Dut, Reference, RunHeader
@@ -40,6 +39,10 @@ def begun(store: Store) -> None:
         writer.write(Event(0.0, "note", "a"))
 
 
+def fault_of_ours(*_: object, **__: object) -> None:
+    raise RuntimeError("x")
+
+
 @posix
 @pytest.mark.usefixtures("wide_open")
 def test_folders_are_0700_and_files_0600_whatever_the_umask(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -53,7 +56,8 @@ def test_folders_are_0700_and_files_0600_whatever_the_umask(tmp_path: Path, monk
         session.new_key("ada", "secret")
         logbook.note("hello")
         assert logbook.written(30.0)
-        _report_of(RuntimeError("x"))
+        monkeypatch.setattr(cli, "app", fault_of_ours)
+        assert cli.execute(["runs"]) == 2
         modes = {str(path.relative_to(home)): mode_of(path) for path in [home, *home.rglob("*")]}
     assert {"store.sqlite-wal", "store.sqlite-shm", "store.sqlite-writers/r1.lock"} <= set(modes)
     assert {"keys/ada.pem", "keys/allowed_signers", "photos", ".", "guardian.log", "last-fault.txt"} <= set(modes)
@@ -95,7 +99,7 @@ def test_another_user_reads_nothing_and_locks_nothing(tmp_path: Path, monkeypatc
     monkeypatch.setenv("LABCAL_HOME", str(tmp_path / "labcal"))
     with Store.open() as store:
         begun(store)
-        lock = store._lock_file("r1")
+        lock = store.lock_file("r1")
         for path in (store.path, lock, tmp_path / "labcal"):
             assert "Permission denied" in as_nobody(path)
         (tmp_path / "labcal").chmod(0o755)
@@ -164,7 +168,7 @@ def held_by_a_stranger(path: Path) -> Iterator[None]:
 def test_a_lock_that_a_stranger_holds_makes_no_dead_run_alive() -> None:
     subprocess.run([sys.executable, "-W", "ignore", "-c", DIES], check=False)
     with Store.open() as store:
-        lock = store._lock_file("r1")
+        lock = store.lock_file("r1")
         with held_by_a_stranger(lock):
             assert store.status("r1") == "interrupted"
             with pytest.raises(InstrumentError, match="locked by a program that is no writer"):
@@ -176,7 +180,7 @@ def test_a_lock_that_a_stranger_holds_makes_no_dead_run_alive() -> None:
 def test_a_number_that_another_process_has_now_is_not_the_writer() -> None:
     with Store.open() as store:
         begun(store)
-        lock = store._lock_file("r1")
+        lock = store.lock_file("r1")
         pid, ticks, host = lock.read_text().split()
         assert int(pid) == os.getpid()
         if ticks == "-":

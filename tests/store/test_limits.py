@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import sqlite3
 import zipfile
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -136,9 +138,12 @@ def test_run_ids_that_are_words_stand_as_they_are(name: str) -> None:
 
 
 def test_a_store_with_an_odd_run_id_still_lists_and_reads_it(tmp_path: Path) -> None:
-    with Store.open() as store:
-        number = store._add("old run \u00fc", header(run_id="old run \u00fc"), "imported")
-        kept = (number, header(run_id="old run \u00fc").encode(), ROWS.encode())
-        store._connection.execute("INSERT INTO bundle (run, run_json, samples_csv) VALUES (?, ?, ?)", kept)
+    with Store.open() as store, closing(sqlite3.connect(store.path)) as older:
+        run_json = header(run_id="old run \u00fc")
+        insert = older.execute("INSERT INTO run (run_id, header) VALUES (?, ?)", ("old run \u00fc", run_json))
+        older.execute("INSERT INTO status VALUES (?, 'imported', '')", (insert.lastrowid,))
+        kept = (insert.lastrowid, run_json.encode(), ROWS.encode())
+        older.execute("INSERT INTO bundle (run, run_json, samples_csv) VALUES (?, ?, ?)", kept)
+        older.commit()
         assert [run.run_id for run in store.runs()] == ["old run \u00fc"]
         assert len(store.run("old run \u00fc")) == 2

@@ -16,7 +16,7 @@ import pytest
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record import ChannelSpec, Dut, Reference, RunHeader, Segment
 from labcal.record.stream import Block, Event, Measurement, ModeChanged, Prompt, SegmentClosed, SegmentOpened, Step
-from labcal.store import Store, bundle_sha256, load_bundle
+from labcal.store import Store, bundle_sha256, check_store, load_bundle
 
 HEADER = RunHeader(
     run_id="r1",
@@ -213,7 +213,7 @@ def test_the_golden_store_of_version_1_still_reads(tmp_path: Path) -> None:
         assert all(map(same, store.items("r1"), ITEMS))
         assert store.header("r1") == HEADER
         assert store.bundle("20260302-081500-SN1").sha256 == load_bundle(golden / "bundle-1").sha256
-        assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
+        assert check_store(store.path).fault == ""
 
 
 def test_the_bundle_of_a_recorded_run_reads_back_as_the_run() -> None:

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,7 +19,7 @@ import pytest
 from labcal.errors import InputError, InstrumentError
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Block
-from labcal.store import Store
+from labcal.store import Store, check_store
 
 HEADER = RunHeader("r1", "2026-03-02T08:15:00Z", True, "bench", Dut("SN1"), Reference("none"))
 
@@ -61,8 +62,9 @@ def test_a_damaged_store_is_an_input_error(tmp_path: Path) -> None:
 
 
 def test_a_header_that_no_labcal_wrote_is_a_sentence() -> None:
-    with Store.open() as store:
-        store._connection.execute("INSERT INTO run (run_id, header) VALUES ('x', '{\"dut\": 1}')")
+    with Store.open() as store, closing(sqlite3.connect(store.path)) as stranger:
+        stranger.execute("INSERT INTO run (run_id, header) VALUES ('x', '{\"dut\": 1}')")
+        stranger.commit()
         with pytest.raises(InputError, match="the store is damaged: the header of run 'x'"):
             store.runs()
         with pytest.raises(InputError, match="the store is damaged: a run-header"):
@@ -101,7 +103,7 @@ def test_a_full_disk_is_a_named_fault_and_loses_nothing_committed(monkeypatch: p
         with pytest.raises(InstrumentError):
             writer.finish("failed: disk full")
         assert store.status("r1") == "interrupted"
-        assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
+        assert check_store(store.path).fault == ""
 
 
 def test_a_fault_of_the_background_commit_reaches_the_next_write(eventually, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -155,7 +157,7 @@ def test_kill_9_loses_no_committed_row_and_shows_as_interrupted(kills: int) -> N
             assert len(t) >= 10 * max([committed, *said])
             np.testing.assert_allclose(t, np.arange(len(t)) / 10, atol=1e-9)
             np.testing.assert_array_equal(values, np.outer(t, [1, 2, 3]))
-            assert store._connection.execute("PRAGMA integrity_check").fetchone()[0] == "ok"
+            assert check_store(store.path).fault == ""
 
 
 def recorder_that(goes_on: str) -> None:

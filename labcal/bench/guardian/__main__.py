@@ -16,8 +16,9 @@ from contextlib import suppress
 from pathlib import Path
 
 from labcal.bench.coils.cage_file import calibrated
-from labcal.bench.config import BenchConfig, read_config
+from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
+from labcal.bench.guardian.briefing import BRIEFED, Briefing, briefing_of
 from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE, Handover, patience, stand_by, unknown
 from labcal.bench.guardian.logbook import note, written
@@ -30,43 +31,41 @@ from labcal.errors import InputError
 
 LOOK_S = 0.02
 RETRY_S = 0.5
+FOUND_S = 0.25  # so often it sees whether others can find it
 LONELY_S, SUCCEEDED_S = 20.0, 2.0  # without a session so long after its start, it ends; after that of another
 FREE_S = 2.0  # until the kernel has freed the ports of a process that died
 
 
 class Watch:
-    """One guardian from its first zero to its last. `succeeds`: the one before it died, and currents may flow.
+    """One guardian from its first zero to its last. `succeeds`: the one before it died, and currents may flow."""
 
-    `fingerprint` is that of the file `path` when `config` was read; it may have been edited since.
-    """
-
-    def __init__(self, path: Path, config: BenchConfig, fingerprint: str, handed: Handover, *, succeeds: bool) -> None:
-        self._path, self._fingerprint, self._succeeds = path, fingerprint, succeeds
-        self._guardian = Guardian(path, config, note, handed)
+    def __init__(self, path: Path, bench: Briefing, handed: Handover, *, succeeds: bool) -> None:
+        self._path, self._bench, self._succeeds = path, bench, succeeds
+        self._guardian = Guardian(path, bench.config, note, handed)
         self._told_to_end = threading.Event()
-        self._standbys = Standbys(path, self._guardian)
+        self._standbys = Standbys(bench, self._guardian)
 
     def live(self) -> None:
         """Begin with zero, then watch until nobody needs it any more and every coil is at zero."""
         listener, card = wire.listen()
-        ports.announce(card | {"bench": str(self._path.resolve())})
+        ports.announce(card | {"bench": str(self._path), "named": os.path.abspath(self._bench.named)})
         signal.signal(signal.SIGTERM, lambda *_: self._told_to_end.set())
-        server = Server(self._guardian, listener, card["token"], self._fingerprint)
+        server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()
         self._guardian.zero("a guardian was killed, its successor begins" if self._succeeds else "a session begins")
         server.ready.set()
         self._standbys.start()
         self._guardian.heartbeats.start()
         try:
-            self._watch(server)
+            self._watch(server, card)
         finally:
             wire.unlisten(listener, card)
             self._standbys.dismiss()
             self._guardian.heartbeats.stop()
             self._guardian.close()
 
-    def _watch(self, server: Server) -> None:
-        begun = retried = time.monotonic()
+    def _watch(self, server: Server, card: wire.Card) -> None:
+        begun = retried = sought = time.monotonic()
         alone_s = SUCCEEDED_S if self._succeeds else LONELY_S
         in_doubt = self._succeeds  # whether a coil that does not answer may carry current
         while True:
@@ -80,6 +79,11 @@ class Watch:
                 retried = time.monotonic()
             if self._guardian.broken is not None:
                 raise self._guardian.broken
+            if time.monotonic() - sought > FOUND_S:
+                sought = time.monotonic()
+                if not (ports.still_held() and wire.still_there(card)):
+                    self._guardian.zero("its lock or its socket was removed: nobody could find it")
+                    return
             if self._told_to_end.is_set():
                 self._guardian.zero("the guardian was told to end")
                 return
@@ -121,14 +125,23 @@ def take_over(url: str, how: str) -> None:
         time.sleep(0.005)
 
 
-def main(path: Path, how: str) -> None:
-    """Be the guardian of the bench `path`: now, or when the present one dies."""
+def briefed(path: Path, line: str) -> Briefing:
+    """What whoever started this process has read of the bench; else what its file says now. Raises InputError."""
+    if (told := briefing_of(line)) is not None:
+        return told
+    config, fingerprint = read_config(path), wire.fingerprint(path)
+    with suppress(InputError, OSError):  # without its matrix zero is brought all the same, and nothing else
+        config, _ = calibrated(config, path)
+    return Briefing(path, config, fingerprint)
+
+
+def main(path: Path, how: str, line: str) -> None:
+    """Be the guardian of the bench `path`: now, or when the present one dies. `line`: its briefing."""
     for name in ("SIGHUP", "SIGINT"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
-    config, fingerprint, handed = read_config(path), wire.fingerprint(path), Handover()
-    with suppress(InputError, OSError):  # without its matrix zero is brought all the same, and nothing else
-        config, _ = calibrated(config, path)
+    bench, handed = briefed(path, line), Handover()
+    config = bench.config
     with suppress(InputError):  # a session has been told; who takes over does so without the group's folder too
         ports.meet(config.safety.group, config.safety.runtime)
     urls = config.guarded_links
@@ -142,13 +155,14 @@ def main(path: Path, how: str) -> None:
     if how and not handed.coils:
         handed = unknown()
     if ports.hold(urls):
-        Watch(path, config, fingerprint, handed, succeeds=how != "").live()
+        Watch(path, bench, handed, succeeds=how != "").live()
         ports.let_go()
 
 
 if __name__ == "__main__":
     try:
-        main(Path(sys.argv[1]), "".join(sys.argv[2:]))
+        options = [option for option in sys.argv[2:] if option != BRIEFED]
+        main(Path(sys.argv[1]), "".join(options), sys.stdin.readline() if BRIEFED in sys.argv else "")
     except BaseException:
         try:
             traceback.print_exc()  # into guardian.log

@@ -15,9 +15,11 @@ from typing import TYPE_CHECKING, Any
 
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.guardian import wire
+from labcal.bench.guardian.briefing import Briefing
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
+from labcal.files import absolute
 
 if TYPE_CHECKING:
     from labcal.bench.clock import Clock
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
 BEAT_S = 0.05
 NOBODY_THERE = (FileNotFoundError, ConnectionRefusedError, BlockingIOError, PermissionError, socket.timeout)
 STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
-START_S = 20.0
+START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 CLOSE_S = 5.0
 LOST = InstrumentError(
@@ -87,11 +89,12 @@ class GuardianClient:
     """A session's guardian: the orders of `Server`, as methods. Reconnects to the successor of one that was killed."""
 
     def __init__(self, path: Path, config: BenchConfig, clock: Clock) -> None:
-        self._path, self._clock = path, clock
+        self._bench, self._clock = Briefing(path, config, wire.fingerprint(path)), clock
         self._urls = config.guarded_links
         self._connection: Connection | None = None
         self._next_beat_s = 0.0
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
+        self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet()
@@ -177,11 +180,12 @@ class GuardianClient:
         if all(ports.holder(url) is None for url in self._urls):
             if not self._start_after_s:  # a successor asks nobody
                 ports.refuse_connected(self._urls)
-            self._started = spawn(self._path, *([SUCCESSOR] if self._start_after_s else []))
+            self._started = spawn(self._bench, *([SUCCESSOR] if self._start_after_s else []))
 
     def _meet(self) -> dict[str, dict[str, Any]]:
         """Find the guardian of these ports, or start one, and be its session."""
-        me, deadline = f"session {os.getpid()}", time.monotonic() + START_S
+        me, deadline = f"session {os.getpid()}", time.monotonic() + (AGAIN_S if self._failed else START_S)
+        self._failed = True
         not_met = InstrumentError(
             "the guardian did not start.", fault="guardian lost", remedy="See guardian.log in labcal's data folder."
         )
@@ -189,9 +193,10 @@ class GuardianClient:
             try:
                 if (connection := found(self._urls)) is not None:
                     self._connection = connection
-                    hello = self._replied(connection, "hello", {"who": me, "bench": wire.fingerprint(self._path)})
+                    hello = self._replied(connection, "hello", {"who": me, "bench": self._bench.fingerprint})
                     if wire.another_user(connection.uid):
                         raise NOT_OURS
+                    self._failed = False
                     return dict(hello["facts"])
                 if time.monotonic() > self._start_after_s:
                     self._start_another()
@@ -237,9 +242,15 @@ def found(urls: Iterable[str]) -> Connection | None:
 
 
 def guarding(bench: Path) -> Connection | None:
-    """A connection to the guardian that was started for this bench file, whatever the file says now."""
+    """A connection to the guardian that was started for this bench file, whatever the file, or a link, says now."""
+    names = {str(absolute(bench)), os.path.abspath(bench)}
     for card in ports.announced():
-        if card.get("bench") == str(bench.resolve()) and "address" in card:
+        if names & {card.get("bench"), card.get("named")} and "address" in card:
             with suppress(*NOBODY_THERE):
                 return Connection(card)
     return None
+
+
+def guarded_benches() -> list[str]:
+    """The bench files of all guardians that this user may see, as they were named."""
+    return sorted({str(card.get("named", card["bench"])) for card in ports.announced() if "bench" in card})

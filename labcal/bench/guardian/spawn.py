@@ -5,9 +5,12 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import IO
 
+from labcal.bench.guardian.briefing import BRIEFED, Briefing
+from labcal.files import absolute
 from labcal.home import file_at_home, for_children
 
 STANDBY, SUCCESSOR = "--standby", "--successor"  # beside one that lives; after one that died
@@ -15,14 +18,17 @@ DETACHED = 0x00000208  # DETACHED_PROCESS | CREATE_NEW_PROCESS_GROUP
 _started: list[subprocess.Popen[bytes]] = []  # kept: they go on when this process has forgotten them
 
 
-def spawn(path: Path, *options: str, stdin: int = subprocess.DEVNULL) -> subprocess.Popen[bytes]:
-    """Run `python -m labcal.bench.guardian PATH` on its own."""
+def spawn(bench: Briefing, *options: str) -> subprocess.Popen[bytes]:
+    """Run `python -m labcal.bench.guardian PATH` on its own, briefed; nothing is loaded from the current folder."""
     with _log() as log:
         child = subprocess.Popen(
-            [sys.executable, "-m", "labcal.bench.guardian", str(path.resolve()), *options],
-            stdin=stdin, stdout=subprocess.DEVNULL, stderr=log, env=for_children(),
+            [sys.executable, "-P", "-m", "labcal.bench.guardian", str(absolute(bench.named)), *options, BRIEFED],
+            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=log, env=for_children(),
             start_new_session=True, creationflags=DETACHED if sys.platform == "win32" else 0,
         )  # fmt: skip
+    assert child.stdin is not None
+    with suppress(OSError):  # it has ended already; that is seen elsewhere
+        os.write(child.stdin.fileno(), bench.line())
     _started[:] = [started for started in _started if started.poll() is None] + [child]
     return child
 

@@ -7,22 +7,22 @@ import subprocess
 import sys
 import threading
 import time
-from pathlib import Path
 
+from labcal.bench.guardian.briefing import Briefing
 from labcal.bench.guardian.controller import Guardian
 from labcal.bench.guardian.handover import DONE
 from labcal.bench.guardian.spawn import STANDBY, spawn
 
 HOW_MANY = 2  # so that a guardian and one of them may be killed together
 PULSE_S = 0.1
-AGAIN_S = 5.0  # until another one is started, where one has ended by itself: the file may be spoilt meanwhile
+AGAIN_S = 5.0  # until another one is started, where one has ended by itself
 
 
 class Standbys:
     """Keeps `HOW_MANY` of them beside this process."""
 
-    def __init__(self, path: Path, guardian: Guardian) -> None:
-        self._path, self._guardian = path, guardian
+    def __init__(self, bench: Briefing, guardian: Guardian) -> None:
+        self._bench, self._guardian = bench, guardian
         self._processes: list[subprocess.Popen[bytes]] = []
         self._started, self._next_s, self._dismissed = 0, 0.0, threading.Event()
         self._hand, self._pipes = threading.Lock(), threading.Lock()
@@ -59,7 +59,7 @@ class Standbys:
         if len(self._processes) < HOW_MANY and time.monotonic() > self._next_s:
             self._started += 1
             self._next_s = time.monotonic() + (AGAIN_S if self._started >= HOW_MANY else 0.0)
-            process = spawn(self._path, STANDBY, stdin=subprocess.PIPE)
+            process = spawn(self._bench, STANDBY)
             assert process.stdin is not None
             if sys.platform != "win32":
                 os.set_blocking(process.stdin.fileno(), False)  # one that stands still holds up nobody

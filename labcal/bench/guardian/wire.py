@@ -94,6 +94,11 @@ def unlisten(listener: socket.socket, card: Card) -> None:
             Path(card["address"]).unlink()
 
 
+def still_there(card: Card) -> bool:
+    """Whether the socket of this card can be found by its name."""
+    return not isinstance(card["address"], str) or os.path.exists(card["address"])
+
+
 def packed(message: Mapping[str, Any]) -> bytes:
     """One message as a line."""
     return json.dumps(message).encode() + b"\n"

@@ -50,7 +50,7 @@ def _taken_in_time(path: Path) -> tuple[IO[str] | None, bool]:
             odd = locker(path) is None
         else:
             if try_lock(file):
-                if _is_at(file, path):
+                if stands(file, path):
                     return file, False
                 odd = os.fstat(file.fileno()).st_nlink > 1  # it has a second name, and would be written to
             file.close()
@@ -97,7 +97,7 @@ def write(file: IO[str], card: dict[str, Any] | None) -> None:
 def release(file: IO[str], path: Path) -> None:
     """Give the lock back, and take its file away."""
     with suppress(OSError):
-        if _is_at(file, path):
+        if stands(file, path):
             path.unlink()
     with suppress(OSError):
         file.close()
@@ -121,11 +121,11 @@ def _make(path: Path) -> IO[str]:
     return os.fdopen(handle, "r+", encoding="utf-8", errors="replace")
 
 
-def _is_at(file: IO[str], path: Path) -> bool:
+def stands(file: IO[str], path: Path) -> bool:
     """Whether this is the file of that name, and of no other; a holder before took his away when he let go."""
     with suppress(OSError):
-        stands = os.fstat(file.fileno())
-        return os.path.samestat(stands, os.lstat(path)) and stands.st_nlink == 1
+        own = os.fstat(file.fileno())
+        return os.path.samestat(own, os.lstat(path)) and own.st_nlink == 1
     return False
 
 

@@ -23,7 +23,7 @@ from labcal.errors import InputError, InstrumentError
 
 __all__ = [
     "announce", "announced", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of", "refuse_connected",
-    "runtime_folder",
+    "runtime_folder", "still_held",
 ]  # fmt: skip
 
 
@@ -94,6 +94,11 @@ def let_go() -> None:
     _card.clear()
     while _held:
         _held.popitem()[1].release()
+
+
+def still_held() -> bool:
+    """Whether everybody can see that this process holds its ports: each lock file is there, under its name."""
+    return all(lock.file is None or locks.stands(lock.file, lock.path) for lock in _held.values())
 
 
 def announce(card: dict[str, Any]) -> None:

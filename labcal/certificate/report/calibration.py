@@ -14,7 +14,7 @@ from labcal.certificate.report.style import decimals_for, number, sentence
 from labcal.certificate.report.unstated import not_stated
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
-from labcal.model.effects import families
+from labcal.model.effects import find
 from labcal.record import Dut, Run
 
 COVERAGE = 2.0  # coverage factor k of U
@@ -78,13 +78,15 @@ def headline_of(before: float | None, after: float | None, caption: str) -> Head
 
 def _effect_table(effect: EffectRecord) -> Table:
     name = " · ".join([effect.effect, *effect.channels]) + (" (provisional)" if effect.provisional else "")
-    rows = tuple(_parameter_row(parameter) for parameter in effect.parameters)
+    family = find(effect.effect)
+    kinds = {shape.name: shape.kind.name for shape in family.shapes} if family is not None else {}
+    rows = tuple(_parameter_row(parameter, kinds.get(parameter.name)) for parameter in effect.parameters)
     return Table((name, "Value", f"U (k = {COVERAGE:.0f})", "Unit"), rows, frozenset({1, 2}), _why(effect))
 
 
-def _parameter_row(p: Parameter) -> tuple[str, str, str, str]:
-    decimals = decimals_for([COVERAGE * p.u])
-    return p.name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit.replace("degC", "°C")
+def _parameter_row(p: Parameter, kind: str | None = None) -> tuple[str, str, str, str]:
+    decimals, name = decimals_for([COVERAGE * p.u]), f"{p.name} ({kind})" if kind else p.name
+    return name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit.replace("degC", "°C")
 
 
 def _why(effect: EffectRecord) -> str:
@@ -103,7 +105,7 @@ def _why(effect: EffectRecord) -> str:
 
 def what_it_is(effect: str) -> str:
     """The physics of an effect in a sentence, as its own file begins; empty where it does not say."""
-    known = next((family for family in families() if family.id == effect), None)
+    known = find(effect)
     said = sys.modules[known.kernel.__module__].__doc__ if known is not None else None
     return " ".join((said or "").strip().split("\n\n")[0].split())
 

@@ -22,6 +22,7 @@ from labcal.fit.scalar.moments import determined, row_covariance, weighted
 from labcal.fit.scalar.scalar_check import COLUMN, MISSING, PERFECT, ROW, TWICE, Estimate
 from labcal.fit.scalar.scalar_run import ROUNDS, Scalars, as_fit, scalars, usable
 from labcal.model import EffectRecord, Parameter
+from labcal.model.effects import offset_current
 from labcal.model.effects.regressors import middle, per_axis
 from labcal.record import Channel, Run
 
@@ -237,4 +238,4 @@ def record(channel: Channel, zero: float, e: Array, u: Array) -> EffectRecord:
     """The effect of one current: nT of B per its unit, counted from `zero`."""
     named = zip(per_axis("c", f"nT/{channel.unit}"), e.tolist(), u.tolist(), strict=True)
     parameters = tuple(Parameter(name, value, spread, unit) for (name, unit), value, spread in named)
-    return EffectRecord("offset-current", (channel.name,), {channel.name: zero}, "sensor", parameters)
+    return EffectRecord(offset_current.FAMILY.id, (channel.name,), {channel.name: zero}, "sensor", parameters)

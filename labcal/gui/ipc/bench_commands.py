@@ -3,101 +3,126 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable, Mapping
-from dataclasses import asdict
+from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from labcal.gui.ipc.answers import (
+    Bench,
+    Cage,
+    CoilEnd,
+    Doubt,
+    Ended,
+    Greeting,
+    Identified,
+    Instrument,
+    Procedure,
+    Procedures,
+    Reference,
+    SwitchedOff,
+)
 from labcal.gui.ipc.channel import Channel
+from labcal.gui.ipc.handlers import handles
+from labcal.gui.ipc.messages import (
+    Identify,
+    ListProcedures,
+    ReadBench,
+    Rehearse,
+    ResumeRun,
+    RunProcedure,
+    SwitchOff,
+)
 from labcal.gui.ipc.simulated_clock import simulated_clock
 from labcal.gui.ipc.wire import fault_of
+from labcal.record import Dut
 
 if TYPE_CHECKING:
+    from labcal.bench.config import CageConfig
+    from labcal.bench.identify import Identified as Answered
     from labcal.runner import Found, Outcome
 
 
-def bench_facts(channel: Channel, bench: str) -> dict[str, Any]:
+def read_bench(channel: Channel, asked: ReadBench) -> Bench:
     """What a bench file states: names, roles, limits, the cage's matrix, what is known of the reference."""
     from labcal.bench.coils.cage_file import calibrated
     from labcal.bench.config import read_config
 
-    config, _ = calibrated(read_config(Path(bench)), Path(bench))
-    instruments = {name: {"role": i.role, "link": i.link, "driver": i.driver} for name, i in config.instruments.items()}
-    return {
-        "name": config.name,
-        "simulated": config.simulated,
-        "dut": config.dut.model_dump(mode="json"),
-        "reference": config.reference.model_dump(mode="json"),
-        "cage": config.cage.model_dump(mode="json") | {"matrix": config.cage.matrix.tolist()},
-        "axis_cage": list(config.platform.axis_cage),
-        "instruments": instruments,
-    }
+    config, _ = calibrated(read_config(Path(asked.bench)), Path(asked.bench))
+    dut, reference = config.dut, config.reference
+    return Bench(
+        name=config.name,
+        simulated=config.simulated,
+        dut=Dut(dut.serial, dut.model, dut.unit, dut.nominal_nT_per_unit, dut.noise_nT),
+        reference=Reference(reference.u_offset_nT, reference.u_scale_ppm, reference.calibration),
+        cage=_cage(config.cage),
+        instruments={name: Instrument(i.role, i.link, i.driver) for name, i in config.instruments.items()},
+    )
 
 
-def greet(channel: Channel, bench: str) -> list[dict[str, Any]]:
-    """Ask every instrument who it is; where the reference did not see a zero, measure that again and say so in each."""
+def _cage(config: CageConfig) -> Cage:
+    x, y, z = config.matrix.tolist()
+    limits = config.limits
+    return Cage((x, y, z), config.matrix_nT_per_A is not None, config.calibration, limits.current_A, limits.field_nT)
+
+
+def identify(channel: Channel, asked: Identify) -> Identified:
+    """Ask every instrument who it is; where the reference did not see a zero, measure that again and say so."""
     from labcal import session
 
-    def words(greeting: Any) -> dict[str, Any]:
-        fault = None if greeting.fault is None else asdict(fault_of(greeting.fault))
-        said = ("name", "role", "link", "identity")
-        return {name: getattr(greeting, name) for name in said} | {"fault": fault}
-
-    answers = [words(greeting) for greeting in session.greetings(Path(bench))]
-    looked = session.look_again(Path(bench))
-    doubt = None if looked is None else {"words": looked.words, "lifted": looked.lifted}
-    return [answer | {"doubt": doubt} for answer in answers]
+    greetings = tuple(_greeting(one) for one in session.greetings(Path(asked.bench)))
+    looked = session.look_again(Path(asked.bench))
+    return Identified(greetings, None if looked is None else Doubt(looked.words, looked.lifted))
 
 
-def off(channel: Channel, bench: str) -> list[dict[str, Any]]:
+def _greeting(one: Answered) -> Greeting:
+    fault = None if one.fault is None else fault_of(one.fault)
+    return Greeting(one.name, one.role, one.link, one.identity, fault)
+
+
+def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
     """Every coil to zero and open, one report an axis, with when it was read and the doubt that stands about zero."""
     from labcal import session
     from labcal.bench.coils.doubt import doubt_of
 
-    ended, doubt = session.coils_off(Path(bench)), doubt_of(Path(bench))
-    return [
-        {"axis": a.axis, "current_A": a.current_A, "words": a.words, "ok": a.fault is None,
-         "read_s": a.read_s, "doubt": doubt}
-        for a in ended
-    ]  # fmt: skip
+    ended, doubt = session.coils_off(Path(asked.bench)), doubt_of(Path(asked.bench))
+    return SwitchedOff(tuple(CoilEnd(a.axis, a.current_A, a.words, a.fault is None, a.read_s) for a in ended), doubt)
 
 
-def run(
-    channel: Channel, procedure: str, bench: str, given: Mapping[str, str], dut: str, operator: str,
-    pace: str = "at once", seed: int | None = None, after: str = "",
-) -> dict[str, Any]:  # fmt: skip
+def run(channel: Channel, asked: RunProcedure) -> Ended:
     """Run a procedure, in simulated time after the run `after`; answers, stop and all else come in by `channel`."""
     from labcal import session
 
     def work(**common: Any) -> Outcome:
-        return session.run(procedure, Path(bench), given, dut=dut, operator=operator, **common)
+        return session.run(
+            asked.procedure, Path(asked.bench), asked.given, dut=asked.dut, operator=asked.operator, **common
+        )
 
-    return _on_bench(channel, bench, pace, seed, work, after)
+    return _on_bench(channel, asked, work, asked.after)
 
 
-def resume(
-    channel: Channel, run: str, bench: str, dut: str, pace: str = "at once", seed: int | None = None
-) -> dict[str, Any]:
-    """Go on with an interrupted run of the DUT `dut`."""
+def resume(channel: Channel, asked: ResumeRun) -> Ended:
+    """Go on with an interrupted run."""
     from labcal import session
 
-    return _on_bench(channel, bench, pace, seed, lambda **common: session.resume(run, Path(bench), dut=dut, **common))
+    return _on_bench(
+        channel, asked, lambda **common: session.resume(asked.run, Path(asked.bench), dut=asked.dut, **common)
+    )
 
 
 def _on_bench(
-    channel: Channel, bench: str, pace: str, seed: int | None, work: Callable[..., Outcome], after: str = ""
-) -> dict[str, Any]:
+    channel: Channel, asked: RunProcedure | ResumeRun, work: Callable[..., Outcome], after: str = ""
+) -> Ended:
     from labcal.bench.config import read_config
 
-    simulated = read_config(Path(bench)).simulated
+    simulated = read_config(Path(asked.bench)).simulated
     channel.run_begins(simulated)
     try:
-        clock = simulated_clock(pace, *_from(after)) if simulated else None
+        clock = simulated_clock(asked.pace, *_from(after)) if simulated else None
         ended = work(
             answer=channel.answer,
             clock=clock,
-            seed=seed,
+            seed=asked.seed,
             control=channel.control,
             tell=channel.send_item,
             show=channel.send_state,
@@ -106,8 +131,8 @@ def _on_bench(
         channel.run_ends()
     fault = None
     if ended.fault is not None:
-        fault = asdict(fault_of(ended.fault, "".join(traceback.format_exception(ended.fault))))
-    return {"run_id": ended.run_id, "status": ended.status, "fault": fault, "failed": [m.name for m in ended.failed]}
+        fault = fault_of(ended.fault, "".join(traceback.format_exception(ended.fault)))
+    return Ended(ended.run_id, ended.status, fault, tuple(m.name for m in ended.failed))
 
 
 def _from(after: str) -> tuple[datetime, float]:
@@ -119,33 +144,32 @@ def _from(after: str) -> tuple[datetime, float]:
     return measuring.goes_on(after)
 
 
-def plan(channel: Channel, procedure: str, bench: str, given: Mapping[str, str], seed: int | None = None) -> list[str]:
+def rehearse(channel: Channel, asked: Rehearse) -> tuple[str, ...]:
     """What a procedure would do, a line each, as rehearsed on the simulated lab; nothing real is touched."""
     from labcal.runner import find
     from labcal.runner.rehearsal import rehearsed
 
-    return rehearsed(Path(bench), find(procedure), given, seed).lines()
+    return tuple(rehearsed(Path(asked.bench), find(asked.procedure), asked.given, asked.seed).lines())
 
 
-def procedures(channel: Channel) -> list[dict[str, Any]]:
+def procedures(channel: Channel, asked: ListProcedures) -> Procedures:
     """What there is to run, with what each may be told; of one that does not load its name and the fault."""
     from labcal.runner import catalogue
 
-    def words(found: Found) -> dict[str, Any]:
-        parameters = [asdict(p) for p in found.parameters]
-        said = ("name", "title", "resumable", "needs", "lasts_min")
-        return {name: getattr(found, name) for name in said} | {"parameters": parameters}
-
     found, broken = catalogue()
-    return [words(one) for one in found.values()] + [{"name": name, "fault": str(e)} for name, e in broken.items()]
+    return Procedures(tuple(map(_procedure, found.values())), {name: str(e) for name, e in broken.items()})
 
 
-COMMANDS: dict[str, Callable[..., Any]] = {
-    "bench": bench_facts,
-    "greet": greet,
-    "off": off,
-    "run": run,
-    "resume": resume,
-    "plan": plan,
-    "procedures": procedures,
-}
+def _procedure(found: Found) -> Procedure:
+    return Procedure(found.name, found.title, found.resumable, found.needs, found.lasts_min, found.parameters)
+
+
+HANDLERS = (
+    handles(ReadBench, read_bench),
+    handles(Identify, identify),
+    handles(SwitchOff, switch_off),
+    handles(RunProcedure, run),
+    handles(ResumeRun, resume),
+    handles(Rehearse, rehearse),
+    handles(ListProcedures, procedures),
+)

@@ -2,17 +2,34 @@
 
 from __future__ import annotations
 
-import json
 import os
 import queue
 import threading
 import time
 from collections.abc import Iterator
-from typing import Any, TextIO
+from typing import TextIO
 
 from labcal.bench.coils.state import LabState
-from labcal.gui.ipc.wire import item_to_json
-from labcal.record.stream import Block, Event, Item, Prompt
+from labcal.errors import InputError
+from labcal.gui.ipc.lines import number_in, read_request, write_line
+from labcal.gui.ipc.messages import (
+    Abort,
+    Answer,
+    Beat,
+    Event,
+    Failed,
+    GoOn,
+    Note,
+    Pause,
+    Recorded,
+    Request,
+    StateRead,
+    Stop,
+    Word,
+)
+from labcal.gui.ipc.wire import fault_of
+from labcal.record.stream import Block, Item, Prompt
+from labcal.record.stream import Event as Happened
 from labcal.runner import Control
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
@@ -29,22 +46,22 @@ class Channel:
     def __init__(self, requests: TextIO, messages: TextIO) -> None:
         self.control = Control()
         self._input, self._output, self._lock = requests, messages, threading.Lock()
-        self._requests: queue.Queue[dict[str, Any] | None] = queue.Queue()
+        self._requests: queue.Queue[Request | None] = queue.Queue()
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
-        self._batch: list[list[Any]] = []
+        self._batch: list[Item] = []
         self._sent_s, self._on_bench = 0.0, False
         self.hold_when_paused = False
         self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
 
-    def requests(self) -> Iterator[dict[str, Any]]:
+    def requests(self) -> Iterator[Request]:
         """What is asked for, one after another, until the window hangs up."""
         threading.Thread(target=self._read_requests, daemon=True, name="window").start()
         while (request := self._requests.get()) is not None:
             yield request
 
-    def send(self, said: str, **what: Any) -> None:
+    def send(self, event: Event) -> None:
         """Send one message."""
-        line = json.dumps({"said": said, **what}, default=str)
+        line = write_line(event)
         try:
             with self._lock:
                 self._output.write(line + "\n")
@@ -65,21 +82,21 @@ class Channel:
 
     def send_item(self, item: Item) -> None:
         """Hand an item on: samples in batches, everything else at once."""
-        self._batch.append(item_to_json(item))
+        self._batch.append(item)
         if not isinstance(item, Block) or time.monotonic() - self._sent_s > BATCH_S:
             self.flush()
-        if self.hold_when_paused and isinstance(item, Event) and item.kind == "pause":
+        if self.hold_when_paused and isinstance(item, Happened) and item.kind == "pause":
             self._wait_while_paused()
 
     def send_state(self, state: LabState) -> None:
         """How the lab is now, by the clock that all processes of this computer share."""
-        self.send("state", state=state.as_json(0.0))
+        self.send(StateRead(state))
 
     def flush(self) -> None:
         """Send what is waiting."""
         batch, self._batch, self._sent_s = self._batch, [], time.monotonic()
         if batch:
-            self.send("items", items=batch)
+            self.send(Recorded(tuple(batch)))
 
     def answer(self, prompt: Prompt) -> str:
         """Wait for the person's answer to `prompt`. Raises Stopped where that is wanted instead."""
@@ -99,7 +116,10 @@ class Channel:
 
     def _read_requests(self) -> None:
         for line in self._input:
-            self._dispatch(json.loads(line))
+            try:
+                self._dispatch(read_request(line))
+            except InputError as error:
+                self.send(Failed(number_in(line), fault_of(error)))
         self.control.leave()
         self._requests.put(None)
         if not self._on_bench:
@@ -117,26 +137,28 @@ class Channel:
                 control.leave()
                 return
 
-    def _dispatch(self, said: dict[str, Any]) -> None:
-        if self._heartbeat_s is not None or said["do"] == "beat":
+    def _dispatch(self, said: Request | Word) -> None:
+        if self._heartbeat_s is not None or isinstance(said, Beat):
             self._heartbeat_s = time.monotonic()
-        match said["do"]:
-            case "beat":
-                pass
-            case "answer":
-                self._answers.put((said["key"], said["text"]))
-            case "pause":
-                self.control.pause()
-            case "go on":
-                self.control.resume()
-            case "stop":
-                self.control.stop()
-            case "abort":
-                self.control.abort()
-            case "note":
-                self.control.note(said["text"], **said.get("data", {}))
-            case _:
+        match said:
+            case Request():
                 self._requests.put(said)
+            case Answer(key, text):
+                self._answers.put((key, text))
+            case Pause():
+                self.control.pause()
+            case GoOn():
+                self.control.resume()
+            case Stop():
+                self.control.stop()
+            case Abort():
+                self.control.abort()
+            case Note(text, data):
+                self.control.note(text, **data)
+            case Beat():
+                pass
+            case _:
+                raise AssertionError(f"nobody hears {said}")
 
 
 def stdio_channel() -> Channel:

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections import deque
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
 
+from labcal.errors import InputError
+from labcal.gui.ipc.lines import read_answer, read_event, write_line
+from labcal.gui.ipc.messages import Beat, Command, Done, Event, Failed, Progress, Recorded, Request, StateRead, Word
 from labcal.gui.ipc.wire import Fault
 from labcal.home import SECRETS
 
-OnResult = Callable[[Any], None]
-COMMAND = ("-m", "labcal.gui.ipc.worker")
+R = TypeVar("R")
+OnFault = Callable[[Fault], object]
+COMMAND = ("-P", "-m", "labcal.gui.ipc.worker")  # nothing is loaded from the current folder
 TIME_SLICE_S = 0.01  # of one turn of the event loop for what the worker said
 STDERR_TAIL = 6000  # of stderr, for the details of a crash
 HEARTBEAT_MS = 200  # so often the worker hears that this window is not standing still
@@ -24,15 +27,15 @@ HEARTBEAT_MS = 200  # so often the worker hears that this window is not standing
 class Worker(Protocol):
     """What view-models need of a worker."""
 
-    items: Any  # Signal(list)
-    states: Any  # Signal(dict)
+    items: Any  # Signal(tuple) of items
+    states: Any  # Signal(LabState)
     progress: Any  # Signal(str)
 
-    def request(self, do: str, then: OnResult, failed: Callable[[Fault], None], **what: Any) -> None:
-        """Ask for `do`; `then` gets the result, `failed` what went wrong."""
+    def request(self, command: Command[R], then: Callable[[R], object], failed: OnFault) -> None:
+        """Ask for `command`; `then` gets its answer, `failed` what went wrong."""
         ...
 
-    def send(self, do: str, **what: Any) -> None:
+    def send(self, word: Word) -> None:
         """A word into a run that goes on: answer, pause, stop and so on."""
         ...
 
@@ -44,20 +47,20 @@ class Worker(Protocol):
 class Client(QObject):
     """One worker process, started at the first request, and started again after it died."""
 
-    items = Signal(list)  # items as JSON, in order
-    states = Signal(dict)  # of the lab, as JSON, by the computer's monotonic clock
+    items = Signal(tuple)  # of the timeline, in order
+    states = Signal(object)  # LabState, by the computer's monotonic clock
     progress = Signal(str)
 
     def __init__(self, parent: QObject | None = None, command: tuple[str, ...] = COMMAND) -> None:
         super().__init__(parent)
         self._command = command
         self._process: QProcess | None = None
-        self._pending: dict[int, tuple[OnResult, Callable[[Fault], None]]] = {}
+        self._pending: dict[int, tuple[Command[Any], Callable[[Any], object], OnFault]] = {}
         self._number = 0
         self._lines: deque[bytes] = deque()
         self._partial_line, self._stderr = b"", ""
         self._heartbeat = QTimer(self, interval=HEARTBEAT_MS)
-        self._heartbeat.timeout.connect(lambda: self.send("beat"))
+        self._heartbeat.timeout.connect(lambda: self.send(Beat()))
 
     def start(self) -> None:
         """Have the process ready before it is needed."""
@@ -73,17 +76,17 @@ class Client(QObject):
         process.start(sys.executable, list(self._command))
         self._heartbeat.start()
 
-    def request(self, do: str, then: OnResult, failed: Callable[[Fault], None], **what: Any) -> None:
-        """Ask for `do`; `then` gets the result, `failed` what went wrong."""
+    def request(self, command: Command[R], then: Callable[[R], object], failed: OnFault) -> None:
+        """Ask for `command`; `then` gets its answer, `failed` what went wrong."""
         self.start()
         self._number += 1
-        self._pending[self._number] = then, failed
-        self.send(do, id=self._number, **what)
+        self._pending[self._number] = command, then, failed
+        self.send(Request(self._number, command))
 
-    def send(self, do: str, **what: Any) -> None:
+    def send(self, message: Word | Request) -> None:
         """A word into a run that goes on, or a request's line."""
         if self._process is not None:
-            self._process.write((json.dumps({"do": do, **what}) + "\n").encode())
+            self._process.write((write_line(message) + "\n").encode())
 
     @property
     def busy(self) -> bool:
@@ -126,24 +129,43 @@ class Client(QObject):
         """What has come, as far as one turn of the event loop may take; the rest in the next."""
         until = time.monotonic() + TIME_SLICE_S
         while self._lines and time.monotonic() < until:
-            self._dispatch(json.loads(self._lines.popleft()))
+            self._take(self._lines.popleft())
         if self._lines:
             QTimer.singleShot(0, self, self._drain)
 
-    def _dispatch(self, said: dict[str, Any]) -> None:
-        kind = said.pop("said")
-        if kind == "items":
-            self.items.emit(said["items"])
-        elif kind == "state":
-            self.states.emit(said["state"])
-        elif kind == "progress":
-            self.progress.emit(said["text"])
-        elif (waiting := self._pending.pop(said.pop("id"), None)) is not None:
-            then, failed = waiting
-            if kind == "done":
-                then(said["result"])
-            else:
-                failed(Fault(**said))
+    def _take(self, line: bytes) -> None:
+        """A line that is no message comes of a worker that is broken: it ends."""
+        try:
+            event = read_event(line)
+        except InputError as error:
+            self._stderr += f"{error}\n"
+            return self.kill()
+        return self._dispatch(event)
+
+    def _dispatch(self, event: Event) -> None:
+        match event:
+            case Recorded(items):
+                self.items.emit(items)
+            case StateRead(state):
+                self.states.emit(state)
+            case Progress(text):
+                self.progress.emit(text)
+            case Done(number, answer):
+                self._answered(number, answer)
+            case Failed(number, fault):
+                if (waiting := self._pending.pop(number, None)) is not None:
+                    waiting[2](fault)
+
+    def _answered(self, number: int, said: Any) -> None:
+        if (waiting := self._pending.pop(number, None)) is None:
+            return
+        command, then, failed = waiting
+        try:
+            answer = read_answer(command, said)
+        except InputError as error:
+            failed(Fault("crash", str(error)))
+        else:
+            then(answer)
 
     def _read_stderr(self) -> None:
         if self._process is not None:
@@ -153,7 +175,7 @@ class Client(QObject):
     def _process_finished(self, code: int) -> None:
         self._read_stdout()
         while self._lines:
-            self._dispatch(json.loads(self._lines.popleft()))
+            self._take(self._lines.popleft())
         self._process_gone(self.tr("The work ended by itself (exit {0}).").format(code))
 
     def _process_error(self, error: QProcess.ProcessError) -> None:
@@ -167,7 +189,7 @@ class Client(QObject):
         if process is not None:
             process.deleteLater()
         waiting, self._pending = list(self._pending.values()), {}
-        for _, failed in waiting:
+        for _, _, failed in waiting:
             failed(Fault("crash", text, "", self._stderr))
 
 

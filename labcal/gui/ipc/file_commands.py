@@ -3,38 +3,59 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import asdict
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from labcal.gui.ipc.answers import CalibrationFile, Checked, RunLine, Signature, Standing
 from labcal.gui.ipc.channel import Channel
+from labcal.gui.ipc.handlers import handles
+from labcal.gui.ipc.messages import (
+    ApplyCalibration,
+    Approve,
+    CorrectSerial,
+    ExportRun,
+    FindSimulatedBench,
+    HandOut,
+    ImportBundle,
+    KeepPhoto,
+    LastCageCheck,
+    LastClosingCheck,
+    ListCalibrations,
+    ListKeys,
+    ListRuns,
+    NewKey,
+    Sign,
+    VerifyFile,
+    WriteReport,
+)
 from labcal.home import home
+
+if TYPE_CHECKING:
+    from labcal.certificate import Verification
+    from labcal.store import RunSummary
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 LOOKED_BACK = 8  # runs, for the last closing check
 
 
-def runs(channel: Channel) -> list[dict[str, Any]]:
+def runs(channel: Channel, asked: ListRuns) -> tuple[RunLine, ...]:
     """The runs of the store, the newest first, each with the verdict of its loop where there is one."""
     from labcal import session
 
-    told = [asdict(summary) for summary in reversed(session.runs())]
     verdicts = {path.name.split(".")[0]: json.loads(path.read_text())["verdict"] for path in _folder().glob("*.loop")}
-    return [one | {"verdict": verdicts.get(one["run_id"], "")} for one in told]
+    return tuple(_line(one, verdicts.get(one.run_id, "")) for one in reversed(session.runs()))
 
 
-def describe(channel: Channel, run: str) -> dict[str, Any]:
-    """What a run is, in one look."""
-    from labcal import session
-
-    return session.describe_run(run)
+def _line(one: RunSummary, verdict: str = "") -> RunLine:
+    return RunLine(**asdict(one), verdict=verdict)
 
 
-def closing(channel: Channel) -> dict[str, Any] | None:
+def closing(channel: Channel, asked: LastClosingCheck) -> Checked | None:
     """The last closing check there is: when, of which run, and its worst measurement."""
     from labcal import session
     from labcal.record.stream import Measurement
@@ -46,11 +67,11 @@ def closing(channel: Channel) -> dict[str, Any] | None:
             items = store.items(one.run_id, but="block")
             closures = (i for i in items if isinstance(i, Measurement) and "closure" in i.name)
             if worst := max(closures, key=lambda m: abs(m.value), default=None):
-                return {"run": asdict(one), "measurement": asdict(worst), "verdict": worst.verdict}
+                return Checked(_line(one), worst, worst.verdict)
     return None
 
 
-def cage_check(channel: Channel) -> dict[str, Any] | None:
+def cage_check(channel: Channel, asked: LastCageCheck) -> Checked | None:
     """The last finished cage-calibration there is, and its worst measurement that has a limit."""
     from labcal import session
     from labcal.record.stream import Measurement
@@ -64,64 +85,68 @@ def cage_check(channel: Channel) -> dict[str, Any] | None:
     with Store.open() as store:
         judged = [i for i in store.items(last.run_id, but="block") if isinstance(i, Measurement) and i.limit]
     worst = max(judged, key=lambda m: abs(m.value) / (m.limit or 1.0), default=None)
-    verdict = max((m.verdict for m in judged), key=WORST.index, default="")
-    return {"run": asdict(last), "measurement": asdict(worst) if worst else None, "verdict": verdict}
+    return Checked(_line(last), worst, max((m.verdict for m in judged), key=WORST.index, default=""))
 
 
-def calibrations(channel: Channel) -> list[dict[str, Any]]:
+def calibrations(channel: Channel, asked: ListCalibrations) -> tuple[CalibrationFile, ...]:
     """Every calibration file of this lab's folder, the newest first."""
     paths = sorted(_folder().glob("*.json"), key=lambda path: path.name, reverse=True)
-    return [calibration(channel, str(path)) for path in paths]
+    return tuple(map(_calibration, paths))
 
 
-def calibration(channel: Channel, path: str) -> dict[str, Any]:
+def _calibration(path: Path) -> CalibrationFile:
     """What a calibration file says, and how its signatures stand."""
     from labcal import session
 
-    found, verification = session.load_calibration(Path(path)), session.verify(Path(path))
+    found = session.load_calibration(path)
     covariance = found.covariance
-    u = None if covariance is None else np.sqrt(np.diag(covariance)).tolist()
-    effects = [asdict(effect) for effect in found.effects]
-    return {
-        "path": path, "run_id": found.run_id, "simulated": found.simulated, "dut": asdict(found.dut),
-        "K": found.affine.K.tolist(), "k_nT": found.affine.k_nT.tolist(), "u": u, "frame_known": found.frame_known,
-        "effects": effects, "findings": [asdict(f) for f in found.findings], "operator": found.operator,
-        "approvers": list(found.approvers), "metrics": {k: dict(v) for k, v in found.metrics.items()},
-        "validity": asdict(found.validity), "software": found.software,
-    } | _standing(verification)  # fmt: skip
+    return CalibrationFile(
+        path=str(path),
+        run_id=found.run_id,
+        dut=found.dut,
+        K=found.affine.K.tolist(),
+        k_nT=found.affine.k_nT.tolist(),
+        u=None if covariance is None else np.sqrt(np.diag(covariance)).tolist(),
+        effects=found.effects,
+        findings=found.findings,
+        operator=found.operator,
+        approvers=found.approvers,
+        standing=_standing(path, session.verify(path)),
+    )
 
 
-def verify(channel: Channel, path: str) -> dict[str, Any]:
+def verify(channel: Channel, asked: VerifyFile) -> Standing:
     """Check a file that somebody dropped."""
     from labcal import session
 
-    return {"path": path} | _standing(session.verify(Path(path)))
+    return _standing(Path(asked.path), session.verify(Path(asked.path)))
 
 
-def _standing(verification: Any) -> dict[str, Any]:
-    return {
-        "valid": verification.valid,
-        "signers": list(verification.signers),
-        "signatures": [[c.file.name, c.principal, c.objection] for c in verification.checks],
-        "provisional": verification.provisional,
-        "sentences": verification.sentences(),
-    }
+def _standing(path: Path, verification: Verification) -> Standing:
+    return Standing(
+        path=str(path),
+        valid=verification.valid,
+        provisional=bool(verification.provisional),
+        signers=tuple(verification.signers),
+        signatures=tuple(Signature(c.file.name, c.principal, c.objection) for c in verification.checks),
+        sentences=tuple(verification.sentences()),
+    )
 
 
-def keys(channel: Channel) -> list[str]:
+def keys(channel: Channel, asked: ListKeys) -> tuple[str, ...]:
     """Names with a private key here."""
     from labcal import session
 
-    return sorted({e.signer.principal for e in session.trusted_keys() if e.private_key_here and not e.revoked})
+    return tuple(sorted({e.signer.principal for e in session.trusted_keys() if e.private_key_here and not e.revoked}))
 
 
-def new_key(channel: Channel, name: str, passphrase: str) -> str:
-    """Make a key for `name`."""
+def new_key(channel: Channel, asked: NewKey) -> str:
+    """Make a key."""
     from labcal import session
 
-    _may_sign(name)
-    session.new_key(name, passphrase)
-    return name
+    _may_sign(asked.name)
+    session.new_key(asked.name, asked.passphrase)
+    return asked.name
 
 
 def _may_sign(name: str) -> None:
@@ -136,78 +161,80 @@ def _may_sign(name: str) -> None:
         ) from None
 
 
-def approve(channel: Channel, path: str, name: str) -> dict[str, Any]:
+def approve(channel: Channel, asked: Approve) -> CalibrationFile:
     """Write the approver into the draft. Raises InputError where no key can bear that name: they could never sign."""
     from labcal import session
 
-    _may_sign(name)
-    session.approve(Path(path), name)
-    return calibration(channel, path)
+    _may_sign(asked.name)
+    session.approve(Path(asked.path), asked.name)
+    return _calibration(Path(asked.path))
 
 
-def sign(channel: Channel, path: str, name: str, passphrase: str) -> dict[str, Any]:
-    """Sign as `name`; the passphrase is used and forgotten."""
+def sign(channel: Channel, asked: Sign) -> CalibrationFile:
+    """Sign; the passphrase is used and forgotten."""
     from labcal import session
 
-    session.sign(Path(path), name, passphrase)
-    return calibration(channel, path)
+    session.sign(Path(asked.path), asked.name, asked.passphrase)
+    return _calibration(Path(asked.path))
 
 
-def report(channel: Channel, source: str, out: str) -> str:
+def report(channel: Channel, asked: WriteReport) -> str:
     """Write the report of a run or a calibration."""
     from labcal import session
 
-    session.report(source, Path(out), force=True)  # the dialogue has asked
-    return out
+    session.report(asked.source, Path(asked.out), force=True)  # the dialogue has asked
+    return asked.out
 
 
-def export(channel: Channel, run: str, format: str, out: str) -> str:
+def export(channel: Channel, asked: ExportRun) -> str:
     """Write a run as bundle, csv, hdf5 or mat."""
     from labcal import session
 
-    session.export_run(run, format, Path(out), force=True)  # type: ignore[arg-type]  # checked by the window's list
-    return out
+    session.export_run(asked.run, asked.format, Path(asked.out), force=True)
+    return asked.out
 
 
-def import_bundle(channel: Channel, path: str) -> str:
+def import_bundle(channel: Channel, asked: ImportBundle) -> str:
     """Take a bundle into the store."""
     from labcal import session
 
-    return session.import_bundle(Path(path))
+    return session.import_bundle(Path(asked.path))
 
 
-def photo(channel: Channel, path: str) -> dict[str, str]:
+def photo(channel: Channel, asked: KeepPhoto) -> Mapping[str, str]:
     """Keep a photograph; what a note says of it."""
     from labcal import session
 
-    return session.keep_photo(Path(path))
+    return session.keep_photo(Path(asked.path))
 
 
-def correct_serial(channel: Channel, run: str, serial: str, who: str) -> str:
+def correct_serial(channel: Channel, asked: CorrectSerial) -> str:
     """State another serial of a run's DUT, until a calibration of it is signed."""
     from labcal import session
 
-    session.correct_serial(run, serial, who, sorted(_folder().glob(f"{run}*.json")))
-    return serial
+    session.correct_serial(asked.run, asked.serial, asked.who, sorted(_folder().glob(f"{asked.run}*.json")))
+    return asked.serial
 
 
-def apply(channel: Channel, path: str, source: str, out: str, dut: str) -> str:
+def apply(channel: Channel, asked: ApplyCalibration) -> str:
     """Correct readings by a calibration; says how many rows, and how many of them carry a flag."""
     from labcal import session
 
-    applied = session.apply_calibration(Path(path), Path(source), Path(out), dut or None, force=True)
-    return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {out}"
+    applied = session.apply_calibration(
+        Path(asked.path), Path(asked.source), Path(asked.out), asked.dut or None, force=True
+    )
+    return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {asked.out}"
 
 
-def hand_out(channel: Channel, path: str, folder: str) -> str:
-    """Copy a calibration, its signatures and the keys they are checked against to `folder`."""
+def hand_out(channel: Channel, asked: HandOut) -> str:
+    """Copy a calibration, its signatures and the keys they are checked against to a folder."""
     from labcal import session
 
-    session.hand_out(Path(path), Path(folder))
-    return folder
+    session.hand_out(Path(asked.path), Path(asked.folder))
+    return asked.folder
 
 
-def simulated_bench(channel: Channel) -> str:
+def simulated_bench(channel: Channel, asked: FindSimulatedBench) -> str:
     """The bench file of the simulated lab."""
     from labcal.demo import simulated_bench as found
 
@@ -218,10 +245,22 @@ def _folder() -> Path:
     return home() / "calibrations"
 
 
-COMMANDS: dict[str, Callable[..., Any]] = {
-    one.__name__: one
-    for one in (
-        runs, describe, closing, cage_check, calibrations, calibration, verify, keys, new_key, approve, sign, report,
-        export, photo, correct_serial, apply, hand_out, simulated_bench,
-    )
-} | {"import": import_bundle}  # fmt: skip
+HANDLERS = (
+    handles(ListRuns, runs),
+    handles(LastClosingCheck, closing),
+    handles(LastCageCheck, cage_check),
+    handles(ListCalibrations, calibrations),
+    handles(VerifyFile, verify),
+    handles(ListKeys, keys),
+    handles(NewKey, new_key),
+    handles(Approve, approve),
+    handles(Sign, sign),
+    handles(WriteReport, report),
+    handles(ExportRun, export),
+    handles(ImportBundle, import_bundle),
+    handles(KeepPhoto, photo),
+    handles(CorrectSerial, correct_serial),
+    handles(ApplyCalibration, apply),
+    handles(HandOut, hand_out),
+    handles(FindSimulatedBench, simulated_bench),
+)

@@ -3,25 +3,37 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
-from dataclasses import asdict
+from collections.abc import Mapping
+from dataclasses import fields
 from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.gui.ipc.answers import Array, Change, FitFigures, Fitted, Growth, Look, Loop, Proposal
 from labcal.gui.ipc.channel import Channel
-from labcal.gui.ipc.wire import pack
+from labcal.gui.ipc.handlers import handles
+from labcal.gui.ipc.messages import (
+    CloseLoop,
+    FilterHistory,
+    FitRun,
+    JoinRuns,
+    ListMethods,
+    LookAt,
+    Progress,
+    TryCause,
+    WriteDraft,
+)
 from labcal.home import home, own_folder
 from labcal.record import Run
 from labcal.record.run_id import as_file_name
 
 if TYPE_CHECKING:
     from labcal.fit import Fit
-    from labcal.loop import Pictures
+    from labcal.loop import ClosedLoop, Pictures
 
 MAX_POINTS = 1500  # rows in a picture
 
@@ -51,114 +63,135 @@ def _fit(run: str, method: str) -> Fit:
     return session.fit_run(run, method)[1][0]
 
 
-def methods(channel: Channel) -> list[str]:
+def methods(channel: Channel, asked: ListMethods) -> tuple[str, ...]:
     """The names of all estimators; whoever asks first waits for what everything else here needs."""
-    from labcal.fit import METHODS
+    from labcal.fit.registry import methods as installed
 
     import_module("labcal.session")
-    return list(METHODS)
+    return installed()
 
 
-def look(channel: Channel, run: str) -> dict[str, Any]:
+def look(channel: Channel, asked: LookAt) -> Look:
     """A run as it was recorded, thinned for pictures."""
-    measured = _run(run)
+    measured = _run(asked.run)
     rows = thinned(len(measured))
-    head = {"run_id": measured.run_id, "dut": measured.dut.serial, "n_samples": len(measured)}
-    return head | _regressors(measured, rows) | {"before": pack(measured.reading_nT[rows])}
+    before, against = measured.reading_nT[rows], _regressors(measured, rows)
+    return Look(measured.run_id, measured.dut.serial, len(measured), before, against)
 
 
-def fit(channel: Channel, run: str, method: str) -> dict[str, Any]:
+def fit(channel: Channel, asked: FitRun) -> Fitted:
     """One method's answer, its residual and its loci."""
-    from labcal.fit.document import one
     from labcal.fit.metrics import scalar_residual
 
-    measured, found = _run(run), _fit(run, method)
+    measured, found = _run(asked.run), _fit(asked.run, asked.method)
+    if found.affine is None:
+        return Fitted(figures(found), found.noise_nT)
     rows = thinned(len(measured))
-    said: dict[str, Any] = {"fit": one(found), "noise_nT": found.noise_nT}
-    if found.affine is not None:
-        said |= {
-            "residual": pack(scalar_residual(measured, found)[rows]),
-            "after": pack(found.affine.apply(measured.reading[rows])),
-        }
-    return said
+    residual, after = scalar_residual(measured, found)[rows], found.affine.apply(measured.reading[rows])
+    return Fitted(figures(found), found.noise_nT, residual, after)
 
 
-def draft(channel: Channel, run: str, method: str) -> str:
+def figures(found: Fit) -> FitFigures:
+    """One method's answer, as the contract's FIT has it."""
+    from labcal.fit.document import one
+
+    said = one(found)
+    return FitFigures(**{field.name: said[field.name] for field in fields(FitFigures)})
+
+
+def draft(channel: Channel, asked: WriteDraft) -> str:
     """Write the draft calibration of a method; returns its path."""
     from labcal import session
 
-    path = calibration_path(_run(run).run_id)
-    session.draft(run, _fit(run, method), path, force=True)  # a draft of the window's own
+    path = calibration_path(_run(asked.run).run_id)
+    session.draft(asked.run, _fit(asked.run, asked.method), path, force=True)  # a draft of the window's own
     return str(path)
 
 
-def loop(channel: Channel, run: str) -> dict[str, Any]:
+def loop(channel: Channel, asked: CloseLoop) -> Loop:
     """Close the loop; the draft with the effects is written, and the verdict beside it."""
     from labcal import session
     from labcal.files import write_text
 
-    measured = _run(run)
+    measured = _run(asked.run)
     path = calibration_path(measured.run_id)
-    closed = session.close_loop(run, path, lambda text: channel.send("progress", text=text), force=True)
-    document = closed.to_json()
-    write_text(path.with_suffix(".loop"), json.dumps(document))
-    said = {"loop": document, "remarks": list(closed.remarks), "draft": str(path)}
-    return said | _before_and_after(measured, closed.pictures)
+    closed = session.close_loop(asked.run, path, lambda text: channel.send(Progress(text)), force=True)
+    write_text(path.with_suffix(".loop"), json.dumps(closed.to_json()))
+    return _told(closed, str(path), _change(measured, closed.pictures))
 
 
-def together(channel: Channel, run: str, new: str) -> str:
+def _told(closed: ClosedLoop, draft: str, change: Change) -> Loop:
+    from labcal.model.effects import families
+
+    proposed = closed.next_experiment
+    return Loop(
+        verdict=closed.verdict,
+        summary=closed.summary,
+        before_nT=closed.before.holdout_rms_nT,
+        after_nT=closed.after.holdout_rms_nT,
+        noise_floor_nT=closed.noise_floor_nT,
+        noise_floor_source=closed.noise_floor_source,
+        set_aside=closed.set_aside,
+        accepted=closed.accepted,
+        rejected=closed.rejected,
+        next_experiment=None if proposed is None else Proposal(proposed.why, proposed.do, proposed.procedure),
+        remarks=closed.remarks,
+        draft=draft,
+        change=change,
+        drawn_against={family.id: family.drawn_against for family in families()},
+    )
+
+
+def together(channel: Channel, asked: JoinRuns) -> str:
     """Keep the run of all rows of both; returns its id."""
     from labcal import measuring
 
-    return measuring.together(run, new)
+    return measuring.together(asked.run, asked.new)
 
 
-def cause(channel: Channel, run: str, effect: str, channels: list[str]) -> dict[str, Any]:
+def cause(channel: Channel, asked: TryCause) -> Change:
     """The residual before and after one cause alone, named by the loop or not."""
     from labcal import session
 
-    found, measured = session.one_cause(run, effect, tuple(channels)), _run(run)
-    return {"parameters": [asdict(p) for p in found.parameters]} | _before_and_after(measured, found.pictures)
+    return _change(_run(asked.run), session.one_cause(asked.run, asked.effect, asked.channels).pictures)
 
 
-def growth(channel: Channel, run: str, method: str) -> dict[str, Any]:
+def growth(channel: Channel, asked: FilterHistory) -> Growth:
     """How a filter's estimate grew with the readings."""
     from labcal import session
 
-    found = session.filter_history(run, method)
-    return {"t_s": pack(found.t_s), "bias_nT": pack(found.bias_nT), "u_nT": pack(found.u_nT)}
+    found = session.filter_history(asked.run, asked.method)
+    return Growth(found.t_s, found.bias_nT, found.u_nT)
 
 
-def _before_and_after(run: Run, pictures: Pictures) -> dict[str, Any]:
+def _change(run: Run, pictures: Pictures) -> Change:
     rows = thinned(len(pictures.t_s))
     at = np.clip(np.searchsorted(run.t_s, pictures.t_s[rows]), 0, len(run) - 1)
-    both = {"before": pack(pictures.before_nT[rows]), "after": pack(pictures.after_nT[rows])}
-    return both | _regressors(run, at)
+    return Change(pictures.before_nT[rows], pictures.after_nT[rows], _regressors(run, at))
 
 
 def thinned(n: int) -> NDArray[np.intp]:
-    """Row numbers of at most `MOST` rows, evenly taken."""
+    """Row numbers of at most `MAX_POINTS` rows, evenly taken."""
     return np.arange(0, n, max(1, -(-n // MAX_POINTS)), dtype=np.intp)
 
 
-def _regressors(run: Run, rows: NDArray[np.intp]) -> dict[str, Any]:
+def _regressors(run: Run, rows: NDArray[np.intp]) -> Mapping[str, Array]:
     """Everything a residual may be drawn against, by name with unit."""
     against = {"time  s": run.t_s[rows]}
     if run.angle_deg is not None:
         against["angle  deg"] = run.angle_deg[rows]
     if run.reference.kind != "none":
         against["field  nT"] = run.magnitude_nT[rows]
-    against |= {f"{c.name}  {c.unit}": c.values[rows] for c in run.channels}
-    return {"against": {name: pack(values) for name, values in against.items()}}
+    return against | {f"{c.name}  {c.unit}": c.values[rows] for c in run.channels}
 
 
-COMMANDS: dict[str, Callable[..., Any]] = {
-    "methods": methods,
-    "look": look,
-    "fit": fit,
-    "draft": draft,
-    "loop": loop,
-    "cause": cause,
-    "together": together,
-    "growth": growth,
-}
+HANDLERS = (
+    handles(ListMethods, methods),
+    handles(LookAt, look),
+    handles(FitRun, fit),
+    handles(WriteDraft, draft),
+    handles(CloseLoop, loop),
+    handles(TryCause, cause),
+    handles(JoinRuns, together),
+    handles(FilterHistory, growth),
+)

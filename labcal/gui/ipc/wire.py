@@ -36,7 +36,7 @@ def item_from_json(said: list[Any]) -> Item:
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """What went wrong, for a card: `kind` is input, instrument, limit, stopped or crash."""
+    """What went wrong, for a card: `kind` is input, instrument, limit, stopped, page or crash."""
 
     kind: str
     text: str

@@ -10,6 +10,8 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
+from labcal.gui.ipc.answers import Cage, Doubt, Identified, Instrument
+from labcal.gui.ipc.messages import FindSimulatedBench, Identify
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
@@ -41,13 +43,13 @@ class BenchPage(QWidget):
         column.addWidget(self._cage_card(), 2)
         app_state.bench_changed.connect(self._bench_known)
         self._readings = QTimer(self, interval=READINGS_MS)
-        self._readings.timeout.connect(self._show_readings)
+        self._readings.timeout.connect(self.show_readings)
         self._bench_known()
 
     def showEvent(self, event: object) -> None:
         """Readings as they come, while somebody looks."""
         self._readings.start()
-        self._show_readings()
+        self.show_readings()
 
     def hideEvent(self, event: object) -> None:
         """Nobody looks."""
@@ -113,9 +115,7 @@ class BenchPage(QWidget):
             )
         self.check.setEnabled(False)
         self.check.setText(self.tr("Asking …"))
-        return self._app_state.off_worker.request(
-            "greet", self._greeted, self._not_greeted, bench=self._app_state.bench
-        )
+        return self._app_state.off_worker.request(Identify(self._app_state.bench), self._greeted, self._not_greeted)
 
     def _reconnect(self) -> None:
         if not self._app_state.run.alive:
@@ -124,18 +124,18 @@ class BenchPage(QWidget):
             self._app_state.open_bench(self._app_state.bench)
         self.check_all()
 
-    def _greeted(self, answers: list[dict[str, Any]]) -> None:
-        self._app_state.take_greetings(answers)
-        if doubt := (answers[0].get("doubt") if answers else None):
-            self._tell_doubt(**doubt)
+    def _greeted(self, said: Identified) -> None:
+        self._app_state.take_greetings(said)
+        if said.doubt is not None:
+            self._tell_doubt(said.doubt)
         self._checked()
 
-    def _tell_doubt(self, words: str, lifted: bool) -> None:
+    def _tell_doubt(self, doubt: Doubt) -> None:
         """A zero that the reference did not see was measured again."""
-        if lifted:
-            return self._app_state.lab.update(message=words)
+        if doubt.lifted:
+            return self._app_state.lab.update(message=doubt.words)
         remedy = self.tr("Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME")
-        return self.fault.show_fault(Fault("instrument", words, remedy.format(Path(self._app_state.bench).name)))
+        return self.fault.show_fault(Fault("instrument", doubt.words, remedy.format(Path(self._app_state.bench).name)))
 
     def _not_greeted(self, fault: Fault) -> None:
         self.fault.show_fault(fault)
@@ -148,12 +148,12 @@ class BenchPage(QWidget):
 
     def _bench_known(self) -> None:
         self._show()
-        self._show_readings()
+        self.show_readings()
 
     def _show(self) -> None:
         facts = self._app_state.facts
-        there = sorted(facts.get("instruments", {}).items(), key=lambda one: ROLES.index(one[1]["role"]))
-        self.heading.setText(self.tr("Instruments of {0}").format(facts["name"]) if facts else self.tr("Instruments"))
+        there = sorted(facts.instruments.items(), key=lambda one: ROLES.index(one[1].role)) if facts else []
+        self.heading.setText(self.tr("Instruments of {0}").format(facts.name) if facts else self.tr("Instruments"))
         self.file.setText(Path(self._app_state.bench).name)
         self.file.setToolTip(self._app_state.bench)
         self.empty.setVisible(not there)
@@ -162,26 +162,25 @@ class BenchPage(QWidget):
             widget.setEnabled(bool(there))
         self.table.setRowCount(len(there))
         for row, (name, one) in enumerate(there):
-            self._show_row(row, name, one)
+            self._show_row(row, name, one, simulated=facts is not None and facts.simulated)
 
-    def _show_row(self, row: int, name: str, one: dict[str, Any]) -> None:
+    def _show_row(self, row: int, name: str, one: Instrument, *, simulated: bool) -> None:
         answered = self._app_state.answered.get(name)
-        fault = answered["fault"] if answered else None
-        for column, text in enumerate((one["role"], name, one["link"])):
-            self.table.set_cell(row, column, text, tip=f"{text}   ({one['driver']})")
-        identity = (answered or {}).get("identity") or "–"
-        simulated = answered is not None and one["role"] == "dut" and self._app_state.facts["simulated"]
+        for column, text in enumerate((one.role, name, one.link)):
+            self.table.set_cell(row, column, text, tip=f"{text}   ({one.driver})")
+        identity = (answered.identity if answered is not None else "") or "–"
+        simulated = simulated and answered is not None and one.role == "dut"
         self.table.set_cell(row, 3, self.tr("{0}, simulated").format(identity) if simulated else identity)
         if answered is None:
             self.table.set_cell(row, 5, self.tr("○ not asked"), colour=self._theme.muted)
-        elif fault:
-            self.table.set_cell(row, 5, f"✕ {fault['text']} {fault['remedy']}", colour=self._theme.bad)
+        elif (fault := answered.fault) is not None:
+            self.table.set_cell(row, 5, f"✕ {fault.text} {fault.remedy}", colour=self._theme.bad)
         else:
             self.table.set_cell(row, 5, self.tr("✓ answers"), colour=self._theme.good)
 
-    def _show_readings(self) -> None:
+    def show_readings(self) -> None:
         """What each instrument sent last; the coils' currents as they were read back."""
-        run, coils = self._app_state.run, self._app_state.lab.state.coil_A
+        run, coils, facts = self._app_state.run, self._app_state.lab.state.coil_A, self._app_state.facts
         for row in range(self.table.rowCount()):
             role, said = self.table.text(row, 0), run.reading.get(self.table.text(row, 1))
             words, age = "–", self.tr("nothing in this session")
@@ -189,7 +188,7 @@ class BenchPage(QWidget):
                 words, age = f"{format_number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
             elif said is not None:
                 silent = run.silent_s(self.table.text(row, 1))
-                unit = f" {self._app_state.facts['dut']['unit']}" if role == "dut" else ""
+                unit = f" {facts.dut.unit}" if facts is not None and role == "dut" else ""
                 words, age = (
                     reading_text(role, said[1]) + unit,
                     self.tr("{0:.1f} s before the newest of all").format(silent),
@@ -202,16 +201,16 @@ class BenchPage(QWidget):
         facts, run = self._app_state.facts, self._app_state.run
         now, last = self.tr("all arrows to one scale"), self.tr("as recorded last, not now; all arrows to one scale")
         self.when.setText(now if run.alive or not run.reading else last)
-        if not facts:
+        if facts is None:
             return
-        applied = last_applied(run.reading.get("cage"), facts["cage"]["matrix"])
-        name = next((n for n, one in facts["instruments"].items() if one["role"] == "reference"), "")
+        applied = last_applied(run.reading.get("cage"), facts.cage.matrix)
+        name = next((n for n, one in facts.instruments.items() if one.role == "reference"), "")
         reference = last_vector(run.reading.get(name))
         ambient: Triple | None = None
         if applied is not None and reference is not None:
             ambient = (reference[0] - applied[0], reference[1] - applied[1], reference[2] - applied[2])
         self.cage.show_vectors(applied, ambient, reference)
-        self.cage_words.setText(self._legend((applied, ambient, reference)) + self._limits(facts["cage"]["limits"]))
+        self.cage_words.setText(self._legend((applied, ambient, reference)) + self._limits(facts.cage))
 
     def _legend(self, vectors: tuple[Triple | None, ...]) -> str:
         names = (self.tr("applied"), self.tr("ambient"), self.tr("reference"))
@@ -221,15 +220,15 @@ class BenchPage(QWidget):
             lines.append(f'<span style="color: {colour}; font-weight: 600">➝ {name}</span>&nbsp; {size}')
         return "<br>".join(lines)
 
-    def _limits(self, limits: dict[str, Any]) -> str:
-        most = " / ".join(f"{one:g}" for one in dict.fromkeys(limits["current_A"]))
-        field = format_number(limits["field_nT"], 0, signed=False)
+    def _limits(self, cage: Cage) -> str:
+        most = " / ".join(f"{one:g}" for one in dict.fromkeys(cage.limit_A))
+        field = format_number(cage.limit_nT, 0, signed=False)
         return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
 
 
 def open_simulated_bench(app_state: AppState) -> None:
     """Take the simulated lab."""
-    app_state.request("simulated_bench", app_state.open_bench)
+    app_state.request(FindSimulatedBench(), app_state.open_bench)
 
 
 def reading_text(role: str, values: Any) -> str:

@@ -4,22 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
+from labcal.gui.ipc.answers import CalibrationFile, Standing
+from labcal.gui.ipc.messages import (
+    ApplyCalibration,
+    Approve,
+    Command,
+    HandOut,
+    ListCalibrations,
+    ListKeys,
+    NewKey,
+    Sign,
+    VerifyFile,
+    WriteReport,
+)
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
-from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.signing import next_step
+from labcal.gui.viewmodels.study import cause_name
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table, decimals_for
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
 
+R = TypeVar("R")
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
 
 
@@ -29,7 +44,7 @@ class CertificatePage(QWidget):
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
         self._app_state = app_state
-        self._files: dict[str, dict[str, Any]] = {}
+        self._files: dict[str, CalibrationFile] = {}
         self._wanted = ""
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
@@ -54,8 +69,8 @@ class CertificatePage(QWidget):
 
     def refresh(self) -> None:
         """Ask for the calibrations and the keys again."""
-        self._app_state.quick_worker.request("calibrations", self._known, self.fault.show_fault)
-        self._app_state.quick_worker.request("keys", self._keys_known, self.fault.show_fault)
+        self._app_state.quick_worker.request(ListCalibrations(), self._known, self.fault.show_fault)
+        self._app_state.quick_worker.request(ListKeys(), self._keys_known, self.fault.show_fault)
 
     def _new(self, path: str) -> None:
         self._wanted = path
@@ -168,18 +183,19 @@ class CertificatePage(QWidget):
         both.addLayout(row)
         return both
 
-    def chosen(self) -> dict[str, Any] | None:
+    def chosen(self) -> CalibrationFile | None:
         """The calibration that is chosen."""
         row = self.list.currentRow()
         return self._files.get(self.list.item(row).data(Qt.ItemDataRole.UserRole)) if row >= 0 else None
 
-    def _known(self, files: list[dict[str, Any]]) -> None:
-        kept = self._wanted or (self.chosen() or {}).get("path", "")
-        self._files = {one["path"]: one for one in files}
+    def _known(self, files: tuple[CalibrationFile, ...]) -> None:
+        before = self.chosen()
+        kept = self._wanted or (before.path if before is not None else "")
+        self._files = {one.path: one for one in files}
         self.list.clear()
         for one in files:
-            self.list.addItem(f"{self._word(one)}  {one['dut']['serial']}\n{Path(one['path']).stem}")
-            self.list.item(self.list.count() - 1).setData(Qt.ItemDataRole.UserRole, one["path"])
+            self.list.addItem(f"{self._word(one.standing)}  {one.dut.serial}\n{Path(one.path).stem}")
+            self.list.item(self.list.count() - 1).setData(Qt.ItemDataRole.UserRole, one.path)
         paths = list(self._files)
         self.list.setCurrentRow(paths.index(kept) if kept in paths else 0)
         for widget in (self.empty, self.to_fit):
@@ -187,14 +203,14 @@ class CertificatePage(QWidget):
         self._wanted = ""
         self._show()
 
-    def _word(self, one: dict[str, Any]) -> str:
-        if not one["signatures"]:
+    def _word(self, one: Standing) -> str:
+        if not one.signatures:
             return self.tr("○ draft")
-        if not one["valid"]:
+        if not one.valid:
             return self.tr("✕ not valid")
-        return self.tr("▲ provisional") if one["provisional"] else self.tr("✓ signed")
+        return self.tr("▲ provisional") if one.provisional else self.tr("✓ signed")
 
-    def _keys_known(self, names: list[str]) -> None:
+    def _keys_known(self, names: tuple[str, ...]) -> None:
         for chooser, first in ((self.signer, names[0] if names else ""), (self.approver, "")):
             typed = chooser.currentText()
             chooser.clear()
@@ -207,29 +223,30 @@ class CertificatePage(QWidget):
         self.detail.setVisible(one is not None)
         self.list.setVisible(bool(self._files))
         if one is not None:
-            self.heading.setText(f"{one['dut']['serial']}  ·  {one['run_id']}")
-            draft = not one["signatures"]
-            state = "" if draft else "bad" if not one["valid"] else "warning" if one["provisional"] else "good"
-            words = [self.tr("Draft: not signed.")] if draft else one["sentences"]
-            approved = ", ".join(one["approvers"]) or self.tr("nobody yet")
-            words = [*words, self.tr("Operator {0}; approved by {1}.").format(one["operator"] or "–", approved)]
+            self.heading.setText(f"{one.dut.serial}  ·  {one.run_id}")
+            standing = one.standing
+            draft = not standing.signatures
+            state = "" if draft else "bad" if not standing.valid else "warning" if standing.provisional else "good"
+            approved = ", ".join(one.approvers) or self.tr("nobody yet")
+            words = [self.tr("Draft: not signed.")] if draft else list(standing.sentences)
+            words.append(self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved))
             self.standing.setText(" ".join(words))
             set_state(self.standing, state)
             self._show_numbers(one)
         self._enable()
 
-    def _show_numbers(self, one: dict[str, Any]) -> None:
-        u = one["u"] or [None] * 12
-        K = [v for row in one["K"] for v in row]
-        gain = f"nT/{one['dut']['unit']}"
+    def _show_numbers(self, one: CalibrationFile) -> None:
+        u: tuple[float | None, ...] = one.u or (None,) * 12
+        K = [v for row in one.K for v in row]
+        gain = f"nT/{one.dut.unit}"
         rows = [
-            (f"k {axis}", value, u[9 + n], "nT") for n, (axis, value) in enumerate(zip("xyz", one["k_nT"], strict=True))
+            (f"k {axis}", value, u[9 + n], "nT") for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
         ]
         names = [f"K {a}{b}" for a in "xyz" for b in "xyz"]
         rows += [(name, value, s, gain) for name, value, s in zip(names, K, u, strict=False)]
-        for effect in (*one["effects"], *one["findings"]):
-            name = effect["effect"] + (f" ({', '.join(effect['channels'])})" if effect["channels"] else "")
-            rows += [(f"{name} {p['name']}", p["value"], p["u"], p["unit"]) for p in effect["parameters"]]
+        for effect in (*one.effects, *one.findings):
+            name = cause_name(effect.effect, effect.channels)
+            rows += [(f"{name} {p.name}", p.value, p.u, p.unit) for p in effect.parameters]
         self.table.setRowCount(len(rows))
         for row, (name, value, s, unit) in enumerate(rows):
             decimals = decimals_for(2 * (s or 0.0), value)
@@ -245,7 +262,8 @@ class CertificatePage(QWidget):
         new = bool(name) and not known
         for widget, shown in ((self.again, new), (self.new_key, new), (self.sign, not new)):
             widget.setVisible(shown)
-        self.approve.setEnabled(one is not None and not one["signatures"] and bool(self.approver.currentText().strip()))
+        draft = one is not None and not one.standing.signatures
+        self.approve.setEnabled(draft and bool(self.approver.currentText().strip()))
         self.sign.setEnabled(one is not None and known and words)
         self.new_key.setEnabled(new and words and twice)
         for widget in (self.report, self.export, self.apply):
@@ -255,14 +273,14 @@ class CertificatePage(QWidget):
             step = self.tr("The two passphrases differ.")
         elif new:
             step = self.tr("{0} has no key here: type a passphrase twice, and New key makes one under it.").format(name)
-        elif known and not words and one is not None and not one["signatures"]:
+        elif known and not words and draft:
             step = self.tr("{0} To sign as {1}, type the passphrase.").format(step, name)
         self.next.setText(step)
 
     def _approve(self) -> None:
         if (one := self.chosen()) is not None:
             name = self.approver.currentText().strip()
-            self._ask("approve", self.approver, self._approved, path=one["path"], name=name)
+            self._ask(Approve(one.path, name), self.approver, self._approved)
 
     def _approved(self) -> None:
         self.approver.setCurrentText("")
@@ -271,13 +289,13 @@ class CertificatePage(QWidget):
     def _sign(self) -> None:
         if (one := self.chosen()) is not None:
             name, passphrase = self.signer.currentText(), self.passphrase.text()
-            self._ask("sign", self.passphrase, self.signer.setFocus, path=one["path"], name=name, passphrase=passphrase)
+            self._ask(Sign(one.path, name, passphrase), self.passphrase, self.signer.setFocus)
             self.passphrase.clear()
 
-    def _ask(self, do: str, entry: QWidget, then: Callable[[], object], **what: str) -> None:
+    def _ask(self, command: Command[R], entry: QWidget, then: Callable[[], object]) -> None:
         """`entry` is where the person goes on where it is refused."""
 
-        def known(_: object) -> None:
+        def known(_: R) -> None:
             then()
             self.refresh()
 
@@ -286,22 +304,22 @@ class CertificatePage(QWidget):
             entry.setFocus()
 
         self.fault.show_fault(None)
-        self._app_state.quick_worker.request(do, known, refused, **what)
+        self._app_state.quick_worker.request(command, known, refused)
 
     def _new_key(self) -> None:
         name = self.signer.currentText().strip()
         made = self.tr("{0} has a key now, under this passphrase.").format(name)
-        self._ask("new_key", self.signer, lambda: self.said.setText(made), name=name, passphrase=self.passphrase.text())
+        self._ask(NewKey(name, self.passphrase.text()), self.signer, lambda: self.said.setText(made))
         self.again.clear()
 
     def _report(self) -> None:
         one = self.chosen()
         if one is None:
             return
-        start = str(Path.home() / f"{Path(one['path']).stem}.html")
+        start = str(Path.home() / f"{Path(one.path).stem}.html")
         out, _ = QFileDialog.getSaveFileName(self, self.tr("Write the report"), start, REPORTS)
         if out:
-            self.write_report(one["path"], out)
+            self.write_report(one.path, out)
 
     def write_report(self, source: str, out: str) -> None:
         """Write the report of a calibration to `out`; what people read is opened."""
@@ -313,7 +331,7 @@ class CertificatePage(QWidget):
                 open_externally(out)
             return written
 
-        self._tell("report", said, source=source, out=out)
+        self._tell(WriteReport(source, out), said)
         self.said.setText(self.tr("Writing the report …"))
 
     def _hand_out(self) -> None:
@@ -329,7 +347,7 @@ class CertificatePage(QWidget):
                 self.folder.show_folder(folder)
                 return words
 
-            self._tell("hand_out", said, path=one["path"], folder=folder)
+            self._tell(HandOut(one.path, folder), said)
 
     def _apply(self) -> None:
         source, _ = QFileDialog.getOpenFileName(self, self.tr("Readings of this DUT"), "", "CSV (*.csv)")
@@ -342,10 +360,9 @@ class CertificatePage(QWidget):
     def apply_to(self, source: str, out: str) -> None:
         """Correct the readings in `source` by the chosen calibration."""
         if (one := self.chosen()) is not None:
-            dut = one["dut"]["serial"]
-            self._tell("apply", str, path=one["path"], source=source, out=out, dut=dut)
+            self._tell(ApplyCalibration(one.path, source, out, one.dut.serial), str)
 
-    def _tell(self, do: str, words: Callable[[Any], str], **what: str) -> None:
+    def _tell(self, command: Command[R], words: Callable[[R], str]) -> None:
         """Ask the quick worker, and say what came of it beside the buttons."""
 
         def failed(fault: Fault) -> None:
@@ -354,37 +371,17 @@ class CertificatePage(QWidget):
 
         self.fault.show_fault(None)
         self.folder.show_folder("")
-        self._app_state.quick_worker.request(do, lambda said: self.said.setText(words(said)), failed, **what)
+        self._app_state.quick_worker.request(command, lambda said: self.said.setText(words(said)), failed)
 
     def verify(self, path: str) -> None:
         """Check the file at `path` and say how it stands."""
-        self._app_state.quick_worker.request("verify", self._verified, self.fault.show_fault, path=path)
+        self._app_state.quick_worker.request(VerifyFile(path), self._verified, self.fault.show_fault)
 
-    def _verified(self, said: dict[str, Any]) -> None:
-        shape = "✕" if not said["valid"] else "▲" if said["provisional"] else "✓"
-        faults = [f"{name}: {objection}" for name, _, objection in said["signatures"] if objection]
-        self.drop.words.setText(f"{shape} {Path(said['path']).name}: {' '.join([*said['sentences'], *faults])}")
-        set_state(self.drop.words, "bad" if not said["valid"] else "warning" if said["provisional"] else "good")
-
-
-def next_step(one: dict[str, Any], operator: str) -> str:
-    """What is to be done with a calibration now, in one sentence."""
-    if one["signatures"] and not one["valid"]:
-        return translated("Do not use it: make a new draft on the Fit page.")
-    if not one["signatures"] and not one["approvers"]:
-        return translated(
-            "Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL."
-        ).format(one["operator"] or operator or translated("the operator"))
-    waiting = [name for name in one["approvers"] if name not in one["signers"]]
-    if not one["signatures"]:
-        return translated("Approved by {0}. Now both sign, each under their own name.").format(
-            ", ".join(one["approvers"])
-        )
-    if waiting:
-        return translated("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
-    if not one["approvers"]:
-        return translated("Good to use as PROVISIONAL: nobody approved it before it was signed.")
-    return translated("Done: hand it out.")
+    def _verified(self, said: Standing) -> None:
+        shape = "✕" if not said.valid else "▲" if said.provisional else "✓"
+        faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
+        self.drop.words.setText(f"{shape} {Path(said.path).name}: {' '.join([*said.sentences, *faults])}")
+        set_state(self.drop.words, "bad" if not said.valid else "warning" if said.provisional else "good")
 
 
 def written(chooser: QComboBox, wanted: str) -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from math import sqrt
-from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHBoxLayout, QHeaderView, QSplitter, QVBoxLayout, QWidget
 
+from labcal.gui.ipc.answers import FitFigures, Fitted, Matrix
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
@@ -49,7 +49,7 @@ class FitPage(QWidget):
         halves.addWidget(self.views)
         halves.setSizes([320, 420])
         column.addWidget(halves, 1)
-        self._idle_queue = IdleQueue(self)
+        self.idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
         self._show()
 
@@ -118,7 +118,7 @@ class FitPage(QWidget):
         """The method whose column is selected, else the best that came to a result."""
         chosen, names = self.table.selectedIndexes(), list(self._study.fits)
         name = names[chosen[0].column() - 1] if chosen and 0 < chosen[0].column() <= len(names) else ""
-        return name if name and self._study.fits[name]["fit"]["ok"] else self._study.best()
+        return name if name and self._study.fits[name].fit.ok else self._study.best()
 
     def _show(self) -> None:
         study = self._study
@@ -138,7 +138,7 @@ class FitPage(QWidget):
         set_primary(self.trace, "ml" in study.fits)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
-        self._idle_queue.add(self._show_fits, self._show_pictures)
+        self.idle_queue.add(self._show_fits, self._show_pictures)
         self._say_empty()
 
     def _say_empty(self) -> None:
@@ -161,8 +161,8 @@ class FitPage(QWidget):
         for row, name in enumerate(names):
             self.table.set_cell(row, 0, translated(name), colour=self._colour(name))
         for column, said in enumerate(fits.values(), start=1):
-            for row, text in enumerate(cells(said["fit"])):
-                self.table.set_cell(row, column, text, right=True, tip=said["fit"]["why_not"] or "")
+            for row, text in enumerate(cells(said.fit)):
+                self.table.set_cell(row, column, text, right=True, tip=said.fit.why_not or "")
 
         self.why.setText("\n".join(refusals(fits)))
         self.why.setVisible(bool(self.why.text()))
@@ -185,29 +185,29 @@ class FitPage(QWidget):
         self.views.show_growth(name, self._study.growth.get(name))
 
 
-def refusals(fits: dict[str, dict[str, Any]], most: int = 2) -> list[str]:
+def refusals(fits: dict[str, Fitted], most: int = 2) -> list[str]:
     """Why methods gave no calibration, a reason once, with the methods that it is of."""
     reasons: dict[str, list[str]] = {}
     for name, said in fits.items():
-        if not said["fit"]["ok"]:
-            reasons.setdefault(said["fit"]["why_not"] or "", []).append(name)
+        if not said.fit.ok:
+            reasons.setdefault(said.fit.why_not or "", []).append(name)
     return [f"✕ {', '.join(names)}: {why}" for why, names in reasons.items()][:most]
 
 
-def cells(fit: dict[str, Any]) -> list[str]:
+def cells(fit: FitFigures) -> list[str]:
     """One method's column: how good it is, then k and K with U (k=2)."""
-    if not fit["ok"]:
+    if not fit.ok or fit.K is None or fit.k_nT is None:
         return ["✕", *["–"] * (len(QUALITY) + len(OFFSETS) + len(GAINS) - 1)]
-    worst = max(fit["axis_error_deg"], default=None) if fit["axis_error_deg"] else None
-    quality = ((fit["holdout_rms_scalar_nT"], 1), (worst, 3), (fit["seconds"], 2))
+    worst = max(fit.axis_error_deg, default=None) if fit.axis_error_deg else None
+    quality = ((fit.holdout_rms_scalar_nT, 1), (worst, 3), (fit.seconds, 2))
     said = ["–" if value is None else format_number(value, decimals, signed=False) for value, decimals in quality]
-    said.append(translated("known") if fit["frame_known"] else translated("free"))
-    values = [(n + 9, k) for n, k in enumerate(fit["k_nT"])]
-    values += list(enumerate(v for row in fit["K"] for v in row))
-    return said + [_with_U(value, fit["covariance"], at) for at, value in values]
+    said.append(translated("known") if fit.frame_known else translated("free"))
+    values = [(n + 9, k) for n, k in enumerate(fit.k_nT)]
+    values += list(enumerate(v for row in fit.K for v in row))
+    return said + [_with_U(value, fit.covariance, at) for at, value in values]
 
 
-def _with_U(value: float, covariance: list[list[float]] | None, at: int) -> str:
+def _with_U(value: float, covariance: Matrix | None, at: int) -> str:
     if covariance is None:
         return format_number(value, 1 if at >= 9 else 5)
     U = 2 * sqrt(max(0.0, covariance[at][at]))

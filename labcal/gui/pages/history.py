@@ -5,12 +5,14 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QVBoxLayout, QWidget
 
+from labcal.gui.ipc.answers import CalibrationFile, RunLine
+from labcal.gui.ipc.messages import CorrectSerial, ExportRun, ImportBundle, ListCalibrations, ListRuns
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
@@ -23,15 +25,19 @@ from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
 HEADINGS = ("started (UTC)", "DUT", "procedure", "operator", "status", "verdict", "run")
-FORMATS = {"Bundle (*.zip)": "bundle", "CSV (*.csv)": "csv", "HDF5 (*.h5)": "hdf5", "MATLAB (*.mat)": "mat"}
+Format = Literal["bundle", "csv", "hdf5", "mat"]
+FORMATS: dict[str, Format] = {
+    "Bundle (*.zip)": "bundle",
+    "CSV (*.csv)": "csv",
+    "HDF5 (*.h5)": "hdf5",
+    "MATLAB (*.mat)": "mat",
+}
 PARAMETERS = {"k": (9, ("k x", "k y", "k z"), "nT"), "gain": (0, ("K xx", "K yy", "K zz"), "ppm from the first")}
 
 
-def matches(one: dict[str, Any], words: str) -> bool:
+def matches(one: RunLine, words: str) -> bool:
     """Whether every word stands somewhere in the run's line."""
-    line = " ".join(
-        str(one[key]) for key in ("started_utc", "dut_serial", "procedure", "operator", "status", "verdict", "run_id")
-    )
+    line = " ".join((one.started_utc, one.dut_serial, one.procedure, one.operator, one.status, one.verdict, one.run_id))
     return all(word.casefold() in line.casefold() for word in words.split())
 
 
@@ -41,8 +47,8 @@ class HistoryPage(QWidget):
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
         self._app_state, self._theme = app_state, theme
-        self._runs: list[dict[str, Any]] = []
-        self._calibrations: list[dict[str, Any]] = []
+        self.runs: tuple[RunLine, ...] = ()
+        self._calibrations: tuple[CalibrationFile, ...] = ()
         self._idle_queue = IdleQueue(self)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
@@ -66,8 +72,8 @@ class HistoryPage(QWidget):
 
     def refresh(self) -> None:
         """Ask for runs and calibrations again."""
-        self._app_state.quick_worker.request("runs", self._runs_known, self.fault.show_fault)
-        self._app_state.quick_worker.request("calibrations", self._calibrations_known, self.fault.show_fault)
+        self._app_state.quick_worker.request(ListRuns(), self._runs_known, self.fault.show_fault)
+        self._app_state.quick_worker.request(ListCalibrations(), self._calibrations_known, self.fault.show_fault)
 
     def _runs_card(self) -> Card:
         card = Card(self.tr("Runs"))
@@ -130,52 +136,52 @@ class HistoryPage(QWidget):
         card.body.addStretch()
         return card
 
-    def chosen(self) -> dict[str, Any] | None:
+    def chosen(self) -> RunLine | None:
         """The run that is chosen."""
         items = self.table.selectedItems()
         run_id = self.table.item(items[0].row(), 6) if items else None
-        return next((one for one in self._runs if run_id is not None and one["run_id"] == run_id.text()), None)
+        return next((one for one in self.runs if run_id is not None and one.run_id == run_id.text()), None)
 
-    def _runs_known(self, runs: list[dict[str, Any]]) -> None:
-        self._runs = runs
+    def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
+        self.runs = runs
         self._show()
 
-    def _calibrations_known(self, files: list[dict[str, Any]]) -> None:
+    def _calibrations_known(self, files: tuple[CalibrationFile, ...]) -> None:
         self._calibrations = files
         self._idle_queue.add(self._draw)
 
     def _show(self) -> None:
-        found = [one for one in self._runs if matches(one, self.search.text())]
+        found = [one for one in self.runs if matches(one, self.search.text())]
         self.empty.setVisible(not found)
         self.table.setRowCount(len(found))
         for row, one in enumerate(found):
-            when, status = one["started_utc"][:19].replace("T", " "), one["status"].partition(":")[0]
+            when, status = one.started_utc[:19].replace("T", " "), one.status.partition(":")[0]
             cells = (
                 when,
-                one["dut_serial"],
-                one["procedure"] or "bundle",
-                one["operator"],
+                one.dut_serial,
+                one.procedure or "bundle",
+                one.operator,
                 status,
-                one["verdict"],
-                one["run_id"],
+                one.verdict,
+                one.run_id,
             )
             for column, text in enumerate(cells):
-                self.table.set_cell(row, column, text or "–", tip=one["status"] if column == 4 else "")
+                self.table.set_cell(row, column, text or "–", tip=one.status if column == 4 else "")
         self._chosen()
 
     def _chosen(self) -> None:
         one = self.chosen()
         for widget in (self.open, self.export):
-            widget.setEnabled(one is not None and one["status"] not in ("running", "interrupted"))
-        self.correct.setEnabled(one is not None and one["status"] not in ("running", "imported"))
+            widget.setEnabled(one is not None and one.status not in ("running", "interrupted"))
+        self.correct.setEnabled(one is not None and one.status not in ("running", "imported"))
         self._idle_queue.add(self._draw)
 
     def _correct(self) -> None:
         if (one := self.chosen()) is not None:
-            title, words = self.tr("Correct the serial"), self.tr("Serial of the DUT of run {0}:").format(one["run_id"])
-            serial, good = QInputDialog.getText(self, title, words, text=one["dut_serial"])
-            if good and serial.strip() and serial.strip() != one["dut_serial"]:
-                self.correct_serial(one["run_id"], serial)
+            title, words = self.tr("Correct the serial"), self.tr("Serial of the DUT of run {0}:").format(one.run_id)
+            serial, good = QInputDialog.getText(self, title, words, text=one.dut_serial)
+            if good and serial.strip() and serial.strip() != one.dut_serial:
+                self.correct_serial(one.run_id, serial)
 
     def correct_serial(self, run: str, serial: str) -> None:
         """State another serial of the DUT of `run`, in the operator's name."""
@@ -187,24 +193,22 @@ class HistoryPage(QWidget):
             self._app_state.store_changed.emit()
             self.refresh()
 
-        self._app_state.quick_worker.request(
-            "correct_serial", corrected, self.fault.show_fault, run=run, serial=serial, who=who
-        )
+        self._app_state.quick_worker.request(CorrectSerial(run, serial, who), corrected, self.fault.show_fault)
 
     def _open(self) -> None:
         if (one := self.chosen()) is not None and self.open.isEnabled():
-            self._app_state.fit_requested.emit(one["run_id"])
+            self._app_state.open_study(one.run_id)
 
     def _export(self) -> None:
         one = self.chosen()
         if one is None:
             return
-        start = str(Path.home() / one["run_id"])
+        start = str(Path.home() / one.run_id)
         out, kind = QFileDialog.getSaveFileName(self, self.tr("Export the run"), start, ";;".join(FORMATS))
         if out:
-            self.export_to(one["run_id"], FORMATS[kind], out)
+            self.export_to(one.run_id, FORMATS[kind], out)
 
-    def export_to(self, run: str, kind: str, out: str) -> None:
+    def export_to(self, run: str, kind: Format, out: str) -> None:
         """Write `run` to `out`, then say where it lies."""
         words = self.tr("Exported: {0}").format(out)
 
@@ -214,21 +218,21 @@ class HistoryPage(QWidget):
             self.folder.show_folder(out)
             self._app_state.lab.update(message=words)
 
-        self._app_state.quick_worker.request("export", known, self.fault.show_fault, run=run, format=kind, out=out)
+        self._app_state.quick_worker.request(ExportRun(run, kind, out), known, self.fault.show_fault)
 
     def _import(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("Import a run bundle"), "", "*.zip")
         if path:
-            self._app_state.quick_worker.request("import", lambda _: self.refresh(), self.fault.show_fault, path=path)
+            self._app_state.quick_worker.request(ImportBundle(path), lambda _: self.refresh(), self.fault.show_fault)
 
     def dut(self) -> str:
         """Of the chosen run, else the one at the top of the window."""
         one = self.chosen()
-        return str(one["dut_serial"]) if one is not None else self._app_state.lab.state.dut_serial
+        return one.dut_serial if one is not None else self._app_state.lab.state.dut_serial
 
     def _draw(self) -> None:
         dut = self.dut()
-        mine = [c for c in reversed(self._calibrations) if c["dut"]["serial"] == dut]
+        mine = [c for c in reversed(self._calibrations) if c.dut.serial == dut]
         self.trend_heading.setText(self.tr("Calibrations of {0}").format(dut or "–"))
         self.plot.clear()
         for widget, shown in ((self.none, not mine), (self.plot, bool(mine)), (self.parameter, bool(mine))):
@@ -250,19 +254,19 @@ class HistoryPage(QWidget):
             if max(times) - min(times) < DAY_S:
                 self.plot.setXRange(min(times) - DAY_S, max(times) + DAY_S)
 
-    def _line(self, t: Any, files: list[dict[str, Any]], start: int, axis: int, colour: str) -> None:
+    def _line(self, t: Any, files: list[CalibrationFile], start: int, axis: int, colour: str) -> None:
         if not files:
             return
         at = 9 + axis if start == 9 else 4 * axis
-        flat = [[v for row in one["K"] for v in row] + list(one["k_nT"]) for one in files]
-        value, U = np.array([f[at] for f in flat]), np.array([2 * one["u"][at] if one["u"] else 0.0 for one in files])
+        flat = [[v for row in one.K for v in row] + list(one.k_nT) for one in files]
+        value, U = np.array([f[at] for f in flat]), np.array([2 * one.u[at] if one.u else 0.0 for one in files])
         if start == 0:
             value, U = 1e6 * (value / value[0] - 1), 1e6 * U / abs(value[0])
         self.plot.addItem(pg.ErrorBarItem(x=t, y=value, height=2 * U, beam=0, pen=pg.mkPen(colour, width=2)))
         self.plot.plot(t, value, pen=pg.mkPen(colour), symbol="o", symbolSize=7, symbolBrush=colour, symbolPen=None)
 
-    def _when(self, one: dict[str, Any]) -> float:
-        started = next((run["started_utc"] for run in self._runs if run["run_id"] == one["run_id"]), None)
+    def _when(self, one: CalibrationFile) -> float:
+        started = next((run.started_utc for run in self.runs if run.run_id == one.run_id), None)
         if started is None:
-            return datetime.fromtimestamp(Path(one["path"]).stat().st_mtime, UTC).timestamp()
+            return datetime.fromtimestamp(Path(one.path).stat().st_mtime, UTC).timestamp()
         return datetime.fromisoformat(started.replace("Z", "+00:00")).timestamp()

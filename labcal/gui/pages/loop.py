@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QPlainTextEdit, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.wire import Fault, unpack
+from labcal.gui.ipc.answers import Change, Loop
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
@@ -21,6 +20,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
+from labcal.model.calibration import EffectRecord, Rival
 
 WORDS = {
     "clean": ("✓ CLEAN", "good"),
@@ -31,31 +31,22 @@ WORDS = {
 }
 
 
-DRIVERS = {  # what an effect without a channel is best seen against
-    "axis-tilt": "angle", "cage-field": "angle", "field-gradient": "field", "nonlinearity": "field",
-    "cross-field": "field", "hysteresis": "angle", "lag": "angle",
-}  # fmt: skip
+Cause = EffectRecord | Rival
 
 
-def driver(effect: dict[str, Any]) -> str:
-    """The regressor that an effect without a channel is drawn against first."""
-    return DRIVERS.get(effect["effect"], "time")
-
-
-def cause(effect: dict[str, Any]) -> str:
+def cause(effect: Cause) -> str:
     """An effect and its channels: "offset-current (i_radio)"."""
-    return cause_name(effect["effect"], effect["channels"])
+    return cause_name(effect.effect, effect.channels)
 
 
-def candidates(loop: dict[str, Any]) -> list[tuple[str, dict[str, Any], str]]:
+def candidates(loop: Loop) -> list[tuple[str, Cause, str]]:
     """Every cause there was: its standing, itself, and why; the named ones first."""
-    found = [("accepted", effect, effect["why"]) for effect in loop["accepted"]]
-    for effect in loop["accepted"]:
+    found: list[tuple[str, Cause, str]] = [("accepted", effect, effect.why) for effect in loop.accepted]
+    for effect in loop.accepted:
         found += [
-            ("rival", rival, translated("does about as well as {0}").format(cause(effect)))
-            for rival in effect["rivals"]
+            ("rival", rival, translated("does about as well as {0}").format(cause(effect))) for rival in effect.rivals
         ]
-    return found + [("rejected", effect, effect["why"]) for effect in loop["rejected"]]
+    return found + [("rejected", effect, effect.why) for effect in loop.rejected]
 
 
 class LoopPage(QWidget):
@@ -190,13 +181,16 @@ class LoopPage(QWidget):
         return card
 
     def _measure(self) -> None:
-        proposed = (self._study.loop or {}).get("loop", {}).get("next_experiment") or {}
-        mine, there = (self._study.look or {}).get("dut", ""), self._app_state.lab.state.dut_serial
+        proposed = self._study.loop.next_experiment if self._study.loop is not None else None
+        if proposed is None or proposed.procedure is None:
+            return None
+        mine = self._study.look.dut if self._study.look is not None else ""
+        there = self._app_state.lab.state.dut_serial
         if mine != there:
             words = self.tr("This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.")
             return self.fault.show_fault(Fault("input", words.format(mine, there)))
-        self._study.want(proposed["procedure"])
-        return self._app_state.plan_requested.emit(proposed["procedure"])
+        self._study.want(proposed.procedure)
+        return self._app_state.open_procedure(proposed.procedure, plan=True)
 
     def set_theme(self, theme: Theme) -> None:
         """States, bars and points in the theme's colours."""
@@ -219,7 +213,7 @@ class LoopPage(QWidget):
         self.empty.setVisible(study.loop is None)
         self._say_empty()
         if study.loop is not None:
-            self._show_loop(study.loop["loop"], study.loop["remarks"])
+            self._show_loop(study.loop)
 
     def _say_empty(self) -> None:
         """What to do where nothing is traced yet."""
@@ -241,16 +235,16 @@ class LoopPage(QWidget):
         self.waiting.setText(", ".join(study.waiting) if study.busy and not words else words)
         self.waiting.setVisible(study.busy)
 
-    def _show_loop(self, loop: dict[str, Any], remarks: list[str]) -> None:
-        words, state = WORDS[loop["verdict"]]
+    def _show_loop(self, loop: Loop) -> None:
+        words, state = WORDS[loop.verdict]
         self.verdict.setText(translated(words))
         set_state(self.verdict, state)
-        self.summary.setText(loop["summary"])
-        before, after = loop["before"]["holdout_rms_nT"], loop["after"]["holdout_rms_nT"]
+        self.summary.setText(loop.summary)
+        before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
-        floor = format_number(loop["noise_floor_nT"], signed=False)
-        self.noise.setText(self.tr("held-out rms; noise alone: {0} nT, {1}").format(floor, loop["noise_floor_source"]))
-        self._show_unknown(loop, remarks)
+        floor = format_number(loop.noise_floor_nT, signed=False)
+        self.noise.setText(self.tr("held-out rms; noise alone: {0} nT, {1}").format(floor, loop.noise_floor_source))
+        self._show_unknown(loop)
         self._fill_against(loop)
         self._name_change()
         self._idle_queue.add(self._show_candidates, self._show_bars, self._show_left, self._show_change)
@@ -259,21 +253,21 @@ class LoopPage(QWidget):
         """As calibrated, with each named cause in turn, and with its rivals instead."""
         if self._study.loop is None:
             return
-        loop = self._study.loop["loop"]
-        base = loop["before"]["holdout_rms_nT"]
+        loop = self._study.loop
+        base = loop.before_nT
         rows: list[tuple[str, float, tuple[float, float] | None, str]] = [
             (self.tr("as calibrated"), base, None, self._theme.muted)
         ]
-        for effect in loop["accepted"]:
-            gain = effect["improvement_ci95_nT"]
-            start = effect["holdout_rms_before_nT"] or base
+        for effect in loop.accepted:
+            gain = effect.improvement_ci95_nT
+            start = effect.holdout_rms_before_nT or base
             interval = (start - gain[1], start - gain[0]) if gain else None
-            rows.append((f"+ {cause(effect)}", effect["holdout_rms_after_nT"] or base, interval, self._theme.accent))
+            rows.append((f"+ {cause(effect)}", effect.holdout_rms_after_nT or base, interval, self._theme.accent))
             rows += [
-                (self.tr("or {0}").format(cause(r)), r["holdout_rms_after_nT"], None, self._theme.warning)
-                for r in effect["rivals"]
+                (self.tr("or {0}").format(cause(r)), r.holdout_rms_after_nT, None, self._theme.warning)
+                for r in effect.rivals
             ]
-        self.bars.show_bars(rows, loop["noise_floor_nT"])
+        self.bars.show_bars(rows, loop.noise_floor_nT)
 
     def _show_candidates(self) -> None:
         """Every cause with its standing, and below it why: whole, however long."""
@@ -282,7 +276,7 @@ class LoopPage(QWidget):
         words = {"accepted": self.tr("✓ {0}: named"), "rival": self.tr("? {0}: a rival"),
                  "rejected": self.tr("– {0}: not named")}  # fmt: skip
         inks = {"accepted": self._theme.good, "rival": self._theme.warning, "rejected": self._theme.text}
-        listed = candidates(self._study.loop["loop"])
+        listed = candidates(self._study.loop)
         while self.others.count() > len(listed):
             self.others.takeItem(len(listed))
         self.others.addItems([""] * (len(listed) - self.others.count()))
@@ -293,47 +287,45 @@ class LoopPage(QWidget):
                 item.setToolTip(text)
             item.setForeground(QColor(inks[standing]))
 
-    def picked(self) -> tuple[str, dict[str, Any], str] | None:
+    def picked(self) -> tuple[str, Cause, str] | None:
         """Standing, cause and why of what is chosen in the list; None for the loop's own verdict."""
         loop, rows = self._study.loop, self.others.selectedIndexes()
         if loop is None or not rows:
             return None
-        return candidates(loop["loop"])[rows[0].row()]
+        return candidates(loop)[rows[0].row()]
 
     def _picked(self) -> None:
         if (chosen := self.picked()) is not None:
-            self._study.look_at(chosen[1]["effect"], chosen[1]["channels"])
+            self._study.look_at(chosen[1].effect, chosen[1].channels)
         if self._study.loop is not None:
-            self._fill_against(self._study.loop["loop"])
+            self._fill_against(self._study.loop)
             self._name_change()
             self._idle_queue.add(self._show_change)
 
-    def _show_unknown(self, loop: dict[str, Any], remarks: list[str]) -> None:
-        lines = [self.tr("Added to it: {0}.").format(one) for one in self._study.measured] + list(remarks)
-        aside = {name: n for name, n in loop["set_aside"].items() if n}
+    def _show_unknown(self, loop: Loop) -> None:
+        lines = [self.tr("Added to it: {0}.").format(one) for one in self._study.measured] + list(loop.remarks)
+        aside = {name: n for name, n in loop.set_aside.items() if n}
         lines += [self.tr("Rows set aside: {0} {1}").format(n, name) for name, n in aside.items()]
-        for effect in loop["accepted"]:
+        for effect in loop.accepted:
             lines += [
-                self.tr("{0} explains it about as well as {1}.").format(cause(r), cause(effect))
-                for r in effect["rivals"]
+                self.tr("{0} explains it about as well as {1}.").format(cause(r), cause(effect)) for r in effect.rivals
             ]
-        proposed = loop["next_experiment"]
-        if proposed:
-            lines += [proposed["why"], proposed["do"]]
-        if (proposed or {}).get("procedure"):
-            lines.append(self.tr("Measured by the procedure {0}.").format(proposed["procedure"]))
+        proposed = loop.next_experiment
+        procedure = "" if proposed is None else proposed.procedure or ""
+        if proposed is not None:
+            lines += [proposed.why, proposed.do]
+        if procedure:
+            lines.append(self.tr("Measured by the procedure {0}.").format(procedure))
         self.unknown.setPlainText("\n\n".join(lines) or self.tr("Nothing that this run could show."))
-        procedure = (proposed or {}).get("procedure")
         self.next.setVisible(bool(procedure))
         self.next.setText(self.tr("Measure what would tell them apart"))
-        self.next.setAccessibleDescription(procedure or "")
+        self.next.setAccessibleDescription(procedure)
 
-    def _fill_against(self, loop: dict[str, Any]) -> None:
-        against = self._study.loop["against"] if self._study.loop else {}
-        chosen = self.picked()
-        effects = loop["accepted"] if chosen is None else [chosen[1]]
-        channels = [c for effect in effects for c in effect["channels"]]
-        driven = channels or [driver(effect) for effect in effects]
+    def _fill_against(self, loop: Loop) -> None:
+        against, chosen = loop.change.against, self.picked()
+        effects: tuple[Cause, ...] = loop.accepted if chosen is None else (chosen[1],)
+        channels = [c for effect in effects for c in effect.channels]
+        driven = channels or [loop.drawn_against.get(effect.effect, "time") for effect in effects]
         first = [name for name in against if name.split("  ")[0] in driven]
         names = first + [name for name in against if name not in first]
         if [self.against.itemText(n) for n in range(self.against.count())] != names:
@@ -342,16 +334,18 @@ class LoopPage(QWidget):
 
     def _show_left(self) -> None:
         if (said := self._study.loop) is not None:
-            before = unpack(said["before"])
+            before = said.change.before
             inks = zip("xyz", self._theme.axes, strict=True)
             clouds = [(axis, ink, before[:, n]) for n, (axis, ink) in enumerate(inks) if n < before.shape[1]]
-            noise_nT = said["loop"]["noise_floor_nT"] / before.shape[1] ** 0.5
-            self.left.show_residual("time  s", unpack(said["against"]["time  s"]), clouds, noise_nT)
+            noise_nT = said.noise_floor_nT / before.shape[1] ** 0.5
+            self.left.show_residual("time  s", said.change.against["time  s"], clouds, noise_nT)
 
-    def _one(self) -> dict[str, Any] | None:
+    def _one(self) -> Change | None:
         """What is drawn before and after: all named causes, or the one that is chosen, alone."""
-        chosen = self.picked()
-        return self._study.loop if chosen is None else self._study.causes.get(cause(chosen[1]))
+        chosen, loop = self.picked(), self._study.loop
+        if chosen is not None:
+            return self._study.causes.get(cause(chosen[1]))
+        return None if loop is None else loop.change
 
     def _name_change(self) -> None:
         """Whose change it is, why it stands as it does, and how much it is."""
@@ -363,7 +357,7 @@ class LoopPage(QWidget):
         self.change_why.setVisible(chosen is not None)
         if one is None:
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
-        both = (unpack(one["before"]), unpack(one["after"]))
+        both = (one.before, one.after)
         rms = (format_number(float(np.sqrt(np.nanmean(np.sum(part**2, axis=1)))), signed=False) for part in both)
         self.change_words.setText(self.tr("all rows {0} nT").format(" → ".join(rms)))
         tip = self.tr(
@@ -373,9 +367,9 @@ class LoopPage(QWidget):
 
     def _show_change(self) -> None:
         one, said, theme, name = self._one(), self._study.loop, self._theme, self.against.currentText()
-        if one is None or said is None or name not in one["against"]:
+        if one is None or said is None or name not in one.against:
             return self.change.clear()
-        before, after = unpack(one["before"]), unpack(one["after"])
-        noise_nT = said["loop"]["noise_floor_nT"] / before.shape[1] ** 0.5
+        before, after = one.before, one.after
+        noise_nT = said.noise_floor_nT / before.shape[1] ** 0.5
         both = [(self.tr("before"), theme.axis_x, before), (self.tr("after"), theme.accent, after)]
-        return self.change.show_residual(name, unpack(one["against"][name]), both, noise_nT)
+        return self.change.show_residual(name, one.against[name], both, noise_nT)

@@ -25,6 +25,8 @@ class RunPage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.addWidget(self.faces)
+        app_state.procedure_requested.connect(self._open_wanted)
+        self._open_wanted()
         self._more = self._build(theme)
 
     def build_more(self) -> bool:
@@ -52,6 +54,12 @@ class RunPage(QWidget):
         if not self._app_state.run.alive:
             self.choose.choose(names)
             self.faces.setCurrentWidget(self.choose)
+
+    def _open_wanted(self) -> None:
+        if (wanted := self._app_state.take_wanted()) is not None:
+            self.open_procedure(wanted.names)
+            if wanted.plan:
+                self.choose.rehearse()
 
     def _show(self) -> None:
         if self._app_state.run.alive or self._app_state.run.state == "ended":

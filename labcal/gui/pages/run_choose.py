@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
-from typing import Any
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QListWidgetItem, QScrollArea, QWidget
 
+from labcal.gui.ipc.answers import Procedure, Procedures
+from labcal.gui.ipc.messages import ListProcedures, Rehearse
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import Card, button, label
 from labcal.gui.widgets.idle_queue import IdleQueue
-from labcal.gui.widgets.parameter_form import ParameterForm, spec_of
+from labcal.gui.widgets.parameter_form import ParameterForm
 
 PACE_WORDS = {"true": "real time"}
 
@@ -25,7 +27,7 @@ class Choose(QWidget):
     def __init__(self, app_state: AppState) -> None:
         super().__init__()
         self._app_state, self._idle_queue = app_state, IdleQueue(self)
-        self._procedures: dict[str, dict[str, Any]] = {}
+        self._procedures: dict[str, Procedure] = {}
         self.form: ParameterForm | None = None
         self._wanted, self._plan_wanted = "preflight", False
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
@@ -37,7 +39,7 @@ class Choose(QWidget):
         row.addWidget(self._form_card(), 3)
         app_state.lab.changed.connect(self._check)
         app_state.bench_changed.connect(self._check)
-        app_state.request("procedures", self._known)
+        app_state.request(ListProcedures(), self.show_procedures)
 
     def _list_card(self) -> Card:
         card = Card(self.tr("Procedures"))
@@ -51,7 +53,7 @@ class Choose(QWidget):
 
     def _form_card(self) -> Card:
         card = Card(self.tr("Settings"))
-        self._heading, self.title = card.heading, label("", wrap=True)
+        self.heading, self.title = card.heading, label("", wrap=True)
         self._area = QScrollArea()
         self._area.setWidgetResizable(True)
         self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # a field that has the focus comes into sight by itself
@@ -110,17 +112,18 @@ class Choose(QWidget):
                 self.plan.setText(text)
                 self._check()
 
-        def planned(lines: list[str]) -> None:
-            self.needs.setText(needs_text(self._procedures[name] | {"lasts_min": 0}))  # the plan says it better
+        def planned(lines: tuple[str, ...]) -> None:
+            self.needs.setText(needs_text(replace(self._procedures[name], lasts_min=None)))  # the plan says it better
             show_plan("\n".join([*lines[1:], *self._what_for()]))  # the first line stands above as heading
 
         self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
         self.plan.show()
         self._check()
         self._app_state.bench_worker.request(
-            "plan", planned, lambda fault: show_plan(f"✕ {fault.text} {fault.remedy}"),
-            procedure=name, bench=self._app_state.bench, given=given,
-        )  # fmt: skip
+            Rehearse(name, self._app_state.bench, given),
+            planned,
+            lambda fault: show_plan(f"✕ {fault.text} {fault.remedy}"),
+        )
 
     def _what_for(self) -> list[str]:
         """Where the run is wanted to tell causes apart: what becomes of it."""
@@ -139,14 +142,16 @@ class Choose(QWidget):
             self.needs.setText(needs_text(self._procedures[self.list.currentItem().text()]))
         self._check()
 
-    def _known(self, procedures: list[dict[str, Any]]) -> None:
-        self._procedures = {one["name"]: one for one in procedures if "fault" not in one}
+    def show_procedures(self, there: Procedures) -> None:
+        """List what there is to run, and by name what does not load, with the reason."""
+        with QSignalBlocker(self.list):  # nothing is chosen before the new ones are there
+            self.list.clear()
+        self._procedures = {one.name: one for one in there.found}
         self.list.addItems(list(self._procedures))
-        for one in procedures:
-            if "fault" in one:
-                broken = QListWidgetItem(f"✕ {one['name']}", self.list)
-                broken.setFlags(Qt.ItemFlag.NoItemFlags)
-                broken.setToolTip(one["fault"])
+        for name, fault in there.broken.items():
+            broken = QListWidgetItem(f"✕ {name}", self.list)
+            broken.setFlags(Qt.ItemFlag.NoItemFlags)
+            broken.setToolTip(fault)
         self.choose(self._wanted)
         if self._plan_wanted:
             self.rehearse()
@@ -161,10 +166,10 @@ class Choose(QWidget):
 
     def _chosen(self, name: str) -> None:
         one = self._procedures[name]
-        self._heading.setText(procedure_title(name))
-        self.title.setText(one["title"])
+        self.heading.setText(procedure_title(name))
+        self.title.setText(one.title)
         self.needs.setText(needs_text(one))
-        self.form = ParameterForm([spec_of(p) for p in one["parameters"]])
+        self.form = ParameterForm(one.parameters)
         self.form.changed.connect(self._other_settings)
         self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
         self._idle_queue.put("form", partial(self._show_form, self.form))
@@ -175,7 +180,7 @@ class Choose(QWidget):
         form.setAutoFillBackground(False)
 
     def _check(self) -> None:
-        simulated = bool(self._app_state.facts.get("simulated"))
+        simulated = self._app_state.facts is not None and self._app_state.facts.simulated
         for widget in (self.pace, self.pace_label):
             widget.setVisible(simulated)
         objection = self._app_state.objection()
@@ -191,8 +196,8 @@ class Choose(QWidget):
             self._app_state.start(self.list.currentItem().text(), self.form.given())
 
 
-def needs_text(one: dict[str, Any]) -> str:
+def needs_text(one: Procedure) -> str:
     """What a procedure needs and how long it takes, in one line."""
-    needs = translated("Needs: {0}").format(one["needs"]) if one["needs"] else ""
-    lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one["lasts_min"] or 0)
-    return "\n".join(part for part in (needs, lasts if one["lasts_min"] else "") if part)
+    needs = translated("Needs: {0}").format(one.needs) if one.needs else ""
+    lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one.lasts_min or 0)
+    return "\n".join(part for part in (needs, lasts if one.lasts_min else "") if part)

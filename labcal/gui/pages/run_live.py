@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import procedure_title, translated
@@ -65,8 +66,8 @@ class Live(QWidget):
         right.setStretchFactor(0, 3)
         right.setStretchFactor(1, 1)
         row.addWidget(right, 5)
-        self._frame = QTimer(self, interval=FRAME_MS)
-        self._frame.timeout.connect(self._draw)
+        self.frame_timer = QTimer(self, interval=FRAME_MS)
+        self.frame_timer.timeout.connect(self.draw)
         self._run.changed.connect(self._show)
         app_state.lab.changed.connect(self._coils_known)
         self._show()
@@ -165,7 +166,7 @@ class Live(QWidget):
 
     def _fit(self) -> None:
         """To the Fit page, which begins at once: it was asked for."""
-        self._app_state.fit_requested.emit(self._run.run_id)
+        self._app_state.open_study(self._run.run_id)
         self._app_state.study_vm.fit("ml")
 
     def _note(self) -> None:
@@ -180,7 +181,7 @@ class Live(QWidget):
     def keep_photo(self, path: str) -> None:
         """Copy the photograph at `path` beside the store and put it into the record, with the note as its words."""
         text = self.note.text().strip() or self.tr("photograph")
-        self._app_state.request("photo", lambda kept: self._run.note(text, **kept), path=path)
+        self._app_state.request(KeepPhoto(path), lambda kept: self._run.note(text, **kept))
         self.note.clear()
 
     def _pause_or_go_on(self) -> None:
@@ -216,11 +217,11 @@ class Live(QWidget):
         self.lights.show_run(run)
         self._show_fault(run.fault)
         self._ask()
-        self._frame.start() if run.alive else self._draw_last()
+        self.frame_timer.start() if run.alive else self._draw_last()
 
     def _draw_last(self) -> None:
-        self._frame.stop()
-        self._draw()
+        self.frame_timer.stop()
+        self.draw()
 
     def _show_fault(self, fault: Fault | None) -> None:
         self.fault.show_fault(fault)
@@ -275,7 +276,8 @@ class Live(QWidget):
         if item.foreground().color().name() != colour:
             item.setForeground(QColor(colour))
 
-    def _draw(self) -> None:
+    def draw(self) -> None:
+        """Draw what has come since the last frame."""
         run = self._run
         self._show_left()
         self.headline.setText(self._now())

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from datetime import UTC, date, datetime
-from typing import Any
 
 from PySide6.QtCore import QDate, QLocale
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from labcal.gui.ipc.answers import Cage, Checked, RunLine
+from labcal.gui.ipc.messages import FindSimulatedBench, LastCageCheck, LastClosingCheck, ListRuns
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
@@ -26,7 +27,7 @@ class StartPage(QWidget):
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
         self._app_state = app_state
-        self._cage_check: dict[str, Any] | None = None
+        self._cage_check: Checked | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
@@ -59,9 +60,9 @@ class StartPage(QWidget):
 
     def refresh(self) -> None:
         """Ask again."""
-        self._app_state.request("runs", self._runs_known)
-        self._app_state.request("closing", self._closing_known)
-        self._app_state.request("cage_check", self._cage_known)
+        self._app_state.request(ListRuns(), self._runs_known)
+        self._app_state.request(LastClosingCheck(), self._closing_known)
+        self._app_state.request(LastCageCheck(), self._cage_known)
 
     def _hello_card(self) -> Card:
         card = Card()
@@ -74,9 +75,11 @@ class StartPage(QWidget):
         )
         self.morning.clicked.connect(self._morning)
         self.calibrate = button(self.tr("Calibrate a DUT"), self.tr("The preflight on the Run page"))
-        self.calibrate.clicked.connect(lambda: self._app_state.procedure_requested.emit("preflight"))
+        self.calibrate.clicked.connect(lambda: self._app_state.open_procedure("preflight"))
         self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
-        self.simulated.clicked.connect(lambda: self._app_state.request("simulated_bench", self._app_state.open_bench))
+        self.simulated.clicked.connect(
+            lambda: self._app_state.request(FindSimulatedBench(), self._app_state.open_bench)
+        )
         self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
         self.open.clicked.connect(lambda: self._app_state.page_requested.emit("Bench"))
         row = QHBoxLayout()
@@ -105,15 +108,17 @@ class StartPage(QWidget):
         beside.setText(detail)
 
     def _morning(self) -> None:
-        self._app_state.procedure_requested.emit("|".join(MORNING_CHECKS))
+        self._app_state.open_procedure("|".join(MORNING_CHECKS))
 
     def _enable(self) -> None:
         objection, facts = self._app_state.objection(), self._app_state.facts
         self.question.setText(
             objection
-            or self.tr("Ready. {0} stands on {1}.").format(self._app_state.lab.state.dut_serial, facts["name"])
+            or self.tr("Ready. {0} stands on {1}.").format(
+                self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
+            )
         )
-        known = bool(facts)
+        known = facts is not None
         for widget in (self.simulated, self.open):
             widget.setVisible(not known)
         for widget in (self.morning, self.calibrate):
@@ -121,12 +126,13 @@ class StartPage(QWidget):
             widget.setEnabled(not self._app_state.run.alive)
 
     def _bench_known(self) -> None:
-        self._show_reference((self._app_state.facts.get("reference") or {}).get("calibration") or "")
-        self._show_cage(self._app_state.facts.get("cage") or {})
+        facts = self._app_state.facts
+        self._show_reference("" if facts is None else facts.reference.calibration or "")
+        self._show_cage(None if facts is None else facts.cage)
         self._enable()
 
     def _show_reference(self, said: str) -> None:
-        if not self._app_state.facts:
+        if self._app_state.facts is None:
             return self._say("reference", self.tr("not known"), self.tr("No bench is open."))
         dated = re.search(r"\d{4}-\d{2}-\d{2}", said)
         if dated is None:
@@ -138,31 +144,31 @@ class StartPage(QWidget):
             return self._say("reference", self.tr("▲ due"), words, "warning")
         return self._say("reference", self.tr("✓ in date"), words, "good")
 
-    def _show_cage(self, cage: dict[str, Any]) -> None:
-        if not cage:
+    def _show_cage(self, cage: Cage | None) -> None:
+        if cage is None:
             return self._say("cage", self.tr("not known"), self.tr("No bench is open."))
         if self._cage_check is not None:
             return self._show_cage_check(self._cage_check)
-        if not cage["matrix_nT_per_A"]:
+        if not cage.stated:
             words = self.tr("The bench file states coil constants only; run cage-calibration to measure the matrix.")
             return self._say("cage", self.tr("▲ not measured"), words, "warning")
-        if cage["calibration"]:
-            words = self.tr("The matrix is that of the approved cage calibration {0}.").format(cage["calibration"])
+        if cage.calibration:
+            words = self.tr("The matrix is that of the approved cage calibration {0}.").format(cage.calibration)
             return self._say("cage", self.tr("✓ approved"), words, "good")
         words = self.tr("The bench file states a matrix without a date: run cage-calibration to see whether it holds.")
         return self._say("cage", self.tr("? not checked"), words, "warning")
 
-    def _cage_known(self, said: dict[str, Any] | None) -> None:
+    def _cage_known(self, said: Checked | None) -> None:
         self._cage_check = said
-        self._show_cage(self._app_state.facts.get("cage") or {})
+        self._show_cage(None if self._app_state.facts is None else self._app_state.facts.cage)
 
-    def _show_cage_check(self, said: dict[str, Any]) -> None:
+    def _show_cage_check(self, said: Checked) -> None:
         """What the last cage-calibration found, and how long ago."""
-        days = days_since(said["run"]["started_utc"])
-        words = self.tr("Checked {0}, {1} days ago.").format(said["run"]["started_utc"][:10], days)
-        if (worst := said["measurement"]) is not None:
-            words += f"\n{worst['name']}: {format_number(worst['value'])} {worst['unit']} ({worst['limit']:g})"
-        self._say_cage(words, days, said["verdict"])
+        days = days_since(said.run.started_utc)
+        words = self.tr("Checked {0}, {1} days ago.").format(said.run.started_utc[:10], days)
+        if (worst := said.measurement) is not None:
+            words += f"\n{worst.name}: {format_number(worst.value)} {worst.unit} ({worst.limit:g})"
+        self._say_cage(words, days, said.verdict)
 
     def _say_cage(self, words: str, days: int, verdict: str) -> None:
         """It holds where the last look at it says so, and that is not too long ago."""
@@ -171,18 +177,18 @@ class StartPage(QWidget):
             return self._say("cage", self.tr("▲ due"), words, "warning")
         return self._say("cage", f"{shape} {self.tr('holds') if verdict == 'PASS' else verdict}", words, state)
 
-    def _closing_known(self, said: dict[str, Any] | None) -> None:
-        if said is None:
+    def _closing_known(self, said: Checked | None) -> None:
+        if said is None or said.measurement is None:
             return self._say(
                 "closing", self.tr("none yet"), self.tr("No finished run in the store has a closing check.")
             )
-        worst, run = said["measurement"], said["run"]
-        shape, state = STATES.get(said["verdict"], ("", ""))
-        U = format_number(2 * worst["u"], signed=False)
-        value = f"{worst['name']}: {format_number(worst['value'])} ± {U} {worst['unit']}"
-        return self._say("closing", f"{shape} {said['verdict']}", f"{value}\n{run_title(run)}", state)
+        worst = said.measurement
+        shape, state = STATES.get(said.verdict, ("", ""))
+        U = format_number(2 * worst.u, signed=False)
+        value = f"{worst.name}: {format_number(worst.value)} ± {U} {worst.unit}"
+        return self._say("closing", f"{shape} {said.verdict}", f"{value}\n{run_title(said.run)}", state)
 
-    def _runs_known(self, runs: list[dict[str, Any]]) -> None:
+    def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         if runs:
             lines = [run_title(one) for one in runs[:3]]
             self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
@@ -192,17 +198,15 @@ class StartPage(QWidget):
         while (old := self.interrupted.body.takeAt(0)) is not None:
             if (widget := old.widget()) is not None:
                 widget.deleteLater()
-        broken = [one for one in runs if one["status"] == "interrupted"][:3]
+        broken = [one for one in runs if one.status == "interrupted"][:3]
         self.interrupted.setVisible(bool(broken))
         for one in broken:
             again = button(
                 self.tr("Go on with  {0}").format(run_title(one)),
                 self.tr("After its last finished step; you are asked whether the mounting stands"),
             )
-            again.clicked.connect(
-                lambda _=False, o=one: self._app_state.resume(o["run_id"], o["procedure"], o["dut_serial"])
-            )
-            again.setEnabled(bool(self._app_state.facts))
+            again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
+            again.setEnabled(self._app_state.facts is not None)
             self.interrupted.body.addWidget(again)
 
 

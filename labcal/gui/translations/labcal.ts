@@ -805,6 +805,13 @@
     </message>
 </context>
 <context>
+    <name>LazyPage</name>
+    <message>
+        <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Live</name>
     <message>
         <source>Steps</source>
@@ -1559,6 +1566,10 @@
     </message>
     <message>
         <source>■ Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ This page cannot be shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -48,6 +48,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "✕ An instrument failed"),
     QT_TRANSLATE_NOOP("Words", "✕ A limit is not met"),
     QT_TRANSLATE_NOOP("Words", "■ Stopped"),
+    QT_TRANSLATE_NOOP("Words", "✕ This page cannot be shown"),
     QT_TRANSLATE_NOOP("Words", "✕ Something in labcal broke"),
     QT_TRANSLATE_NOOP("Words", "✓ CLEAN"),
     QT_TRANSLATE_NOOP("Words", "✓ EXPLAINED"),

@@ -5,27 +5,39 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
 from pathlib import Path
 from traceback import format_exception
 from types import TracebackType
-from typing import Any
+from typing import TypeVar
 
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench.coils import state
+from labcal.files import absolute
+from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
 from labcal.gui.ipc.client import Client
+from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.lab import LabViewModel, Light
-from labcal.gui.viewmodels.run import Order, RunViewModel
+from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
 from labcal.home import file_at_home
 
+R = TypeVar("R")
 SILENT_S = 2.0
 AGES_MS = 500  # what was read grows old
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """A procedure to be shown on the Run page: `names` apart by |, the first that there is; its `plan` too."""
+
+    names: str
+    plan: bool = False
 
 
 class AppState(QObject):
@@ -34,9 +46,7 @@ class AppState(QObject):
     fault = Signal(object)  # of anything that has no card of its own
     bench_changed = Signal()
     page_requested = Signal(str)  # a page is asked for, by name
-    fit_requested = Signal(str)  # a run to fit
-    procedure_requested = Signal(str)  # to be chosen on the Run page; several names: the first that there is
-    plan_requested = Signal(str)  # the same, with its plan before it may be started
+    procedure_requested = Signal()  # `wanted` is to be chosen on the Run page
     store_changed = Signal()
     calibrations_changed = Signal(str)  # the path of the one that is new
     report_requested = Signal(object)  # a Fault, for a problem report
@@ -50,49 +60,66 @@ class AppState(QObject):
         self.study_vm = StudyViewModel(self.fit_worker)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
-        self.facts: dict[str, Any] = {}
-        self.answered: dict[str, dict[str, Any]] = {}  # by instrument, when they were last asked
+        self.facts: Bench | None = None
+        self.answered: dict[str, Greeting] = {}  # by instrument, when they were last asked
         self.bench = ""
+        self.wanted: Wanted | None = None
         self._refresh_timer = QTimer(self, interval=200)
         self._refresh_timer.timeout.connect(self._update_lab)
         self.known: state.LabState | None = None  # the lab as it was last read, by the computer's monotonic clock
-        self._taken: state.LabState | None = None  # from the run
+        self.taken: state.LabState | None = None  # from the run
         self._age_timer = QTimer(self, interval=AGES_MS)
         self._age_timer.timeout.connect(self._update_coil_words)
         self._age_timer.start()
-        self._force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
-        self._force_timer.timeout.connect(self._off_by_force)
+        self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
+        self.force_timer.timeout.connect(self._off_by_force)
         self.run.changed.connect(self._update_lab)
         self.run.ended.connect(self._ended)
         self.lab.update(operator=str(self.settings.value("operator", "")))
 
-    def request(self, do: str, then: Callable[[Any], None], **what: Any) -> None:
+    def request(self, command: Command[R], then: Callable[[R], object]) -> None:
         """Ask the quick worker; a fault comes up as a card."""
-        self.quick_worker.request(do, then, self.fault.emit, **what)
+        self.quick_worker.request(command, then, self.fault.emit)
 
     def open_bench(self, bench: str) -> None:
         """Take `bench` as the bench from here on, unless a run goes on or it cannot be read."""
         if self.run.alive:
             return self.fault.emit(Fault("input", self.tr("A run goes on; open another bench after it.")))
-        path = str(Path(bench).resolve())
+        path = str(absolute(Path(bench)))
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
-        return self.request("bench", partial(self._bench_known, path), bench=path)
+        return self.request(ReadBench(path), partial(self._bench_known, path))
 
-    def _bench_known(self, path: str, facts: dict[str, Any]) -> None:
+    def _bench_known(self, path: str, facts: Bench) -> None:
         self.known = self.known if path == self.bench else None  # what was read on another bench says nothing of this
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
-        self.run.nominal_nT_per_unit = facts["dut"]["nominal_nT_per_unit"]
-        self.run.links = {name: one["link"] for name, one in facts["instruments"].items()}
-        lights: tuple[tuple[str, Light, str], ...] = tuple((name, "absent", "") for name in facts["instruments"])
-        serial = self.lab.state.dut_serial or facts["dut"]["serial"]
-        self.lab.update(bench=facts["name"], simulated=facts["simulated"], dut_serial=serial, lights=lights)
+        self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
+        self.run.links = {name: one.link for name, one in facts.instruments.items()}
+        lights: tuple[tuple[str, Light, str], ...] = tuple((name, "absent", "") for name in facts.instruments)
+        serial = self.lab.state.dut_serial or facts.dut.serial
+        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial, lights=lights)
         self.bench_changed.emit()
 
-    def take_greetings(self, answers: list[dict[str, Any]]) -> None:
+    def take_greetings(self, said: Identified) -> None:
         """Who answered, and who did not."""
-        self.answered = {one["name"]: one for one in answers}
-        self.lab.update(lights=tuple((n, "fault" if one["fault"] else "ok", "") for n, one in self.answered.items()))
+        self.answered = {one.name: one for one in said.greetings}
+        self.lab.update(lights=tuple((n, "fault" if one.fault else "ok", "") for n, one in self.answered.items()))
+
+    def open_procedure(self, names: str, *, plan: bool = False) -> None:
+        """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
+        self.wanted = Wanted(names, plan)
+        self.page_requested.emit("Run")
+        self.procedure_requested.emit()
+
+    def take_wanted(self) -> Wanted | None:
+        """The procedure that is to be shown; it is shown once."""
+        wanted, self.wanted = self.wanted, None
+        return wanted
+
+    def open_study(self, run: str) -> None:
+        """Show `run` on the Fit page."""
+        self.page_requested.emit("Fit")
+        self.study_vm.open(run)
 
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
@@ -137,10 +164,10 @@ class AppState(QObject):
         self.run.resume(run_id, self._order(procedure, {}))
         self.page_requested.emit("Run")
 
-    def _order(self, procedure: str, given: dict[str, str]) -> Order:
+    def _order(self, procedure: str, given: dict[str, str]) -> RunProcedure:
         state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))
         seed = self.settings.value("seed")
-        return Order(
+        return RunProcedure(
             procedure, self.bench, given, state.dut_serial, state.operator, pace, int(str(seed)) if seed else None
         )
 
@@ -148,7 +175,7 @@ class AppState(QObject):
         """Every coil to zero now, whatever goes on. A run that does not get there itself is ended, and switched off."""
         if self.run.alive:
             self.run.abort()
-            self._force_timer.start()
+            self.force_timer.start()
         elif self.bench:
             self._switch_off()
         else:
@@ -161,7 +188,7 @@ class AppState(QObject):
 
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
-        self._force_timer.stop()  # the next run is not to pay for this one
+        self.force_timer.stop()  # the next run is not to pay for this one
         order = self.run.order
         if status == "finished" and order is not None and order.after and order.after == self.study_vm.run:
             self.study_vm.add(order.procedure, run_id)
@@ -173,18 +200,17 @@ class AppState(QObject):
     def _switch_off(self) -> None:
         self.known = None
         self.lab.update(coil_A=None, message=self.tr("Coils off: reading them back …"))
-        self.off_worker.request("off", self._off_known, self._off_failed, bench=self.bench)
+        self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
-    def _off_known(self, axes: list[dict[str, Any]]) -> None:
-        good = all(axis["ok"] for axis in axes) and not axes[0].get("doubt")
-        words = "; ".join(f"{axis['axis']}: {axis['words']}" for axis in axes)
-        currents = tuple(axis["current_A"] for axis in axes)
-        doubt = str(axes[0].get("doubt", ""))
-        witness = state.Witness("disagrees", doubt) if doubt else state.Witness()
-        self.known = state.LabState(tuple(map(_coil, axes)), witness)
-        said = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
+    def _off_known(self, said: SwitchedOff) -> None:
+        good = all(axis.ok for axis in said.coils) and not said.doubt
+        words = "; ".join(f"{axis.axis}: {axis.words}" for axis in said.coils)
+        currents = tuple(axis.current_A for axis in said.coils)
+        witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
+        self.known = state.LabState(tuple(map(_coil, said.coils)), witness)
+        message = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
         known = None if None in currents else currents
-        self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=said)
+        self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=message)
         self._update_coil_words()
         if not good:
             self._off_failed(Fault("instrument", words))
@@ -208,8 +234,8 @@ class AppState(QObject):
         run = self.run
         if run.state == "idle":
             return
-        if run.lab is not None and run.lab is not self._taken:
-            self.known = self._taken = run.lab
+        if run.lab is not None and run.lab is not self.taken:
+            self.known = self.taken = run.lab
         self._update_coil_words()
         rows = run.reference.rows()[-20:]
         now = run.alive and len(rows) > 0  # after a run, what was measured last is not the field now
@@ -221,7 +247,7 @@ class AppState(QObject):
             field_set_nT=run.field_set_nT,
             field_measured_nT=measured,
             field_U_nT=self._U(measured),
-            coil_A=run.coil_A if self.known is self._taken else self.lab.state.coil_A,
+            coil_A=run.coil_A if self.known is self.taken else self.lab.state.coil_A,
             coils_at_zero=run.coils_at_zero,
             lights=self._lights(),
             message=run.message,
@@ -232,11 +258,11 @@ class AppState(QObject):
 
     def _U(self, measured: tuple[float, ...] | None) -> float | None:
         """Of the reference, k = 2, from what the bench file states."""
-        said = self.facts.get("reference", {})
-        if measured is None or said.get("u_offset_nT") is None:
+        said = None if self.facts is None else self.facts.reference
+        if measured is None or said is None or said.u_offset_nT is None:
             return None
         size = sum(v * v for v in measured) ** 0.5
-        return 2.0 * float((said["u_offset_nT"] ** 2 + (size * 1e-6 * (said.get("u_scale_ppm") or 0.0)) ** 2) ** 0.5)
+        return 2.0 * float((said.u_offset_nT**2 + (size * 1e-6 * (said.u_scale_ppm or 0.0)) ** 2) ** 0.5)
 
     def _lights(self) -> tuple[tuple[str, Light, str], ...]:
         said = self.run.fault.text if self.run.fault else ""
@@ -257,7 +283,8 @@ class AppState(QObject):
 
         told = self.run.lab.instruments if self.run.lab is not None else ()
         wrong = {one.name: one.fault for one in told if one.fault}
-        return tuple(light(name, one["role"]) for name, one in self.facts.get("instruments", {}).items())
+        there = {} if self.facts is None else self.facts.instruments
+        return tuple(light(name, one.role) for name, one in there.items())
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
@@ -267,15 +294,15 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self._force_timer, self._refresh_timer, self._age_timer):
+        for timer in (self.force_timer, self._refresh_timer, self._age_timer):
             timer.stop()
         self.bench_worker.close(8000)
         for worker in (self.quick_worker, self.fit_worker, self.off_worker):
             worker.close(500)
 
 
-def _coil(said: dict[str, Any]) -> state.CoilReading:
+def _coil(said: CoilEnd) -> state.CoilReading:
     """One axis as it was read back when it was switched off."""
-    known, read_s = said["current_A"] is not None, said.get("read_s") or time.monotonic()
-    fault = "" if said["ok"] else str(said["words"])
-    return state.CoilReading(said["axis"], None, said["current_A"], known, known, read_s if known else None, fault)
+    known, read_s = said.current_A is not None, said.read_s or time.monotonic()
+    fault = "" if said.ok else said.words
+    return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)

@@ -13,24 +13,24 @@ class RingBuffer:
 
     def __init__(self, columns: int, size: int = 10_000) -> None:
         self._rows = np.empty((size, 1 + columns))
-        self._written = 0
+        self.written = 0
 
     def __len__(self) -> int:
-        return min(self._written, len(self._rows))
+        return min(self.written, len(self._rows))
 
     def push(self, t_s: Array, values: Array) -> None:
         """Append rows: `t_s` (n,), `values` (n, k)."""
         new = np.column_stack([t_s, values])[-len(self._rows) :]
-        self._rows[(self._written + np.arange(len(new))) % len(self._rows)] = new
-        self._written += len(new)
+        self._rows[(self.written + np.arange(len(new))) % len(self._rows)] = new
+        self.written += len(new)
 
     def rows(self) -> Array:
         """What it holds, oldest first, (n, 1 + k)."""
-        if self._written <= len(self._rows):
-            return self._rows[: self._written]
-        start = self._written % len(self._rows)
+        if self.written <= len(self._rows):
+            return self._rows[: self.written]
+        start = self.written % len(self._rows)
         return np.concatenate([self._rows[start:], self._rows[:start]])
 
     def clear(self) -> None:
         """Forget everything."""
-        self._written = 0
+        self.written = 0

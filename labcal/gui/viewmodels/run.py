@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from labcal.bench.coils.state import LabState, from_json
+from labcal.bench.coils.state import LabState
+from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.client import Worker
-from labcal.gui.ipc.wire import Fault, item_from_json, with_instrument_names
+from labcal.gui.ipc.messages import Abort, Answer, Command, GoOn, Note, Pause, ResumeRun, RunProcedure, Stop, Word
+from labcal.gui.ipc.wire import Fault, with_instrument_names
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
@@ -35,20 +35,6 @@ AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements 
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Order:
-    """What is to be run. `given` holds settings as text, as `--set` takes them."""
-
-    procedure: str
-    bench: str
-    given: Mapping[str, str] = field(default_factory=dict)
-    dut: str = ""
-    operator: str = ""
-    pace: str = "at once"
-    seed: int | None = None
-    after: str = ""  # the run that this one is added to
-
-
 class RunViewModel(QObject):
     """Drives one worker. `changed`: anything but samples; `item`: each item that is not samples, as it comes."""
 
@@ -63,11 +49,12 @@ class RunViewModel(QObject):
         worker.states.connect(self._take_state)
         self.nominal_nT_per_unit = nominal_nT_per_unit
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
-        self.order: Order | None = None
+        self.order: RunProcedure | None = None
         self.dut, self.reference = RingBuffer(3), RingBuffer(3)
-        self._forget()
+        self.forget()
 
-    def _forget(self) -> None:
+    def forget(self) -> None:
+        """Be as before the first run."""
         self.state: State = "idle"
         self.prompt: Prompt | None = None
         self.fault: Fault | None = None
@@ -94,51 +81,49 @@ class RunViewModel(QObject):
         """Whether a run goes on."""
         return self.state in ALIVE
 
-    def start(self, order: Order) -> None:
+    def start(self, order: RunProcedure) -> None:
         """Begin. One run at a time."""
-        self._begin(order, "run", procedure=order.procedure, given=dict(order.given), dut=order.dut,
-                    operator=order.operator, after=order.after)  # fmt: skip
+        self._begin(order, order)
 
-    def resume(self, run_id: str, order: Order) -> None:
+    def resume(self, run_id: str, order: RunProcedure) -> None:
         """Go on with an interrupted run."""
-        self._begin(order, "resume", run=run_id, dut=order.dut)
+        self._begin(order, ResumeRun(run_id, order.bench, order.dut, order.pace, order.seed))
 
-    def _begin(self, order: Order, do: str, **what: Any) -> None:
+    def _begin(self, order: RunProcedure, command: Command[Ended]) -> None:
         if self.alive:
             raise RuntimeError("a run goes on")
-        self._forget()
+        self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
-        common = {"bench": order.bench, "pace": order.pace, "seed": order.seed}
-        self._worker.request(do, self._done, self._failed, **what, **common)
+        self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
     def answer(self, text: str) -> None:
         """Answer the prompt that is open."""
         if self.prompt is None:
             return
-        self._worker.send("answer", key=self.prompt.key, text=text)
+        self._worker.send(Answer(self.prompt.key, text))
         self.prompt, self.message = None, self.tr("Hands off: it goes on.")
         self._be("running")
 
     def pause(self) -> None:
         """Wait where the next step begins, coils at zero."""
-        self._worker.send("pause")
+        self._worker.send(Pause())
         self.message = self.tr("Pauses where the next step begins.")
         self.changed.emit()
 
     def go_on(self) -> None:
         """Go on after a pause."""
-        self._worker.send("go on")
+        self._worker.send(GoOn())
 
     def stop(self) -> None:
         """End in order: the procedure undoes what it did, the coils go to zero."""
-        self._end("stop", self.tr("Stopping …"))
+        self._end(Stop(), self.tr("Stopping …"))
 
     def abort(self) -> None:
         """Coils to zero before anything else; the run ends."""
-        self._end("abort", self.tr("Coils off: the run ends …"))
+        self._end(Abort(), self.tr("Coils off: the run ends …"))
 
-    def _end(self, word: str, message: str) -> None:
+    def _end(self, word: Word, message: str) -> None:
         if self.alive:
             self._worker.send(word)
             self.prompt, self.message = None, message
@@ -147,7 +132,7 @@ class RunViewModel(QObject):
     def note(self, text: str, **data: str) -> None:
         """A remark into the record; `data` goes with it."""
         if self.alive and text.strip():
-            self._worker.send("note", text=text.strip(), data=data)
+            self._worker.send(Note(text.strip(), data))
 
     def silent_s(self, source: str) -> float:
         """For how long `source` has sent nothing, by the bench's clock."""
@@ -197,17 +182,17 @@ class RunViewModel(QObject):
         rows = [ring.rows()[:, 1:] for ring in self.locus.values()]
         return np.concatenate(rows) if rows else np.empty((0, 3))
 
-    def _take_state(self, said: dict[str, Any]) -> None:
-        self.lab = lab = from_json(said, 0.0)
+    def _take_state(self, lab: LabState) -> None:
+        self.lab = lab
         self.coils_at_zero = lab.at_zero(time.monotonic())
         x, y, z = (coil.current_A for coil in lab.coils)
         self.coil_A = None if x is None or y is None or z is None else (x, y, z)
         self.changed.emit()
 
-    def _take(self, said: list[list[Any]]) -> None:
-        for one in said:
-            self._one(item_from_json(one))
-        if any(one[0] != "block" for one in said):
+    def _take(self, items: tuple[Item, ...]) -> None:
+        for item in items:
+            self._one(item)
+        if not all(isinstance(item, Block) for item in items):
             self.changed.emit()
 
     def _one(self, item: Item) -> None:
@@ -281,9 +266,9 @@ class RunViewModel(QObject):
         self.state = state
         self.changed.emit()
 
-    def _done(self, result: dict[str, Any]) -> None:
-        self.run_id, self.status = result["run_id"], result["status"]
-        self.fault = with_instrument_names(Fault(**result["fault"]), self.links) if result["fault"] else None
+    def _done(self, result: Ended) -> None:
+        self.run_id, self.status = result.run_id, result.status
+        self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
 
     def _last_words(self) -> str:

@@ -25,12 +25,12 @@ class Scanner(QObject):
 
     def __init__(self, parent: QObject, now: Callable[[], float] = time.monotonic) -> None:
         super().__init__(parent)
-        self._now = now
+        self.now = now
         self._last_s = 0.0
         self._kept: list[tuple[QWidget, QKeyEvent]] = []
         self._replaying = False
-        self._wait = QTimer(self, interval=int(FASTEST_TYPIST_S * 1000) + 7, singleShot=True)
-        self._wait.timeout.connect(self.flush)
+        self.wait = QTimer(self, interval=int(FASTEST_TYPIST_S * 1000) + 7, singleShot=True)
+        self.wait.timeout.connect(self.flush)
 
     def handle_key(self, watched: QWidget, event: QKeyEvent) -> bool:
         """Hold characters back until it is known who types."""
@@ -43,12 +43,12 @@ class Scanner(QObject):
             return False
         if watched is not (QApplication.focusWidget() or watched.window()) or _secret(watched):
             return False
-        at_s = event.timestamp() / 1000 or self._now()  # when it was struck, however late a busy window hears of it
+        at_s = event.timestamp() / 1000 or self.now()  # when it was struck, however late a busy window hears of it
         if self._kept and at_s - self._last_s > FASTEST_TYPIST_S:
             self.flush()
         self._last_s = at_s
         self._kept.append((watched, event.clone()))
-        self._wait.start()
+        self.wait.start()
         return True
 
     def _of_another(self, window: QWidget) -> bool:
@@ -64,7 +64,7 @@ class Scanner(QObject):
     def flush(self) -> None:
         """Decide about what is held: a scan, or keys of a person."""
         kept, self._kept = self._kept, []
-        self._wait.stop()
+        self.wait.stop()
         struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
         text = "".join(event.text() for event in struck if event.key() not in ENTER)
         if len(text) >= SHORTEST:

@@ -57,8 +57,8 @@ class CageView(QWidget):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self._vectors: list[tuple[str, Triple]] = []
-        self._eye = [-28.0, 22.0]
+        self.vectors: list[tuple[str, Triple]] = []
+        self.eye = [-28.0, 22.0]
         self._dragged_from: QPointF | None = None
         self.setMinimumHeight(220)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -74,12 +74,12 @@ class CageView(QWidget):
     def show_vectors(self, applied: Triple | None, ambient: Triple | None, reference: Triple | None) -> None:
         """Fields [nT] in the cage's frame."""
         known = zip(vector_colours(self._theme), (applied, ambient, reference), strict=True)
-        self._vectors = [(colour, vector) for colour, vector in known if vector is not None]
+        self.vectors = [(colour, vector) for colour, vector in known if vector is not None]
         self.update()
 
     def turn(self, by_deg: float, tilt_deg: float) -> None:
         """Look from further round, and from higher up."""
-        self._eye = [self._eye[0] + by_deg, min(90.0, max(-90.0, self._eye[1] + tilt_deg))]
+        self.eye = [self.eye[0] + by_deg, min(90.0, max(-90.0, self.eye[1] + tilt_deg))]
         self.update()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -105,7 +105,7 @@ class CageView(QWidget):
         flat = (self.width() - space) / len(FLAT)
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            self._view(painter, QRectF(0, 0, space, self.height()), "", seen_from(*self._eye), 0.30)
+            self._view(painter, QRectF(0, 0, space, self.height()), "", seen_from(*self.eye), 0.30)
             for n, (title, eye) in enumerate(FLAT):
                 area = QRectF(space + n * flat, 0, flat, self.height())
                 self._view(painter, area, translated(title), seen_from(*eye), 0.34)
@@ -126,8 +126,8 @@ class CageView(QWidget):
 
         self._paint_coils(painter, at, eye)
         self._paint_axes(painter, at)
-        longest = max((hypot(*vector) for _, vector in self._vectors), default=0.0) or 1.0
-        for colour, vector in self._vectors:
+        longest = max((hypot(*vector) for _, vector in self.vectors), default=0.0) or 1.0
+        for colour, vector in self.vectors:
             self._arrow(painter, centre, at(0.95 * np.asarray(vector) / longest), colour)
 
     def _paint_coils(self, painter: QPainter, at: object, eye: Array) -> None:

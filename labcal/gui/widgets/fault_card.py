@@ -15,6 +15,7 @@ TITLES = {
     "instrument": "✕ An instrument failed",
     "limit": "✕ A limit is not met",
     "stopped": "■ Stopped",
+    "page": "✕ This page cannot be shown",
     "crash": "✕ Something in labcal broke",
 }
 

@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 import pyqtgraph as pg
-from numpy.typing import NDArray
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 
-from labcal.gui.ipc.wire import unpack
+from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
 from labcal.gui.widgets.common import Card, combo_box, label, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
 
-Array = NDArray[np.float64]
 W = TypeVar("W", bound=QWidget)
 FACES = ("loci", "residual", "magnitude", "histogram", "growth")  # pictures, by the names of their widgets
 BINS = 60
@@ -33,8 +31,8 @@ class FitViews(Card):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self._look: dict[str, Any] | None = None
-        self._said: dict[str, Any] | None = None
+        self._look: Look | None = None
+        self._said: Fitted | None = None
         self.view = combo_box(self.tr("The figures of the papers that the methods are from"), self.tr("View"))
         self.against = combo_box(self.tr("What the residual is drawn against"), self.tr("Against"))
         self.words = shrinkable(label("", "caption"))
@@ -109,21 +107,21 @@ class FitViews(Card):
         """Which of `FACES` is looked at."""
         return FACES[self.view.currentIndex()]
 
-    def show_fit(self, look: dict[str, Any] | None, method: str, said: dict[str, Any] | None) -> None:
+    def show_fit(self, look: Look | None, method: str, said: Fitted | None) -> None:
         """Draw what is known of a run (`look`) and of one method's answer (`said`)."""
         self._look, self._method, self._said = look, method, said
-        names = list(look["against"]) if look else []
+        names = list(look.against) if look else []
         if [self.against.itemText(n) for n in range(self.against.count())] != names:
             self.against.clear()
             self.against.addItems(names)
         self._draw()
 
-    def show_growth(self, method: str, said: dict[str, Any] | None) -> None:
+    def show_growth(self, method: str, said: Growth | None) -> None:
         """Draw a filter's history: estimates as lines, their bounds as bands of the same colour."""
         self.growth.clear()
         if said is None:
             return
-        t, bias, u = unpack(said["t_s"]), unpack(said["bias_nT"]), unpack(said["u_nT"])
+        t, bias, u = said.t_s, said.bias_nT, said.u_nT
         for axis, colour in enumerate(self._theme.axes):
             upper, lower = (
                 pg.PlotCurveItem(t, bias[:, axis] + s * u[:, axis], pen=pg.mkPen(with_alpha(colour, 120)))
@@ -156,41 +154,40 @@ class FitViews(Card):
         look, said = self._look, self._said
         if look is None or self.shown() == "growth":
             return
-        fitted = said if said is not None and "residual" in said else None
         if self.shown() == "loci":
-            self.loci.show_field(unpack(look["before"]), 1)
-            self.loci.show_field(unpack(fitted["after"]) if fitted else np.empty((0, 3)), 0)
+            self.loci.show_field(look.before, 1)
+            self.loci.show_field(np.empty((0, 3)) if said is None or said.after is None else said.after, 0)
         elif self.shown() == "magnitude":
-            self._draw_magnitude(look, fitted)
+            self._draw_magnitude(look, said)
         elif self.shown() == "residual":
-            self._draw_residual(look, fitted)
+            self._draw_residual(look, said)
         else:
-            self._draw_histogram(fitted)
+            self._draw_histogram(said)
 
-    def _draw_residual(self, look: dict[str, Any], said: dict[str, Any] | None) -> None:
-        if said is None:
+    def _draw_residual(self, look: Look, said: Fitted | None) -> None:
+        if said is None or said.residual is None:
             return self.residual.clear()
         against = self.against.currentText()
-        cloud = (self._method, self._theme.accent, unpack(said["residual"]))
-        return self.residual.show_residual(against, unpack(look["against"][against]), [cloud], said["noise_nT"])
+        cloud = (self._method, self._theme.accent, said.residual)
+        return self.residual.show_residual(against, look.against[against], [cloud], said.noise_nT)
 
-    def _draw_magnitude(self, look: dict[str, Any], said: dict[str, Any] | None) -> None:
+    def _draw_magnitude(self, look: Look, said: Fitted | None) -> None:
         self.magnitude.clear()
-        against = {name.split("  ")[0]: unpack(values) for name, values in look["against"].items()}
-        curves = [(self.tr("as read"), self._theme.axis_x, np.linalg.norm(unpack(look["before"]), axis=1))]
-        if said is not None:
-            curves.append((self.tr("calibrated"), self._theme.accent, np.linalg.norm(unpack(said["after"]), axis=1)))
+        against = {name.split("  ")[0]: values for name, values in look.against.items()}
+        curves = [(self.tr("as read"), self._theme.axis_x, np.linalg.norm(look.before, axis=1))]
+        if said is not None and said.after is not None:
+            curves.append((self.tr("calibrated"), self._theme.accent, np.linalg.norm(said.after, axis=1)))
         if "field" in against:
             curves.append((self.tr("reference"), self._theme.text, against["field"]))
         named_curves(self.magnitude, against["time"], curves)
 
-    def _draw_histogram(self, said: dict[str, Any] | None) -> None:
+    def _draw_histogram(self, said: Fitted | None) -> None:
         self.histogram.clear()
-        residual = unpack(said["residual"]) if said else np.empty(0)
-        residual = residual[np.isfinite(residual)]
-        if said is None or not len(residual):
+        if said is None or said.residual is None:
             return
-        noise_nT = said["noise_nT"]
+        residual, noise_nT = said.residual[np.isfinite(said.residual)], said.noise_nT
+        if not len(residual):
+            return
         counts, edges = np.histogram(residual, BINS)
         bars = pg.BarGraphItem(
             x0=edges[:-1],

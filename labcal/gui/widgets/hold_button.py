@@ -23,15 +23,15 @@ class HoldButton(QPushButton):
         self.key = key
         self.setObjectName("primary")
         self.setAutoDefault(False)
-        self._held = QTimer(self, interval=HOLD_MS, singleShot=True)
-        self._held.timeout.connect(self.click)
+        self.held = QTimer(self, interval=HOLD_MS, singleShot=True)
+        self.held.timeout.connect(self.click)
 
     def handle_key(self, event: QKeyEvent) -> bool:
         """Take the press and the release of its own key; says whether it was."""
         if event.key() != self.key or not self.isVisible() or not self.isEnabled():
             return False
         if not event.isAutoRepeat():
-            self._held.start() if event.type() == QEvent.Type.KeyPress else self._held.stop()
+            self.held.start() if event.type() == QEvent.Type.KeyPress else self.held.stop()
         return True
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -40,4 +40,4 @@ class HoldButton(QPushButton):
 
     def hideEvent(self, event: object) -> None:
         """A key held over the end of a card confirms nothing in the next."""
-        self._held.stop()
+        self.held.stop()

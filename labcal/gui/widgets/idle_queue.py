@@ -38,11 +38,12 @@ class IdleQueue(QObject):
 
     def _run_slice(self) -> None:
         until = time.monotonic() + TIME_SLICE_S
-        while self._jobs:
-            self._run_next()
-            if time.monotonic() > until:
+        try:
+            while self._jobs and time.monotonic() <= until:
+                self._run_next()
+        finally:  # a job that breaks holds up none of the others
+            if self._jobs:
                 self._timer.start()
-                return
 
     def _run_next(self) -> None:
         self._jobs.pop(next(iter(self._jobs)))()

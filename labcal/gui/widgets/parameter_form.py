@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QWidget
 
-from labcal.bench.parameters import Limits, ParameterSpec
+from labcal.bench.parameters import ParameterSpec
 from labcal.errors import InputError
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import named, set_state
 
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
-
-
-def spec_of(said: dict[str, Any]) -> ParameterSpec:
-    """The parameter that a worker told of."""
-    limits = Limits(**said["limits"]) if said["limits"] else None
-    return ParameterSpec(**{**said, "limits": limits, "choices": tuple(said["choices"])})
 
 
 def as_text(spec: ParameterSpec, value: Any) -> str:
@@ -63,11 +58,11 @@ class ParameterForm(QWidget):
     changed = Signal()
     styled_as_whole = (QLabel, QLineEdit, QComboBox, QCheckBox)  # many small parts, made anew for each procedure
 
-    def __init__(self, specs: list[ParameterSpec]) -> None:
+    def __init__(self, specs: Sequence[ParameterSpec]) -> None:
         super().__init__()
         self._specs = specs
-        self._fields: dict[str, QLineEdit | QComboBox | QCheckBox] = {}
-        self._complaints: dict[str, QLabel] = {}
+        self.fields: dict[str, QLineEdit | QComboBox | QCheckBox] = {}
+        self.complaints: dict[str, QLabel] = {}
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(2 * GRID)
@@ -87,7 +82,7 @@ class ParameterForm(QWidget):
         name.setBuddy(field)
         complaint = named(QLabel(), "caption")
         complaint.setWordWrap(True)
-        self._fields[spec.name], self._complaints[spec.name] = field, complaint
+        self.fields[spec.name], self.complaints[spec.name] = field, complaint
         grid.addWidget(name, row, 0)
         grid.addWidget(field, row, 1)
         grid.addWidget(QLabel(spec.unit), row, 2)
@@ -115,14 +110,14 @@ class ParameterForm(QWidget):
 
     def text(self, name: str) -> str:
         """What stands in the field `name`, as text."""
-        field = self._fields[name]
+        field = self.fields[name]
         if isinstance(field, QCheckBox):
             return "yes" if field.isChecked() else "no"
         return field.currentText() if isinstance(field, QComboBox) else field.text()
 
     def set_text(self, name: str, text: str) -> None:
         """Write into the field `name`."""
-        field = self._fields[name]
+        field = self.fields[name]
         if isinstance(field, QCheckBox):
             field.setChecked(text == "yes")
         elif isinstance(field, QComboBox):
@@ -156,6 +151,6 @@ class ParameterForm(QWidget):
         for spec in self._specs:
             objection = self.objection(spec)
             about = "  ·  ".join(part for part in (spec.help, range_of(spec)) if part)
-            self._complaints[spec.name].setText(f"✕ {objection}" if objection else about)
-            set_state(self._complaints[spec.name], "bad" if objection else "")
+            self.complaints[spec.name].setText(f"✕ {objection}" if objection else about)
+            set_state(self.complaints[spec.name], "bad" if objection else "")
         self.changed.emit()

@@ -164,24 +164,24 @@ class Loci(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._theme, self._clouds = theme, clouds
-        self._plots: list[pg.PlotWidget] = []
+        self.plots: list[pg.PlotWidget] = []
         self._circles: list[pg.PlotDataItem] = []
         self._views: list[list[tuple[pg.PlotCurveItem, pg.PlotCurveItem]]] = []
         self.build_more()
 
     def build_more(self) -> bool:
         """Build the next of its projections; says whether one was missing."""
-        if len(self._plots) == len(VIEWS):
+        if len(self.plots) == len(VIEWS):
             return False
         circle = np.linspace(0, 2 * np.pi, 181)
-        right, up = VIEWS[len(self._plots)]
+        right, up = VIEWS[len(self.plots)]
         widget = plot(self._theme, f"b{AXES[right]} / |b|", f"b{AXES[up]} / |b|")
         for side in ("bottom", "left"):  # directions need no figures and no grid
             widget.getPlotItem().getAxis(side).setStyle(showValues=False, tickLength=0)
         widget.showGrid(x=False, y=False)
         widget.setAspectLocked(True)
         widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
-        self._plots.append(widget)
+        self.plots.append(widget)
         self._circles.append(widget.plot(np.cos(circle), np.sin(circle)))
         self._views.append([_lines(widget) for _ in range(self._clouds)])
         self._row.addWidget(widget)
@@ -199,7 +199,7 @@ class Loci(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Circles and lines in the theme's colours."""
         self._theme = theme
-        for widget in self._plots:
+        for widget in self.plots:
             apply_theme(widget, theme)
         self._colour(theme)
 

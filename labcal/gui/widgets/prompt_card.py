@@ -96,8 +96,8 @@ class PromptCard(Card):
         self.body.addLayout(row, 1)
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
-        self._call = QTimer(self, interval=CALLS_EVERY_MS)
-        self._call.timeout.connect(self._beep)
+        self.call = QTimer(self, interval=CALLS_EVERY_MS)
+        self.call.timeout.connect(self._beep)
 
     def show_prompt(self, prompt: Prompt | None) -> None:
         """Ask `prompt`; the same one again changes nothing."""
@@ -105,10 +105,10 @@ class PromptCard(Card):
             return
         self._prompt = prompt
         if prompt is None:
-            self._call.stop()
+            self.call.stop()
             return
         self._beep()
-        self._call.start()
+        self.call.start()
         self.text.set_text(prompt.text)
         self.drawing.show_drawing(prompt.drawing)
         self.entry.clear()

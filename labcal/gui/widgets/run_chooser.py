@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy
 
+from labcal.gui.ipc.answers import RunLine
+from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.widgets.common import button
@@ -17,10 +17,10 @@ BROKEN = {"stopped": "■", "failed": "✕"}  # runs that did not come to their 
 NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the History page."
 
 
-def run_title(one: dict[str, Any]) -> str:
+def run_title(one: RunLine) -> str:
     """A run in one line: when, which DUT, what, how it ended."""
-    when = one["started_utc"][:16].replace("T", " ")
-    return " · ".join((when, one["dut_serial"], one["procedure"] or "bundle", one["status"].partition(":")[0]))
+    when = one.started_utc[:16].replace("T", " ")
+    return " · ".join((when, one.dut_serial, one.procedure or "bundle", one.status.partition(":")[0]))
 
 
 class RunChooser(QComboBox):
@@ -49,27 +49,27 @@ class RunChooser(QComboBox):
 
     def refresh(self) -> None:
         """Ask for the list again."""
-        self._app_state.request("runs", self._known)
+        self._app_state.request(ListRuns(), self._known)
 
     def show_run(self, run: str) -> None:
         """Show `run` as the one that is chosen."""
         self._wanted = run
         self.setCurrentIndex(self.findData(run))
 
-    def _known(self, runs: list[dict[str, Any]]) -> None:
+    def _known(self, runs: tuple[RunLine, ...]) -> None:
         kept = self._wanted or self.currentData()
         self.clear()
         for one in runs:
-            if one["status"].startswith(USABLE):
-                self.addItem(run_label(one), one["run_id"])
+            if one.status.startswith(USABLE):
+                self.addItem(run_label(one), one.run_id)
         self.none = self.count() == 0
         self.setCurrentIndex(self.findData(kept))
         self.known.emit()
 
 
-def run_label(one: dict[str, Any]) -> str:
+def run_label(one: RunLine) -> str:
     """A run's line, begun with how it ended where it did not come to its end."""
-    status = one["status"].partition(":")[0]
+    status = one.status.partition(":")[0]
     return f"{BROKEN[status]} {translated(status)} · {run_title(one)}" if status in BROKEN else run_title(one)
 
 

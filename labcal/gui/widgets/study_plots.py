@@ -39,7 +39,7 @@ class Residuals(QWidget):
         self._zero = pg.InfiniteLine(0, 0)
         self.plot.addItem(self._band)
         self.plot.addItem(self._zero)
-        self._clouds: list[pg.ScatterPlotItem] = []
+        self.clouds: list[pg.ScatterPlotItem] = []
         self._colour(theme)
 
     def set_theme(self, theme: Theme) -> None:
@@ -56,9 +56,9 @@ class Residuals(QWidget):
         self, against: str, x: Array, clouds: list[tuple[str, str, Array]], noise_nT: float | None
     ) -> None:
         """Draw `clouds` (name, colour, (n,) or (n, 3)) against `x` (n,)."""
-        for old in self._clouds:
+        for old in self.clouds:
             self.plot.removeItem(old)
-        self._clouds = []
+        self.clouds = []
         for _, colour, values in clouds:
             self._add(colour, x, values.reshape(len(values), -1))
         legend_above(self.plot, [(name, colour) for name, colour, _ in clouds])
@@ -72,7 +72,7 @@ class Residuals(QWidget):
         good = np.isfinite(xs) & np.isfinite(ys)
         cloud = pg.ScatterPlotItem(xs[good], ys[good], size=4, pen=None, brush=pg.mkBrush(with_alpha(colour, 130)))
         self.plot.addItem(cloud)
-        self._clouds.append(cloud)
+        self.clouds.append(cloud)
 
     def clear(self) -> None:
         """Nothing to show."""

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.nuisance import explained_by_each, gram_pinv
-from labcal.model.effects import Family, Term, families
+from labcal.model.effects import Family, Shape, Term, families
 
 Array = NDArray[np.float64]
 PEAKS = 3  # moments that become candidates
@@ -29,12 +29,12 @@ def changepoints(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Cand
     found: list[Candidate] = []
     for family in families():
         for term in family.candidates(pool.problem.run) if is_observable(pool.problem, family) else ():
-            if any(shape.name == "t_step_s" for shape in term.shape):
-                found += _at_peaks(pool, family, term, explained_by_step(pool, accepted, term))
+            if (moment := term.found_by("changepoints")) is not None:
+                found += _at_peaks(pool, family, term, moment, explained_by_step(pool, accepted, term))
     return found
 
 
-def _at_peaks(pool: CandidateSet, family: Family, term: Term, drop: Array) -> list[Candidate]:
+def _at_peaks(pool: CandidateSet, family: Family, term: Term, moment: Shape, drop: Array) -> list[Candidate]:
     t = pool.problem.scene.t_s[pool.rows]
     found: list[Candidate] = []
     for _ in range(PEAKS):
@@ -42,8 +42,8 @@ def _at_peaks(pool: CandidateSet, family: Family, term: Term, drop: Array) -> li
         if drop[row] <= 0:
             break
         grid = (float(t[row - 1]), float(t[row - 1] + t[row]) / 2, float(t[row]))
-        at = replace(term.shape[0], value=grid[1], grid=grid)
-        found.append(Candidate(family, replace(term, shape=(at,)), len(t)))
+        at = replace(moment, value=grid[1], grid=grid)
+        found.append(Candidate(family, term.with_shape(at), len(t)))
         drop[max(row - len(t) // APART, 0) : row + len(t) // APART + 1] = 0.0
     return found
 
@@ -51,7 +51,7 @@ def _at_peaks(pool: CandidateSet, family: Family, term: Term, drop: Array) -> li
 def explained_by_step(pool: CandidateSet, accepted: Sequence[Candidate], term: Term) -> Array:
     """What the step of this term from each row on takes off the sum of squares (n,); zero near the ends."""
     problem, rows = pool.problem, pool.rows
-    E = problem.columns(term.with_values(t_step_s=-np.inf))[rows]  # (n, q, 3): the step before the run began
+    E = problem.columns(term.stepped())[rows]  # (n, q, 3)
     A = np.concatenate([problem.T, *(pool.columns(c) for c in accepted)], axis=2)[rows]
     right = np.concatenate([E, A, pool.residual(accepted)[rows][:, :, None]], axis=2)
     sums = _sum_from_row(np.einsum("nqa,nqp->nap", E, right))

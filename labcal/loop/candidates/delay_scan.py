@@ -8,16 +8,17 @@ their Gram matrices with everything else are sums over rows, and the drops at al
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.nuisance import explained_by_each, gram_pinv
-from labcal.model.effects import families
+from labcal.model.effects import Shape, families
 from labcal.model.effects.regressors import delayed
 
 Array = NDArray[np.float64]
@@ -27,35 +28,42 @@ def delay_scan(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Candid
     """Each effect that a delay could shift, at the delay that takes most off the residual that the accepted leave."""
     causes = {c.cause for c in pool.candidates}
     able = pool.store.memo.get("delayable", (), lambda: _delayable(pool.problem))
-    able = [c for c in able if c.cause in causes]
+    able = [one for one in able if one.alone or one.candidate.cause in causes]
     if not able:
         return []
     explained = _explained(pool, accepted)
     found = []
-    for candidate in able:
-        grid = _delays(candidate)
-        drives = pool.store.memo.get("delayed", (candidate,), partial(_delayed_drives, pool.problem, candidate))
+    for candidate, delay in ((one.candidate, one.delay) for one in able):
+        drives = pool.store.memo.get("delayed", (candidate,), partial(_delayed_drives, pool.problem, candidate, delay))
         best = int(np.argmax(explained(drives[:, pool.rows])))
-        found.append(Candidate(candidate.family, candidate.term.with_values(delay_s=grid[best]), len(grid)))
+        term = candidate.term.with_shape(replace(delay, value=delay.grid[best]))
+        found.append(Candidate(candidate.family, term, len(delay.grid)))
     return found
 
 
-def _delayable(problem: LinearProblem) -> list[Candidate]:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Delayed:
+    """A term that has a delay, and the delay; `alone` where its cause takes no form without one."""
+
+    candidate: Candidate
+    delay: Shape
+    alone: bool
+
+
+def _delayable(problem: LinearProblem) -> list[_Delayed]:
     """Every term that has a delay."""
-    able = [family for family in families() if "delay_s" in family.shapes]
-    candidates = [Candidate(family, term) for family in able for term in family.candidates(problem.run)]
-    return [c for c in candidates if any(s.name == "delay_s" for s in c.term.shape)]
+    able = [family for family in families() if family.found_by("delay scan") and is_observable(problem, family)]
+    every = [Candidate(family, term) for family in able for term in family.candidates(problem.run)]
+    found = [(candidate, candidate.term.found_by("delay scan")) for candidate in every]
+    prompt = {candidate.cause for candidate, delay in found if delay is None}
+    return [_Delayed(c, delay, c.cause not in prompt) for c, delay in found if delay is not None]
 
 
-def _delays(candidate: Candidate) -> Sequence[float]:
-    return next(s.grid for s in candidate.term.shape if s.name == "delay_s")
-
-
-def _delayed_drives(problem: LinearProblem, candidate: Candidate) -> Array:
+def _delayed_drives(problem: LinearProblem, candidate: Candidate, delay: Shape) -> Array:
     """The channel (delays, n) after each delay."""
     scene = problem.scene
     drive = candidate.term.drive(scene)
-    return np.stack([delayed(scene.t_s, scene.segment, drive, by) for by in _delays(candidate)])
+    return np.stack([delayed(scene.t_s, scene.segment, drive, by) for by in delay.grid])
 
 
 def _explained(pool: CandidateSet, accepted: Sequence[Candidate]) -> partial[Array]:

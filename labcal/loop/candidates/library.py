@@ -50,7 +50,7 @@ def expand_library(problem: LinearProblem) -> list[Candidate]:
     """Every term of every observable family at every grid point; without those that a residual has to suggest."""
     found = []
     for family in families():
-        if family.search_strategy == "grid" and is_observable(problem, family):
+        if is_observable(problem, family):
             terms = [term for term in family.candidates(problem.run) if not _needs_residual(term)]
             for points in map(_grid_points, terms):
                 found += [Candidate(family, point, len(points)) for point in points]
@@ -58,8 +58,8 @@ def expand_library(problem: LinearProblem) -> list[Candidate]:
 
 
 def _needs_residual(term: Term) -> bool:
-    """Whether its delay or moment is read off a residual."""
-    return any(shape.name in ("delay_s", "t_step_s") for shape in term.shape)
+    """Whether a parameter of it, a delay, a moment or a frequency, is read off a residual."""
+    return any(shape.kind.found_by not in ("grid", "own secant") for shape in term.shape)
 
 
 def is_observable(problem: LinearProblem, family: Family) -> bool:

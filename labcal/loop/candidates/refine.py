@@ -14,7 +14,6 @@ from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.whitening import WhitenedNull
 
 Array = NDArray[np.float64]
-SECANT = "secant_s"  # the nonlinear parameter of a lag
 SECANT_ROUNDS = 6
 ROUGHLY, EXACTLY = 1e-2, 3e-3  # of a bracket: where several parameters are searched in turn, and in the end
 
@@ -26,7 +25,7 @@ def refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candida
 
 def has_own_secant(candidate: Candidate) -> bool:
     """Whether its columns are a secant over the very lag that is fitted."""
-    return any(shape.name == SECANT for shape in candidate.term.shape)
+    return candidate.term.found_by("own secant") is not None
 
 
 def _refined(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
@@ -52,12 +51,15 @@ def _fixed_noise_gain(
 
 def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     """A lag's columns are a secant: taken over the lag that they give, until it no longer changes."""
+    secant = candidate.term.found_by("own secant")
+    assert secant is not None
     for _ in range(SECANT_ROUNDS):
         lag = float(pool.coefficients([*accepted, candidate])[-1])
-        converged = abs(lag - candidate.term.at(SECANT)) < 1e-3 * abs(lag) + 1e-6
+        converged = abs(lag - secant.value) < 1e-3 * abs(lag) + 1e-6
         if converged or abs(lag) < 1e-6:
             break
-        candidate = replace(candidate, term=candidate.term.with_values(**{SECANT: lag}))
+        secant = replace(secant, value=lag)
+        candidate = replace(candidate, term=candidate.term.with_shape(secant))
     return candidate
 
 
@@ -66,7 +68,8 @@ def _line_search(
 ) -> Candidate:
     from scipy.optimize import minimize_scalar
 
-    low, high = _bracket(pool, candidate, name)
+    shape = next(s for s in candidate.term.shape if s.name == name)
+    low, high = shape.bracket(pool.problem.scene.t_s)
 
     def cost(value: float) -> float:
         columns = pool.problem.columns(candidate.term.with_values(**{name: value}))[pool.transformed_rows]
@@ -75,27 +78,6 @@ def _line_search(
     found = minimize_scalar(
         cost, bounds=(low, high), method="bounded", options={"maxiter": 18, "xatol": within * (high - low)}
     )
-    if found.fun < cost(candidate.term.at(name)):
+    if found.fun < cost(shape.value):
         return replace(candidate, term=candidate.term.with_values(**{name: float(found.x)}))
     return candidate
-
-
-def _bracket(pool: CandidateSet, candidate: Candidate, name: str) -> tuple[float, float]:
-    """Between the neighbours on the grid; for a frequency half the resolution, for a delay a step of it either way.
-
-    A loop or a curve narrower than any on the grid is not searched: it would be driven by ripple and noise.
-    """
-    shape = next(s for s in candidate.term.shape if s.name == name)
-    if name == "f_Hz":
-        width = 0.6 / float(np.ptp(pool.problem.scene.t_s))
-        return shape.value - width, shape.value + width
-    if name == "delay_s":
-        width = min(abs(g) for g in shape.grid)
-        return shape.value - width, shape.value + width
-    if name.endswith("_deg"):
-        width = float(np.min(np.diff(shape.grid)))
-        return shape.value - width, shape.value + width
-    below = [g for g in shape.grid if g < shape.value]
-    above = [g for g in shape.grid if g > shape.value]
-    lower, upper = (3, 1 / 3) if shape.value < 0 else (1 if name.endswith("_nT") else 1 / 3, 3)
-    return (max(below) if below else shape.value * lower), (min(above) if above else shape.value * upper)

@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.periodogram import periodogram, running_median
-from labcal.model.effects import families
+from labcal.model.effects import Family, Shape, Term, families
 from labcal.model.effects.regressors import stretches
+from labcal.record import Run
 
 Array = NDArray[np.float64]
 PEAKS = 3  # frequencies that a periodic effect is tried at
@@ -25,7 +26,8 @@ def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
     What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
     the turning of the field.
     """
-    terms = [(f, term) for f in families() if f.search_strategy == "lines" for term in f.candidates(problem.run)]
+    able = [family for family in families() if family.found_by("spectral lines") and is_observable(problem, family)]
+    terms = [(family, *term) for family in able for term in _with_a_line(family, problem.run)]
     if not terms:
         return []
     offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
@@ -36,11 +38,17 @@ def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
         peak = int(np.argmax(contrast))
         if contrast[peak] <= 0:
             break
-        for family, term in terms:
-            at = replace(term.shape[0], value=float(frequency[peak]), grid=(0.0,))
-            found.append(Candidate(family, replace(term, shape=(at,)), len(frequency)))
+        for family, term, line in terms:
+            at = replace(line, value=float(frequency[peak]), grid=(0.0,))
+            found.append(Candidate(family, term.with_shape(at), len(frequency)))
         contrast[max(peak - 8, 0) : peak + 9] = 0.0
     return found
+
+
+def _with_a_line(family: Family, run: Run) -> list[tuple[Term, Shape]]:
+    """The terms that have a frequency, and the frequency."""
+    found = [(term, term.found_by("spectral lines")) for term in family.candidates(run)]
+    return [(term, line) for term, line in found if line is not None]
 
 
 def _admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:

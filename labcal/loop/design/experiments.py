@@ -14,16 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.effects import families
+from labcal.model.effects.protocol import Action
 from labcal.record import Run
 from labcal.record.run import Channel, Segment
 
 Array = NDArray[np.float64]
 ROWS = 300  # of a designed run
 HALF_TURN = np.diag([-1.0, -1.0, 1.0])
-GRADIENT, DIPOLE, REFERENCE = "field-gradient", "dut-dipole-at-reference", "reference-drift"
-OF_THE_BARE_CAGE = frozenset({"cage-field", REFERENCE})
-OF_LOADS = frozenset({"offset-current", "offset-current-squared", "offset-channel", "offset-mode"})
-OF_WARMTH = frozenset({"offset-temperature", "gain-temperature", "offset-current-squared", "offset-drift"})
 GAP_S = 60.0  # between the run and what is measured next
 WARMER_C = 15.0
 CYCLES = 4  # of a load, a mode or a heater that is switched
@@ -42,23 +39,31 @@ class Experiment:
 
 def experiments() -> tuple[Experiment, ...]:
     """All that the lab can do, the cheapest first."""
+    loaded, warmed, caged = _responding("load"), _responding("heat"), _responding("bare platform")
     return (
         Experiment("turn once forwards and once backwards in one mounting", "reverse", reverse),
         Experiment("turn at half and at twice the rate, there and back, in one mounting", "rate-sweep", rates),
         Experiment("repeat the run unchanged", "repeat", repeat),
         Experiment("step the field up and down along one axis", "linearity", ladder),
         Experiment("turn in two more coil fields, a third and twice as large", "rotate-axis", other_fields),
-        Experiment("switch every load on and off at one attitude", "current-coupling", loads, concerns=OF_LOADS),
-        Experiment("warm the device and let it cool in two fields", "temperature-drift", heated, concerns=OF_WARMTH),
-        Experiment("switch the power mode there and back at one attitude", None, modes, concerns=OF_LOADS),
-        Experiment("move the device by 5 cm and repeat the first turns", None, repeat, ((GRADIENT, 2.0),)),
-        Experiment("turn the reference by 180° and repeat the first turns", None, repeat, ((REFERENCE, -1.0),)),
+        Experiment("switch every load on and off at one attitude", "current-coupling", loads, concerns=loaded),
+        Experiment("warm the device and let it cool in two fields", "temperature-drift", heated, concerns=warmed),
+        Experiment("switch the power mode there and back at one attitude", None, modes, concerns=loaded),
+        Experiment("move the device by 5 cm and repeat the first turns", None, repeat, _factors("move device")),
+        Experiment("turn the reference by 180° and repeat the first turns", None, repeat, _factors("turn reference")),
         Experiment("put the reference at twice its distance and repeat the first turns", "dut-moment", repeat,
-                   ((DIPOLE, 0.125),)),
+                   _factors("move reference")),
         Experiment("measure the bare platform's own field with the reference", "platform-signature", bare,
-                   tuple((family.id, 0.0) for family in families() if family.id not in OF_THE_BARE_CAGE),
-                   OF_THE_BARE_CAGE),
+                   tuple((family.id, 0.0) for family in families() if family.id not in caged), caged),
     )  # fmt: skip
+
+
+def _responding(action: Action) -> frozenset[str]:
+    return frozenset(family.id for family in families() if action in family.responds)
+
+
+def _factors(action: Action) -> tuple[tuple[str, float], ...]:
+    return tuple((family.id, family.responds[action]) for family in families() if action in family.responds)
 
 
 def thinned(run: Run, rows: int = ROWS) -> Run:

@@ -2,43 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.findings.residual_tests import reference_field
-from labcal.loop.result import Confounded
+from labcal.model.effects import Confounded, Family
 from labcal.model.gaps import bridged
 
-CONFOUNDED: tuple[tuple[frozenset[str], Confounded], ...] = tuple(
-    (frozenset(effects), Confounded(one, other, separated_by))
-    for effects, one, other, separated_by in (
-        (("cage-field",), "a constant field of the cage", "a zero error of the reference",
-         "turn the reference by 180°"),
-        (("dut-dipole-at-reference", "field-gradient"), "the device's moment at a near reference", "a gradient",
-         "repeat in two coil fields"),
-        (("offset-current", "offset-current-squared"), "currents locked to the attitude (panels, torquers)",
-         "soft iron", "switch the loads at one attitude"),
-        (("offset-temperature", "gain-temperature", "offset-drift"), "a temperature that only rises", "a drift",
-         "warm the device and let it cool again"),
-        (("lag", "axis-tilt"), "a lag at a constant rate", "the mounting's phase and tilt",
-         "turn at another rate, and backwards"),
-        (("axis-tilt", "field-gradient"), "a tilted axis", "a gradient, in one direction of the field",
-         "mount the device turned by 180°, or turn in another direction of the field"),
-        (("lag",), "a lag", "eddy currents in the device's housing",
-         "change the field at rest: eddy currents decay, a lag only shifts"),
-    )
-)  # fmt: skip
 Array = NDArray[np.float64]
 LOCKED_SHARE = 0.98  # of a current's variance that the field in the body predicts: it follows the attitude
 ONE_RATE = 0.1  # of the median rate: farther from it the platform turns at several
 
 
-def confounded(problem: LinearProblem, named: Collection[str]) -> tuple[Confounded, ...]:
+def confounded(problem: LinearProblem, named: Iterable[Family]) -> tuple[Confounded, ...]:
     """Of the effects that are `named`, accepted or equivalent, and of the run as it was recorded."""
-    return (*(pair for effects, pair in CONFOUNDED if effects & set(named)), *_by_the_run(problem))
+    return (*dict.fromkeys(pair for family in named for pair in family.confounded), *_by_the_run(problem))
 
 
 def _by_the_run(problem: LinearProblem) -> Iterator[Confounded]:

@@ -140,8 +140,8 @@ def fixed_choice(accepted: Sequence[Candidate]) -> Callable[[CandidateSet], Sequ
 def _beside_changepoint(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDArray[np.bool_]:
     """Rows (n,) between the two known times that a step of one of these effects lies between."""
     out = np.zeros(len(t_s), dtype=bool)
-    for shape in (shape for c in effects for shape in c.term.shape if shape.name == "t_step_s"):
-        after = int(np.searchsorted(known_s, shape.value))
+    for moment in filter(None, (c.term.found_by("changepoints") for c in effects)):
+        after = int(np.searchsorted(known_s, moment.value))
         low, high = np.concatenate([[-np.inf], known_s, [np.inf]])[after : after + 2]
         out |= (t_s > low) & (t_s < high)
     return out

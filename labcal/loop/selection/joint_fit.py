@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,7 +14,6 @@ from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
 from labcal.loop.noise.nuisance import MIN_NEW_SHARE, inverse_gram, ols_with_nuisance
 from labcal.model import Parameter
 from labcal.model.effects import Scene, Term, families
-from labcal.model.effects.protocol import Shape
 
 Array = NDArray[np.float64]
 STEPS = 8
@@ -58,7 +57,7 @@ class JointFit:
         of = self.covariance if covariance is None else covariance
         u = np.sqrt(np.maximum(np.diag(of), 0.0))[self.problem.T.shape[2] :]
         linear = sum(len(b) for b in self.beta)
-        shapes = iter(u[linear:].tolist())
+        by_slope, t_s = iter(u[linear:].tolist()), self.problem.scene.t_s
         out, at = [], 0
         for term, beta in zip(self.terms, self.beta, strict=True):
             found = [
@@ -67,18 +66,10 @@ class JointFit:
             ]
             at += len(beta)
             found += [
-                Parameter(s.name, s.value, self._uncertain(s, shapes) if s.grid else 0.0, s.unit) for s in term.shape
+                Parameter(s.name, s.value, s.u(t_s, next(by_slope)) if s.grid else 0.0, s.unit) for s in term.shape
             ]
             out.append(tuple(found))
         return tuple(out)
-
-    def _uncertain(self, shape: Shape, by_slope: Iterator[float]) -> float:
-        """The standard uncertainty of a searched parameter: a step may lie anywhere between two rows (uniform)."""
-        u, t = next(by_slope), self.problem.scene.t_s
-        if shape.name != "t_step_s":
-            return u
-        after = min(max(int(np.searchsorted(t, shape.value)), 1), len(t) - 1)
-        return float((t[after] - t[after - 1]) / np.sqrt(12))
 
 
 def sum_of_effects(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> Array | float:
@@ -195,8 +186,9 @@ def _field_slope(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> 
 
 def _on_own_secant(term: Term, beta: Array) -> Term:
     """A lag's secant is taken over the lag itself."""
-    if any(s.name == "secant_s" for s in term.shape) and abs(float(beta[0])) > 1e-6:
-        return term.with_values(secant_s=float(beta[0]))
+    secant = term.found_by("own secant")
+    if secant is not None and abs(float(beta[0])) > 1e-6:
+        return term.with_shape(replace(secant, value=float(beta[0])))
     return term
 
 
@@ -231,15 +223,8 @@ def _nonlinear_slopes(term: Term, beta: Array, here: LinearProblem) -> Array:
     out = [np.zeros((len(here), here.y.shape[1], 0))]
     for shape in term.shape:
         if shape.grid:
-            step = _difference_step(shape, here.scene.t_s)
-            up, down = (term.with_values(**{shape.name: shape.value + s}) for s in (step, -step))
+            step = shape.step(here.scene.t_s)
+            up, down = (term.with_shape(replace(shape, value=shape.value + s)) for s in (step, -step))
             slope = (up.columns(here.scene) - down.columns(here.scene)) @ beta / (2 * step)
             out.append(here.whiten @ slope[:, :, None])
     return np.concatenate(out, axis=2)
-
-
-def _difference_step(shape: Shape, t_s: Array) -> float:
-    """A step of the shape over which the effect is straight."""
-    if shape.name == "f_Hz":
-        return 1e-3 / float(np.ptp(t_s))
-    return 0.05 * float(np.median(np.diff(t_s))) if shape.name == "delay_s" else 1e-3 * abs(shape.value)

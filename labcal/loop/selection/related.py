@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -13,7 +14,7 @@ from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import principal_span
-from labcal.model.effects.following import time_constants
+from labcal.model.effects import TIME_CONSTANT
 
 Array = NDArray[np.float64]
 RANDOM_DIRECTIONS = 3  # on which columns are projected to be compared
@@ -29,21 +30,19 @@ def related_columns(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[S
 
 
 def initial_state_columns(pool: CandidateSet, chosen: Candidate) -> list[Span]:
-    """The transient of a slow response's unknown initial state: it decays with the response's own tau_s."""
-    settling = next((c for c in pool.candidates if c.family.bound_to_run and _has_time_constant(c)), None)
-    if settling is None:
+    """The transient of a slow response's unknown initial state: it decays with the response's own time constant."""
+    of_the_run = ((c, c.term.of(TIME_CONSTANT)) for c in pool.candidates if c.family.bound_to_run)
+    found = next(((c, own) for c, own in of_the_run if own is not None), None)
+    if found is None:
         return []
+    settling, own = found
 
     def made(tau_s: float) -> Span:
-        columns = pool.problem.columns(settling.term.with_values(tau_s=tau_s))
+        columns = pool.problem.columns(settling.term.with_shape(replace(own, value=tau_s)))
         return Span(cosine_transform(columns[pool.transformed_rows]))
 
-    taus = [tau_s for tau_s in time_constants(chosen.term) if tau_s > 0]
+    taus = [tau_s for tau_s in chosen.family.time_constants(chosen.term) if tau_s > 0]
     return [pool.cached(("initial state", tau_s), (settling,), partial(made, tau_s)) for tau_s in taus]
-
-
-def _has_time_constant(candidate: Candidate) -> bool:
-    return any(shape.name == "tau_s" for shape in candidate.term.shape)
 
 
 def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:

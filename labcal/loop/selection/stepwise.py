@@ -99,7 +99,7 @@ def best_admissible(
 
 def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
     """The same cause twice; steps and periods may come twice, at another time or frequency."""
-    return candidate.family.search_strategy == "grid" and any(is_same_source(c, candidate) for c in accepted)
+    return not candidate.family.repeats and any(is_same_source(c, candidate) for c in accepted)
 
 
 def is_same_source(one: Candidate, other: Candidate) -> bool:

@@ -2,10 +2,49 @@
 
 With a = K m − k, the residual is r = a − Σ e_i − p (contract: calibration). Effects of the rig add to p and so enter
 with the same sign. A `Term` is one form that an effect can take (a channel, a time constant, an order); its linear
-parameters are left open and `columns` gives d e / d parameter. A `Family` is all that is known about one effect id.
+parameters are left open and `columns` gives d e / d parameter. A `Shape` is a parameter that does not enter linearly,
+its `Kind` how it is searched. A `Family` is all that is known about one effect id.
 """
 
-from labcal.model.effects.protocol import Family, Fitted, Scene, Shape, Term
-from labcal.model.effects.registry import families, family, load, load_shipped
+from labcal.model.effects.protocol import Confounded, Family, Fitted, Scene, Term
+from labcal.model.effects.registry import families, family, find, load, load_shipped, of_temperature
+from labcal.model.effects.shape import (
+    ANGLE,
+    DELAY,
+    FREQUENCY,
+    GIVEN,
+    LEVEL,
+    MOMENT,
+    SCALE,
+    SECANT,
+    THRESHOLD,
+    TIME_CONSTANT,
+    Kind,
+    Shape,
+)
 
-__all__ = ["Family", "Fitted", "Scene", "Shape", "Term", "families", "family", "load", "load_shipped"]
+__all__ = [
+    "ANGLE",
+    "DELAY",
+    "FREQUENCY",
+    "GIVEN",
+    "LEVEL",
+    "MOMENT",
+    "SCALE",
+    "SECANT",
+    "THRESHOLD",
+    "TIME_CONSTANT",
+    "Confounded",
+    "Family",
+    "Fitted",
+    "Kind",
+    "Scene",
+    "Shape",
+    "Term",
+    "families",
+    "family",
+    "find",
+    "load",
+    "load_shipped",
+    "of_temperature",
+]

@@ -11,13 +11,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.geometry import skew
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
 from labcal.record import Run, offers
 from labcal.record.run import Vector
 
 DEG = np.pi / 180
 WAVES = {"cos": np.cos, "sin": np.sin}
 WOBBLE = tuple(f"{wave}:" for wave in WAVES)
+LAG_OR_TILT = Confounded(
+    "a lag at a constant rate", "the mounting's phase and tilt", "turn at another rate, and backwards"
+)
+TILT_OR_GRADIENT = Confounded(
+    "a tilted axis",
+    "a gradient, in one direction of the field",
+    "mount the device turned by 180°, or turn in another direction of the field",
+)
 
 
 def kernel(term: Term, scene: Scene) -> Array:
@@ -103,4 +111,6 @@ FAMILY = Family(
     kernel,
     candidates,
     experiment="mount the device turned by 180° about the platform axis and repeat",
+    confounded=(LAG_OR_TILT, TILT_OR_GRADIENT),
+    drawn_against="angle",
 )

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Scene, Term
-from labcal.model.effects.regressors import AXES, of_the_rig, some_moment
+from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.regressors import AXES, STEP, of_the_rig, some_moment
 from labcal.record import Run, offers
 from labcal.record.run import Channel
 
@@ -27,7 +27,7 @@ def kernel(term: Term, scene: Scene) -> Array:
         elif kind == "q":
             drive = term.drive(scene)
         elif kind == "step":
-            drive = (scene.t_s >= term.at("t_step_s")).astype(float)
+            drive = (scene.t_s >= term.at(STEP.name)).astype(float)
         elif kind != "c":
             wave = np.cos if kind.startswith("cos") else np.sin
             drive = wave(int(kind[3:]) * angle) * turning
@@ -60,11 +60,15 @@ def _from_a_moment(run: Run) -> Term:
     return Term(kernel, tuple((f"step_{a}", "nT") for a in AXES), shape=(some_moment(run),))
 
 
+CAGE_OR_ZERO = Confounded("a constant field of the cage", "a zero error of the reference", "turn the reference by 180°")
 FAMILY = Family(
     "cage-field",
     "rig",
     kernel,
     candidates,
-    shapes=("t_step_s",),
+    shapes=(STEP,),
     experiment="repeat with the coils at zero, and with the reference turned by 180°",
+    responds={"bare platform": 1.0},
+    confounded=(CAGE_OR_ZERO,),
+    drawn_against="angle",
 )

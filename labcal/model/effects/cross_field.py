@@ -47,4 +47,5 @@ FAMILY = Family(
     candidates,
     experiment="hold the field along one axis and step it along another",
     of_field=True,
+    drawn_against="field",
 )

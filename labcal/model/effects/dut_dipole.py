@@ -5,15 +5,18 @@ Where the reference's place is not stated, it sees a symmetric and traceless mat
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from labcal.model.effects.field_gradient import SYMMETRIC, traceless
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from labcal.model.effects.field_gradient import MOMENT_OR_GRADIENT, SYMMETRIC, traceless
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES
+from labcal.model.effects.shape import GIVEN, Shape
 from labcal.record import Run, offers
 
 MU0_OVER_4PI_nT = 100.0  # nT m³ / (A m²)
-AT = ("at_x_m", "at_y_m", "at_z_m")
+AT = tuple(Shape(f"at_{axis}_m", 0.0, "m", kind=GIVEN) for axis in AXES)  # the reference's place
 
 
 def kernel(term: Term, scene: Scene) -> Array:
@@ -25,7 +28,7 @@ def kernel(term: Term, scene: Scene) -> Array:
     assert scene.rig is not None
     if not term.shape:
         return _anywhere(term, scene.rig.to_body)
-    place = np.array([term.at(name) for name in AT])
+    place = np.array([term.at(shape.name) for shape in AT])
     distance = float(np.linalg.norm(place))
     along = place / distance
     dipole = MU0_OVER_4PI_nT * (3 * np.outer(along, along) - np.eye(3)) / distance**3
@@ -49,7 +52,7 @@ def candidates(run: Run) -> list[Term]:
         return [] if place in ("remote", "computed") else [Term(kernel, unknown)]
     if not 0.01 < float(np.linalg.norm(near)) < 3.0:
         return []
-    there = tuple(Shape(name, float(x), "m") for name, x in zip(AT, near, strict=True))
+    there = tuple(replace(shape, value=float(x)) for shape, x in zip(AT, near, strict=True))
     return [Term(kernel, tuple((f"m_{a}", "A m^2") for a in AXES), shape=there)]
 
 
@@ -60,4 +63,6 @@ FAMILY = Family(
     candidates,
     shapes=AT,
     experiment="repeat with the reference at twice the distance",
+    responds={"move reference": 0.125},
+    confounded=(MOMENT_OR_GRADIENT,),
 )

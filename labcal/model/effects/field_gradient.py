@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Scene, Term
+from labcal.model.effects.axis_tilt import TILT_OR_GRADIENT
+from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
 from labcal.model.effects.regressors import AXES
 from labcal.record import Run, offers
 
+MOMENT_OR_GRADIENT = Confounded("the device's moment at a near reference", "a gradient", "repeat in two coil fields")
 SYMMETRIC = {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 
 
@@ -63,4 +65,7 @@ FAMILY = Family(
     kernel,
     candidates,
     experiment="move the device by 5 cm and repeat one segment",
+    responds={"move device": 2.0},
+    confounded=(MOMENT_OR_GRADIENT, TILT_OR_GRADIENT),
+    drawn_against="field",
 )

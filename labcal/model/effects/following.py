@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Kernel, Scene, Shape, Term
-from labcal.model.effects.regressors import LEAD, delayed, low_passed, middle, on_each_axis, per_axis
+from labcal.model.effects import memory
+from labcal.model.effects.protocol import Array, Kernel, Scene, Term
+from labcal.model.effects.regressors import delayed, low_passed, middle, on_each_axis, per_axis
+from labcal.model.effects.shape import DELAY, TIME_CONSTANT, Shape
 from labcal.record import Run, period_s
 from labcal.record.run import Channel
 
 LONGEST_S = 5.0  # delay either way that is searched: a channel's clock may be ahead as well
 ROWS = 4  # the same where rows are far apart
 POINTS = 20  # of the grid on either side
+BEHIND = Shape("tau_s", 100.0, "s", kind=TIME_CONSTANT)
+LATE = Shape("delay_s", 0.0, "s", kind=DELAY)
 
 
 def instantaneous(channel: Channel, kernel: Kernel) -> Term:
@@ -34,7 +39,7 @@ def delayed_terms(channel: Channel, kernel: Kernel, run: Run) -> list[Term]:
     if not grid:
         return []
     term = instantaneous(channel, kernel)
-    shape = Shape("delay_s", grid[0], "s", grid)
+    shape = replace(LATE, value=grid[0], grid=grid)
     return [Term(kernel, term.parameters, term.channels, term.reference_value, (shape,))]
 
 
@@ -58,34 +63,23 @@ def multi_tau(channel: Channel, kernel: Kernel, taus_s: Sequence[int]) -> Term:
 def responses(term: Term, scene: Scene) -> Array:
     """The columns (n, 3, p) of all four."""
     drive = term.drive(scene)
-    names = {shape.name for shape in term.shape}
-    if "delay_s" in names:
-        return on_each_axis(delayed(scene.t_s, scene.segment, drive, term.at("delay_s")))
-    if names:
-        return on_each_axis(_behind(scene, drive, term.at("tau_s")))
-    taus = time_constants(term)
-    return np.concatenate([on_each_axis(_behind(scene, drive, tau)) for tau in taus], axis=2)
+    if (late := term.of(DELAY)) is not None:
+        return on_each_axis(delayed(scene.t_s, scene.segment, drive, late.value))
+    return np.concatenate([on_each_axis(_behind(scene, drive, tau)) for tau in time_constants(term)], axis=2)
 
 
 def _behind(scene: Scene, drive: Array, tau_s: float) -> Array:
     return low_passed(scene.t_s, scene.segment, drive, tau_s, scene.past)
 
 
-def has_memory(term: Term) -> bool:
-    """Whether a row's effect depends on other rows."""
-    return any(s.name == "delay_s" for s in term.shape) or any(time_constants(term))
-
-
-def reach_s(term: Term) -> float:
-    """How far [s] from a row, either way, the rows lie that it looks at; what follows as a state reaches nowhere."""
-    values = {shape.name: shape.value for shape in term.shape}
-    lead_s = max(-values.get("tau_s", 0.0), 0.0)
-    return max(abs(values.get("delay_s", 0.0)), abs(values.get("secant_s", 0.0)), lead_s * LEAD)
-
-
 def time_constants(term: Term) -> list[float]:
-    """Of each response to a channel: `tau_s`, or 12 for `c12s_x`; 0 for one that is prompt."""
-    if any(shape.name == "tau_s" for shape in term.shape):
-        return [term.at("tau_s")] if term.channels else []
+    """Of each response to a channel [s]: `tau_s`, or 12 for `c12s_x`; 0 for one that is prompt."""
+    if term.shape:
+        return memory.time_constants(term)
     found = [re.match(r"c(\d+)s_", name) for name, _ in term.parameters[::3]]
     return [float(match[1]) if match else 0.0 for match in found]
+
+
+def reach_s(term: Term) -> float | None:
+    """How far [s] from a row the rows lie that it looks at; a sum of responses is a state, one that is prompt none."""
+    return memory.reach_s(term) if term.shape else (0.0 if any(time_constants(term)) else None)

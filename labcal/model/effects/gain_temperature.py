@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from labcal.model.effects.following import BEHIND
+from labcal.model.effects.offset_temperature import RISES
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES, low_passed, middle, moving, per_axis
 from labcal.record import Run
 
@@ -13,7 +17,7 @@ TAU_S = (10.0, 30.0, 100.0, 300.0)
 
 def kernel(term: Term, scene: Scene) -> Array:
     """E = Σ g_i s_i (T − T_ref) along sensor axis i; with nine parameters along every axis j; T behind by tau_s."""
-    tau_s = term.at("tau_s") if term.shape else 0.0
+    tau_s = term.at(BEHIND.name) if term.shape else 0.0
     s, warm = scene.along_axes_nT, low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)[:, None]
     if len(term.parameters) == 3:
         return np.asarray((warm * s)[:, None, :] * scene.axes)
@@ -26,7 +30,7 @@ def candidates(run: Run) -> list[Term]:
     for c in moving(run, ("temperature",)):
         unit = f"1/{c.unit}"
         whole = tuple((f"g_{i}{j}", unit) for i in AXES for j in AXES)
-        gains, tau = per_axis("g", unit), (Shape("tau_s", 100.0, "s", TAU_S),)
+        gains, tau = per_axis("g", unit), (replace(BEHIND, grid=TAU_S),)
         variants = ((gains, ()), (gains, tau), (whole, ()))
         found += [Term(kernel, p, (c.name,), {c.name: middle(c)}, shape) for p, shape in variants]
     return found
@@ -37,8 +41,11 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("tau_s",),
-    experiment="warm the sensor in a large field and again in a small one",
+    shapes=(BEHIND,),
     of_field=True,
+    experiment="warm the sensor in a large field and again in a small one",
+    responds={"heat": 1.0},
+    confounded=(RISES,),
+    of_temperature=True,
     in_pieces=True,
 )

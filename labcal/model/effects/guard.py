@@ -2,31 +2,73 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import wraps
+from typing import TypeVar
 
 import numpy as np
 
 from labcal.errors import InputError
 from labcal.model.effects.protocol import Array, Family, Kernel, Scene, Term
+from labcal.model.effects.shape import Kind, Shape
 from labcal.outside import blamed
 from labcal.record import Run
+
+Said = TypeVar("Said")
 
 
 def guarded(family: Family, where: str) -> Family:
     """The same family; its candidates and columns are checked, and a fault names it and `where` it comes from."""
     named = f"the effect {family.id} of another package ({where})"
-    return replace(family, kernel=_checked(family.kernel, named), candidates=_candidates(family.candidates, named))
+    if not all(isinstance(shape, Shape) for shape in family.shapes):
+        raise InputError(f"{named} states in `shapes` something else than a Shape of each nonlinear parameter")
+    kernel = _checked(family.kernel, named)
+    return replace(
+        family,
+        kernel=kernel,
+        candidates=_candidates(family, kernel, named),
+        time_constants=_blamed(family.time_constants, named),
+        reach_s=_blamed(family.reach_s, named),
+        modes=family.modes and _blamed(family.modes, named),
+    )
 
 
-def _candidates(candidates: Callable[[Run], Sequence[Term]], named: str) -> Callable[[Run], Sequence[Term]]:
-    @wraps(candidates)
+def _candidates(family: Family, kernel: Kernel, named: str) -> Callable[[Run], Sequence[Term]]:
+    kinds = {shape.name: shape.kind for shape in family.shapes}
+
+    @wraps(family.candidates)
     def found(run: Run) -> Sequence[Term]:
         with blamed(named, f"on run {run.run_id}"):
-            return [replace(term, kernel=_checked(term.kernel, named)) for term in candidates(run)]
+            terms = list(family.candidates(run))
+        for term in terms:
+            _check_shapes(term, kinds, named)
+        return [
+            replace(term, kernel=kernel if term.kernel is family.kernel else _checked(term.kernel, named))
+            for term in terms
+        ]
 
     return found
+
+
+def _check_shapes(term: Term, kinds: Mapping[str, Kind], named: str) -> None:
+    """Whether each nonlinear parameter of a term is stated by its family, and can be found as its kind says."""
+    for shape in term.shape:
+        if kinds.get(shape.name) is not shape.kind:
+            raise InputError(f"{named} does not state its parameter {shape.name} and that one's kind in `shapes`")
+        if shape.kind.found_by == "delay scan" and not (term.channels and shape.grid and len(term.parameters) == 3):
+            raise InputError(f"{named}: {shape.name} has to delay a channel, with a grid and c_x, c_y, c_z alone")
+        if shape.kind.found_by == "own secant" and len(term.parameters) != 1:
+            raise InputError(f"{named}: {shape.name} has to belong to the one linear parameter of its term")
+
+
+def _blamed(hook: Callable[[Term], Said], named: str) -> Callable[[Term], Said]:
+    @wraps(hook)
+    def asked(term: Term) -> Said:
+        with blamed(named, f"in what it says of itself, {hook.__name__}"):
+            return hook(term)
+
+    return asked
 
 
 def _checked(kernel: Kernel, named: str) -> Kernel:

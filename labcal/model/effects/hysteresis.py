@@ -19,11 +19,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects.nonlinearity import SATURATION_nT, bend
+from labcal.model.effects.memory import nowhere
+from labcal.model.effects.nonlinearity import SATURATION, SATURATION_nT, bend
 from labcal.model.effects.past import Past
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.recursion import affine_recursion, clipped_recursion
 from labcal.model.effects.regressors import BODY, driving, on_each_axis, per_axis, powered, stretches
+from labcal.model.effects.shape import ANGLE, GIVEN, THRESHOLD, Shape
 from labcal.record import Run, offers
 
 THRESHOLDS_nT = (500.0, 1000.0, 2000.0, 4000.0, 10000.0, 25000.0)
@@ -35,6 +37,9 @@ LON_deg = (30.0, 90.0, 150.0, 210.0, 270.0, 330.0)
 LAT_deg = (20.0, 65.0)  # of half the sphere: nothing is farther than 35 degrees from one of these or its opposite
 TO_AND_FRO = 2.0**1.5  # standard deviations that a sine is wide
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
+STOP, WIDTH = (Shape(name, 0.0, "nT", kind=THRESHOLD) for name in ("r_nT", "w_nT"))
+LON, LAT = Shape("lon_deg", 0.0, "deg", LON_deg, ANGLE), Shape("lat_deg", 0.0, "deg", LAT_deg, ANGLE)
+KEPT = Shape("kept", 0.0, "1", kind=GIVEN)
 
 
 Before = tuple[Array, Array]  # drive and state (k,) each, of the row before the first
@@ -145,23 +150,22 @@ def candidates(run: Run) -> list[Term]:
     found = []
     for drive in ("", BODY) if travel > THRESHOLDS_nT[0] else ():
         seen = tuple(r for r in thresholds if r <= travel)
-        units = [("nT", Shape("w_nT", 0.0, "nT", seen)), ("1", Shape("r_nT", 0.0, "nT", seen))]
+        units = [("nT", replace(WIDTH, grid=seen)), ("1", replace(STOP, grid=seen))]
         found += [Term(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if seen]
         if several:
             found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"{drive}c{r:.0f}", "1"))))
         if widths:
-            shapes = (Shape("r_nT", 0.0, "nT", widths), Shape("s_nT", 0.0, "nT", SATURATION_nT))
+            shapes = (replace(STOP, grid=widths), replace(SATURATION, value=0.0, grid=SATURATION_nT))
             curve = (*per_axis(f"{drive}t1", "nT"), *(p for k in BENDS for p in per_axis(f"{drive}a{k}", powered(k))))
             found.append(Term(kernel, (*per_axis(f"{drive}c", "nT"), *curve), shape=shapes))
     bar = tuple(p for r in BAR_nT if r >= least for p in per_axis(f"{BODY}c{r:.0f}", "1"))
-    turned = (Shape("lon_deg", 0.0, "deg", LON_deg), Shape("lat_deg", 0.0, "deg", LAT_deg))
-    for kept in (Shape("kept", 0.0, "1"), Shape("kept", 1.0, "1")):
+    for kept in (KEPT, replace(KEPT, value=1.0)):
         if thresholds:
-            found.append(Term(kernel, per_axis("c", "1"), shape=(Shape("r_nT", 0.0, "nT", thresholds), kept)))
+            found.append(Term(kernel, per_axis("c", "1"), shape=(replace(STOP, grid=thresholds), kept)))
         if several:
             found.append(Term(kernel, tuple(p for r in several for p in per_axis(f"c{r:.0f}", "1")), shape=(kept,)))
         if bar:
-            found.append(Term(kernel, bar, shape=(*turned, kept)))
+            found.append(Term(kernel, bar, shape=(LON, LAT, kept)))
     return found
 
 
@@ -196,9 +200,11 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("r_nT", "w_nT", "s_nT", "lon_deg", "lat_deg", "kept"),
-    experiment="step the field up and down through the same values, or turn backwards",
+    shapes=(STOP, WIDTH, SATURATION, LON, LAT, KEPT),
     of_field=True,
     extends=("nonlinearity",),
+    experiment="step the field up and down through the same values, or turn backwards",
+    reach_s=nowhere,
     in_pieces=True,
+    drawn_against="angle",
 )

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import BODY, driving, per_axis, powered
+from labcal.model.effects.shape import THRESHOLD, Shape
 from labcal.record import Run
 
 TERMS = (("c3",), ("c2",), ("c2", "c3"), ("c3", "c5"), ("c2", "c3", "c4", "c5"), ("o2",), ("o2", "c3"), ("k1",))
 SATURATING = (("t1",), ("t1", "c2", "c3", "c4", "c5"))
 SATURATION_nT = (10000.0, 20000.0, 40000.0)
+SATURATION = Shape("s_nT", SATURATION_nT[0], "nT", SATURATION_nT, THRESHOLD)
 
 
 def kernel(term: Term, scene: Scene) -> Array:
@@ -29,7 +31,7 @@ def kernel(term: Term, scene: Scene) -> Array:
 
 def _bent(s: Array, power: str, term: Term) -> Array:
     if power == "t1":
-        return bend(s / term.at("s_nT"))
+        return bend(s / term.at(SATURATION.name))
     if power == "k1":
         return np.abs(s)
     return s * np.abs(s) if power == "o2" else s ** int(power[1])
@@ -42,11 +44,10 @@ def bend(u: Array) -> Array:
 
 def candidates(run: Run) -> list[Term]:
     """The sums of powers worth trying, and a saturation alone and with them."""
-    level = (Shape("s_nT", SATURATION_nT[0], "nT", SATURATION_nT),)
     return [
         Term(kernel, tuple(p for power in powers for p in per_axis(f"{drive}{power}", _unit(power))), shape=shape)
         for drive in ("", BODY)
-        for powers, shape in (*((t, ()) for t in TERMS), *((t, level) for t in SATURATING))
+        for powers, shape in (*((t, ()) for t in TERMS), *((t, (SATURATION,)) for t in SATURATING))
     ]
 
 
@@ -59,7 +60,8 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("s_nT",),
-    experiment="step the field along each axis through its whole range",
+    shapes=(SATURATION,),
     of_field=True,
+    experiment="step the field along each axis through its whole range",
+    drawn_against="field",
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from labcal.model.effects.following import delayed_terms, instantaneous, responses
+from labcal.model.effects.following import LATE, delayed_terms, instantaneous, responses
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import moving
 from labcal.record import Run
@@ -26,8 +26,9 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("delay_s",),
-    experiment="hold the attitude and step the quantity that the channel measures",
+    shapes=(LATE,),
     generic=True,
+    experiment="hold the attitude and step the quantity that the channel measures",
+    responds={"load": 1.0},
     in_pieces=True,
 )

@@ -5,13 +5,28 @@ Springmann & Cutler 2011, (7): the bias varies as S i(t). Eddy currents and filt
 
 from __future__ import annotations
 
-from labcal.model.effects.following import delayed_terms, first_order, instantaneous, multi_tau, responses
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from dataclasses import replace
+
+from labcal.model.effects.following import (
+    BEHIND,
+    LATE,
+    delayed_terms,
+    first_order,
+    instantaneous,
+    multi_tau,
+    reach_s,
+    responses,
+    time_constants,
+)
+from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
 from labcal.model.effects.regressors import moving
 from labcal.record import Run
 
 TAU_S = (1.0, 3.0, 10.0, 30.0)
 SEVERAL_S = (0, 3, 12, 50)  # a response that no single time constant describes
+LOCKED = Confounded(
+    "currents locked to the attitude (panels, torquers)", "soft iron", "switch the loads at one attitude"
+)
 
 
 def kernel(term: Term, scene: Scene) -> Array:
@@ -21,7 +36,7 @@ def kernel(term: Term, scene: Scene) -> Array:
 
 def candidates(run: Run) -> list[Term]:
     """Each current that moves: prompt, filtered, with several time constants, and delayed."""
-    tau = Shape("tau_s", 3.0, "s", TAU_S)
+    tau = replace(BEHIND, value=3.0, grid=TAU_S)
     return [
         term
         for c in moving(run, ("current",))
@@ -39,8 +54,12 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("tau_s", "delay_s"),
-    experiment="hold the attitude and switch the load that draws this current on and off",
+    shapes=(BEHIND, LATE),
     related=("offset-current-squared",),
+    time_constants=time_constants,
+    experiment="hold the attitude and switch the load that draws this current on and off",
+    responds={"load": 1.0},
+    confounded=(LOCKED,),
+    reach_s=reach_s,
     in_pieces=True,
 )

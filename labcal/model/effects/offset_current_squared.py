@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from dataclasses import replace
+
+from labcal.model.effects.following import BEHIND
+from labcal.model.effects.offset_current import LOCKED
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
 
@@ -12,7 +16,7 @@ TAU_S = (10.0, 30.0, 100.0)  # of what the load heats
 def kernel(term: Term, scene: Scene) -> Array:
     """E = c ((i − i_ref)² * h)(t), with i_ref = 0, h a first-order response of tau_s."""
     squared = term.drive(scene) ** 2
-    tau_s = term.at("tau_s") if term.shape else 0.0
+    tau_s = term.at(BEHIND.name) if term.shape else 0.0
     return on_each_axis(low_passed(scene.t_s, scene.segment, squared, tau_s, scene.past))
 
 
@@ -21,7 +25,7 @@ def candidates(run: Run) -> list[Term]:
     return [
         Term(kernel, per_axis("c", f"nT/{c.unit}^2"), (c.name,), {c.name: 0.0}, shape)
         for c in moving(run, ("current",))
-        for shape in ((), (Shape("tau_s", 30.0, "s", TAU_S),))
+        for shape in ((), (replace(BEHIND, value=30.0, grid=TAU_S),))
     ]
 
 
@@ -30,9 +34,11 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("tau_s",),
-    experiment="hold the attitude and draw three or more levels of this current",
-    related=("offset-current",),
+    shapes=(BEHIND,),
     second_order=True,
+    related=("offset-current",),
+    experiment="hold the attitude and draw three or more levels of this current",
+    responds={"load": 1.0, "heat": 1.0},
+    confounded=(LOCKED,),
     in_pieces=True,
 )

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from labcal.model.effects.offset_temperature import RISES
+from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES, on_each_axis
+from labcal.model.effects.shape import GIVEN, TIME_CONSTANT, Shape
 from labcal.record import Run
 
 DEGREES = (1, 2, 3, 5)  # the last follows a slow wave once through the run
+FROM = Shape("t_ref_s", 0.0, "s", kind=GIVEN)
+SETTLES = Shape("tau_s", 0.0, "s", kind=TIME_CONSTANT)
 
 
 def kernel(term: Term, scene: Scene) -> Array:
     """E = Σ c_k (t − t_ref)^k, or c exp(−(t − t_ref)/tau) where the form has a tau."""
-    t = scene.t_s - term.at("t_ref_s")
-    if any(s.name == "tau_s" for s in term.shape):
-        return on_each_axis(np.exp(-t / term.at("tau_s")))
+    t = scene.t_s - term.at(FROM.name)
+    if (settles := term.of(TIME_CONSTANT)) is not None:
+        return on_each_axis(np.exp(-t / settles.value))
     powers = range(1, len(term.parameters) // 3 + 1)
     return np.concatenate([on_each_axis(t**k) for k in powers], axis=2)
 
@@ -26,10 +32,10 @@ def candidates(run: Run) -> list[Term]:
     span = last - first
     if span <= 0:
         return []
-    centre = (Shape("t_ref_s", (first + last) / 2, "s"),)
+    centre = (replace(FROM, value=(first + last) / 2),)
     found = [Term(kernel, _polynomial(degree), shape=centre) for degree in DEGREES]
     grid = tuple(span * f for f in (0.05, 0.15, 0.4))
-    settling = (Shape("t_ref_s", first, "s"), Shape("tau_s", grid[1], "s", grid))
+    settling = (replace(FROM, value=first), replace(SETTLES, value=grid[1], grid=grid))
     return [*found, Term(kernel, tuple((f"c_{a}", "nT") for a in AXES), shape=settling)]
 
 
@@ -42,7 +48,9 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("t_ref_s", "tau_s"),
+    shapes=(FROM, SETTLES),
     experiment="repeat the first segment at the end, and again after a pause",
+    responds={"heat": 1.0},
+    confounded=(RISES,),
     bound_to_run=True,
 )

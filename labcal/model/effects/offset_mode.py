@@ -16,8 +16,12 @@ def kernel(term: Term, scene: Scene) -> Array:
     """E = c_m in mode m, against the mode that the offset k belongs to."""
     if scene.mode is None:
         raise InputError("the calibration needs the power mode of each row", column="mode")
-    names = [name.removeprefix("c_x ") for name, _ in term.parameters if name.startswith("c_x ")]
-    return np.concatenate([(scene.mode == name)[:, None, None] * np.eye(3) for name in names], axis=2)
+    return np.concatenate([(scene.mode == name)[:, None, None] * np.eye(3) for name in own_modes(term)], axis=2)
+
+
+def own_modes(term: Term) -> list[str]:
+    """The modes that have an offset of their own."""
+    return [name.removeprefix("c_x ") for name, _ in term.parameters if name.startswith("c_x ")]
 
 
 def candidates(run: Run) -> list[Term]:
@@ -35,4 +39,6 @@ FAMILY = Family(
     kernel,
     candidates,
     experiment="hold the attitude and switch between the power modes",
+    responds={"load": 1.0},
+    modes=own_modes,
 )

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from labcal.model.effects.protocol import Array, Family, Scene, Term
-from labcal.model.effects.regressors import on_each_axis, per_axis, some_moment
+from labcal.model.effects.regressors import STEP, on_each_axis, per_axis, some_moment
 from labcal.record import Run
 
 
 def kernel(term: Term, scene: Scene) -> Array:
     """E = c from t_step on."""
-    return on_each_axis((scene.t_s >= term.at("t_step_s")).astype(float))
+    return on_each_axis((scene.t_s >= term.at(STEP.name)).astype(float))
 
 
 def candidates(run: Run) -> list[Term]:
@@ -22,8 +22,8 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("t_step_s",),
+    shapes=(STEP,),
+    repeats=True,
     experiment="repeat the segments before and after the step",
     bound_to_run=True,
-    search_strategy="moments",
 )

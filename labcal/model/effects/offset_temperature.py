@@ -9,28 +9,39 @@ from dataclasses import replace
 
 import numpy as np
 
-from labcal.model.effects.following import delayed_terms, first_order, instantaneous, multi_tau, responses
-from labcal.model.effects.protocol import Array, Family, Scene, Shape, Term
+from labcal.model.effects.following import (
+    BEHIND,
+    LATE,
+    delayed_terms,
+    first_order,
+    instantaneous,
+    multi_tau,
+    reach_s,
+    responses,
+    time_constants,
+)
+from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
 from labcal.record import Run
 
 LEADS_S = (-100.0, -30.0, -10.0, -3.0)  # of a thermometer that is slower than the sensor
 TAU_S = (10.0, 30.0, 100.0, 300.0)
 SEVERAL_S = (0, 60, 300)  # a housing and what is inside it
+RISES = Confounded("a temperature that only rises", "a drift", "warm the device and let it cool again")
 
 
 def kernel(term: Term, scene: Scene) -> Array:
     """E = c (T − T_ref) + d (T − T_ref)², T through a first-order response of time constant tau_s, or of several."""
     if not any(name.startswith("d_") for name, _ in term.parameters):
         return responses(term, scene)
-    tau_s = term.at("tau_s") if term.shape else 0.0
+    tau_s = term.at(BEHIND.name) if term.shape else 0.0
     T = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)
     return np.concatenate([on_each_axis(T), on_each_axis(T**2)], axis=2)
 
 
 def candidates(run: Run) -> list[Term]:
     """Each temperature that moves: prompt, behind, with several time constants, curved, and delayed."""
-    tau, either = Shape("tau_s", 100.0, "s", TAU_S), Shape("tau_s", 100.0, "s", (*LEADS_S, *TAU_S))
+    tau, either = replace(BEHIND, grid=TAU_S), replace(BEHIND, grid=(*LEADS_S, *TAU_S))
     found = []
     for c in moving(run, ("temperature",)):
         straight = (instantaneous(c, kernel), first_order(c, kernel, tau))
@@ -49,7 +60,12 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=("tau_s", "delay_s"),
+    shapes=(BEHIND, LATE),
+    time_constants=time_constants,
     experiment="hold the attitude and warm the sensor, then let it cool",
+    responds={"heat": 1.0},
+    confounded=(RISES,),
+    of_temperature=True,
+    reach_s=reach_s,
     in_pieces=True,
 )

@@ -1,4 +1,8 @@
-"""What an effect is made of: the scene it acts in, its form, its family."""
+"""What an effect is made of: the scene it acts in, its form, its family.
+
+All that fit, loop, `apply`, reports and window have to know of an effect stands in its `Family`; nothing outside
+`labcal.model.effects` knows an effect by its id, or a parameter by its name.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +15,9 @@ from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord, Owner
+from labcal.model.effects import memory
 from labcal.model.effects.past import Past
+from labcal.model.effects.shape import FoundBy, Kind, Shape
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -84,20 +90,16 @@ class Scene:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class Shape:
-    """A parameter that does not enter linearly: its value, unit, and the grid that a search starts from."""
-
-    name: str
-    value: float
-    unit: str
-    grid: tuple[float, ...] = ()
-
-
 Kernel = Callable[["Term", Scene], Array]
-SearchStrategy = Literal[
-    "grid", "lines", "moments"
-]  # at its grid's points, or at the residual's own frequencies or jumps
+DrawnAgainst = Literal["time", "angle", "field"]
+Action = Literal[
+    "load",  # a load is switched, or the power mode
+    "heat",  # the device is warmed and cools
+    "bare platform",  # the device is taken off and the reference stands in its place
+    "move device",  # by 5 cm
+    "turn reference",  # by 180°
+    "move reference",  # to twice its distance
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,9 +126,26 @@ class Term:
                 return shape.value
         raise InputError(f"the effect lacks its parameter {name}")
 
+    def of(self, kind: Kind) -> Shape | None:
+        """Its first shape parameter of this kind; None where it has none."""
+        return next((shape for shape in self.shape if shape.kind is kind), None)
+
+    def found_by(self, search: FoundBy) -> Shape | None:
+        """Its first shape parameter that this search finds; None where it has none."""
+        return next((shape for shape in self.shape if shape.kind.found_by == search), None)
+
     def with_values(self, **values: float) -> Term:
         """The same form at other shape parameters."""
         return replace(self, shape=tuple(replace(s, value=values.get(s.name, s.value)) for s in self.shape))
+
+    def with_shape(self, at: Shape) -> Term:
+        """The same form with the shape parameter of this name as it is here."""
+        return replace(self, shape=tuple(at if s.name == at.name else s for s in self.shape))
+
+    def stepped(self) -> Term:
+        """The same form as it is after its moment: the step came before the run began."""
+        moment = self.found_by("changepoints")
+        return replace(self, shape=tuple(replace(s, value=-np.inf) if s is moment else s for s in self.shape))
 
     def drive(self, scene: Scene) -> Array:
         """Its first channel, counted from the reference value (n,)."""
@@ -135,32 +154,66 @@ class Term:
 
 
 @dataclass(frozen=True, slots=True)
+class Confounded:
+    """Two explanations of one run that no fit can separate, and what does."""
+
+    one: str
+    other: str
+    separated_by: str
+
+
+@dataclass(frozen=True, slots=True)
 class Family:
-    """All that is known about one effect id: whose it is, the terms it can take, and what would show it."""
+    """All that is known about one effect id: what its author has to give. The first four, and `experiment`, suffice.
+
+    `kernel` must give finite columns (n, 3, p) wherever the field and the term's channels are finite, for any rows in
+    the order of time; without `scene.rig` unless the effect is the rig's; each row from itself alone unless `reach_s`
+    says otherwise. `candidates` gives the terms that a run could show, none where the run lacks what they need.
+    A parameter that does not enter linearly stands in `shapes` with the name and kind that it has in the terms, and has
+    a grid there if it is searched.
+    """
 
     id: str
     belongs_to: Owner
     kernel: Kernel
-    candidates: Callable[[Run], Sequence[Term]]  # the forms that this run could show; empty where its needs are not met
-    shapes: tuple[str, ...] = ()  # names of the parameters that do not enter linearly
-    experiment: str = ""  # what would show it, one sentence
-    bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
+    candidates: Callable[[Run], Sequence[Term]]
+    shapes: tuple[Shape, ...] = ()  # the parameters that do not enter linearly; values and grids are the candidates'
+
+    # What the decision has to know
     of_field: bool = False  # grows with the field itself: cannot be told from a gain that the run does not determine
     from_vectors: bool = False  # only vectors show it: on magnitudes the noise alone would
-    search_strategy: SearchStrategy = (
-        "grid"  # where to look; what is read off the residual may come again at another place
-    )
+    repeats: bool = False  # may act more than once, each time at another moment or frequency
     harmonics: bool = False  # what is left of it may be its own overtones
     generic: bool = False  # follows whatever a channel measures: an equivalent cause with a mechanism goes first
     second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first
     extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
+    time_constants: Callable[[Term], Sequence[float]] = memory.time_constants  # of its responses [s]: each settles
+
+    # What separates it from others
+    experiment: str = ""  # what would show it, one sentence
+    responds: Mapping[Action, float] = field(default_factory=dict)  # the factor it changes by; 1: driven, still there
+    confounded: tuple[Confounded, ...] = ()  # what one run never tells it from
+
+    # What `apply` has to know of a sensor's effect; moments, delays and secants flag the rows beside them by themselves
+    bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
+    of_temperature: bool = False  # its channel is the temperature that a calibration's range speaks of
+    modes: Callable[[Term], Sequence[str]] | None = None  # the power modes that it has parameters of
+    reach_s: Callable[[Term], float | None] = memory.reach_s  # how far it looks; None: at the row itself alone
     in_pieces: bool = False  # goes on from `scene.past`, or sees as far as `reach_s` says: a recording may be cut
+
+    # How it is drawn
+    drawn_against: DrawnAgainst = "time"  # where it has no channel
+
+    def found_by(self, search: FoundBy) -> bool:
+        """Whether this search finds one of its parameters."""
+        return any(shape.kind.found_by == search for shape in self.shapes)
 
     def restore(self, record: EffectRecord) -> Term:
         """The form that a calibration file describes."""
-        linear = tuple((p.name, p.unit) for p in record.parameters if p.name not in self.shapes)
-        shape = tuple(Shape(p.name, p.value, p.unit) for p in record.parameters if p.name in self.shapes)
+        kinds = {shape.name: shape.kind for shape in self.shapes}
+        linear = tuple((p.name, p.unit) for p in record.parameters if p.name not in kinds)
+        shape = tuple(Shape(p.name, p.value, p.unit, kind=kinds[p.name]) for p in record.parameters if p.name in kinds)
         return Term(self.kernel, linear, record.channels, dict(record.reference_value), shape)
 
 

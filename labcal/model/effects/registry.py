@@ -37,10 +37,20 @@ def families() -> tuple[Family, ...]:
 
 def family(effect_id: str) -> Family:
     """The family of this id. Raises InputError where no installed package has it."""
-    for candidate in families():
-        if candidate.id == effect_id:
-            return candidate
+    if (found := find(effect_id)) is not None:
+        return found
     raise InputError(f"no installed package describes the effect {effect_id!r} (entry-point group labcal.effects)")
+
+
+def find(effect_id: str) -> Family | None:
+    """The family of this id; None where no installed package has it."""
+    return next((family for family in families() if family.id == effect_id), None)
+
+
+def of_temperature(record: EffectRecord) -> bool:
+    """Whether the effect follows a temperature."""
+    kind = find(record.effect)
+    return kind is not None and kind.of_temperature
 
 
 def load(record: EffectRecord) -> Fitted:

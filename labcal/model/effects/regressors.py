@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.model.effects.memory import LEAD
 from labcal.model.effects.past import Past
-from labcal.model.effects.protocol import Array, Scene, Shape, Term
+from labcal.model.effects.protocol import Array, Scene, Term
 from labcal.model.effects.recursion import affine_recursion
+from labcal.model.effects.shape import MOMENT, Shape
 from labcal.record import Run
 from labcal.record.run import Channel
 
@@ -18,7 +21,7 @@ WEATHER = ("temperature", "pressure", "humidity")
 AXES = ("x", "y", "z")
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
-LEAD = 1 / 8  # of a thermometer's time constant: the window either way that its slope is taken over
+STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
 CARRIED = 3.0  # time constants: over a longer gap between segments a state is not carried
 
 
@@ -58,7 +61,7 @@ def of_the_rig(run: Run) -> list[Channel]:
 
 def some_moment(run: Run) -> Shape:
     """Where a step may lie: the residual shows where it is looked for."""
-    return Shape("t_step_s", float(run.t_s[0] + run.t_s[-1]) / 2, "s")
+    return replace(STEP, value=float(run.t_s[0] + run.t_s[-1]) / 2)
 
 
 def _moves(values: Array) -> bool:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.calibration import EffectRecord, Parameter
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.record import Run
 
@@ -16,6 +20,23 @@ def nothing(term: Term, scene: Scene) -> Array:
 def no_candidates(run: Run) -> list[Term]:
     """None: `labcal.loop` finds these rows before any effect is tried."""
     return []
+
+
+def saturation_record(limits: Sequence[Parameter]) -> EffectRecord:
+    """The finding: the values `upper_x`, `lower_x` … that an axis stops at, in the DUT's unit."""
+    where = ", ".join(f"{p.name} at {p.value:g} {p.unit}" for p in limits)
+    why = f"readings stop at the end of the range: {where}"
+    return EffectRecord(SATURATION.id, (), {}, SATURATION.belongs_to, tuple(limits), why=why)
+
+
+def beyond_limits(findings: Sequence[EffectRecord], reading: Array) -> NDArray[np.bool_]:
+    """Rows (n,) of readings (n, 3) at or beyond a limit of the finding `saturation`, where it is among these."""
+    out = np.zeros(len(reading), dtype=bool)
+    limits = {p.name: p.value for found in findings if found.effect == SATURATION.id for p in found.parameters}
+    for axis, name in enumerate("xyz"):
+        out |= reading[:, axis] >= limits.get(f"upper_{name}", np.inf)
+        out |= reading[:, axis] <= limits.get(f"lower_{name}", -np.inf)
+    return out
 
 
 OUTLIERS = Family("outliers", "data", nothing, no_candidates, experiment="repeat the segment and look at the link")

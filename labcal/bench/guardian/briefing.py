@@ -1,0 +1,42 @@
+"""What a guardian is told of its bench by whoever starts it: the file may be edited, moved or gone when it counts.
+
+It is the first line of the standard input of a process that is started with `BRIEFED`.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from labcal.bench.config import BenchConfig
+
+BRIEFED = "--briefed"
+LONGEST = 60_000  # bytes: a pipe takes as many before anybody reads
+
+
+@dataclass(frozen=True, slots=True)
+class Briefing:
+    """The bench as it was read: its file as it was named, what stood in it, and the fingerprint of that."""
+
+    named: Path
+    config: BenchConfig
+    fingerprint: str
+
+    def line(self) -> bytes:
+        """As one line; empty where it is longer than a pipe takes: then the file is read."""
+        said = {"named": str(self.named), "config": self.config.model_dump(mode="json"), "print": self.fingerprint}
+        line = json.dumps(said).encode() + b"\n"
+        return line if len(line) <= LONGEST else b"\n"
+
+
+def briefing_of(line: str) -> Briefing | None:
+    """What such a line says; None where it says nothing, or is spoilt."""
+    try:
+        said: dict[str, Any] = json.loads(line)
+        return Briefing(Path(said["named"]), BenchConfig.model_validate(said["config"]), str(said["print"]))
+    except (ValueError, KeyError, TypeError, ValidationError):
+        return None

@@ -1,0 +1,282 @@
+"""What workers answer: one frozen dataclass for each kind of result. Arrays are thinned for pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.bench.parameters import ParameterSpec
+from labcal.gui.ipc.wire import Fault
+from labcal.model.calibration import EffectRecord
+from labcal.record.run import Dut
+from labcal.record.stream import Measurement
+
+Array = NDArray[np.float64]
+Triple = tuple[float, float, float]
+Matrix = tuple[tuple[float, ...], ...]
+Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexplained"]
+
+
+@dataclass(frozen=True, slots=True)
+class Instrument:
+    """One instrument of a bench file."""
+
+    role: str
+    link: str
+    driver: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cage:
+    """The coils as a bench file states them. `matrix` [nT/A]: its columns are the coil axes in C."""
+
+    matrix: tuple[Triple, Triple, Triple]
+    stated: bool  # as a matrix, not as constants alone
+    calibration: str | None  # an approved cage calibration
+    limit_A: tuple[float, ...]
+    limit_nT: float
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """What is known of the reference sensor."""
+
+    u_offset_nT: float | None
+    u_scale_ppm: float | None
+    calibration: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Bench:
+    """What a bench file states."""
+
+    name: str
+    simulated: bool
+    dut: Dut
+    reference: Reference
+    cage: Cage
+    instruments: Mapping[str, Instrument]
+
+
+@dataclass(frozen=True, slots=True)
+class Greeting:
+    """Who an instrument says it is, or why it does not."""
+
+    name: str
+    role: str
+    link: str
+    identity: str
+    fault: Fault | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """A zero that the reference did not see, measured again."""
+
+    words: str
+    lifted: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Identified:
+    """Every instrument's answer, and what became of the doubt about zero where there was one."""
+
+    greetings: tuple[Greeting, ...]
+    doubt: Doubt | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class CoilEnd:
+    """One axis as it was read back when it was switched off; None is not known."""
+
+    axis: str
+    current_A: float | None
+    words: str
+    ok: bool
+    read_s: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchedOff:
+    """Every axis, and the doubt that stands about zero ("": none)."""
+
+    coils: tuple[CoilEnd, ...]
+    doubt: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Ended:
+    """How a run has ended. `failed`: measurements beyond their limits."""
+
+    run_id: str
+    status: str
+    fault: Fault | None = None
+    failed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Procedure:
+    """What there is to run, and what it may be told."""
+
+    name: str
+    title: str
+    resumable: bool
+    needs: str
+    lasts_min: float | None
+    parameters: tuple[ParameterSpec, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Procedures:
+    """Those that load, and by name why the others do not."""
+
+    found: tuple[Procedure, ...]
+    broken: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Look:
+    """A run as it was recorded: readings (n, 3) [nominal nT], and what they may be drawn against, by name with unit."""
+
+    run_id: str
+    dut: str
+    n_samples: int
+    before: Array
+    against: Mapping[str, Array]
+
+
+@dataclass(frozen=True, slots=True)
+class FitFigures:
+    """One method's answer in figures (contract: FIT)."""
+
+    ok: bool
+    why_not: str | None = None
+    K: Matrix | None = None
+    k_nT: tuple[float, ...] | None = None
+    covariance: Matrix | None = None
+    frame_known: bool = False
+    holdout_rms_scalar_nT: float | None = None
+    axis_error_deg: tuple[float, ...] | None = None
+    seconds: float | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fitted:
+    """One method's answer; where it has a map also the residual (n,) and the calibrated readings (n, 3) [nT]."""
+
+    fit: FitFigures
+    noise_nT: float | None = None
+    residual: Array | None = None
+    after: Array | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Growth:
+    """A filter's offset and its standard uncertainty (n, 3) [nT] as readings came."""
+
+    t_s: Array
+    bias_nT: Array
+    u_nT: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Change:
+    """The residual before and after (n, 3), or (n, 1) of the magnitude [nT], and what it may be drawn against."""
+
+    before: Array
+    after: Array
+    against: Mapping[str, Array]
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """The experiment that would tell more."""
+
+    why: str
+    do: str
+    procedure: str | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Loop:
+    """The closed loop: verdict, causes, and the change that all named ones make; `draft` is the file written."""
+
+    verdict: Verdict
+    summary: str
+    before_nT: float  # held-out rms
+    after_nT: float
+    noise_floor_nT: float
+    noise_floor_source: str
+    set_aside: Mapping[str, int]
+    accepted: tuple[EffectRecord, ...]
+    rejected: tuple[EffectRecord, ...]
+    next_experiment: Proposal | None
+    remarks: tuple[str, ...]
+    draft: str
+    change: Change
+    drawn_against: Mapping[str, str] = field(default_factory=dict)  # by effect: "time", "angle" or "field"
+
+
+@dataclass(frozen=True, slots=True)
+class RunLine:
+    """A run of the store in one line, with the verdict of its loop where there is one."""
+
+    run_id: str
+    started_utc: str
+    status: str
+    dut_serial: str
+    operator: str
+    procedure: str
+    simulated: bool = False
+    verdict: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """The last run that checked something: its worst measurement that has a limit, and the verdict."""
+
+    run: RunLine
+    measurement: Measurement | None
+    verdict: str
+
+
+@dataclass(frozen=True, slots=True)
+class Signature:
+    """One signature file: whose it is, and what is wrong with it ("": nothing)."""
+
+    file: str
+    signer: str | None
+    objection: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """How the signatures of a calibration file stand."""
+
+    path: str
+    valid: bool
+    provisional: bool
+    signers: tuple[str, ...]
+    signatures: tuple[Signature, ...]
+    sentences: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CalibrationFile:
+    """What a calibration file says, and how its signatures stand. `u` (12,) of K row by row, then k."""
+
+    path: str
+    run_id: str
+    dut: Dut
+    K: Matrix
+    k_nT: tuple[float, ...]
+    u: tuple[float, ...] | None
+    effects: tuple[EffectRecord, ...]
+    findings: tuple[EffectRecord, ...]
+    operator: str
+    approvers: tuple[str, ...]
+    standing: Standing

@@ -1,0 +1,363 @@
+"""Every message between the window and its workers: commands, words into a run, events. One frozen dataclass each.
+
+A command names its answer: `class FitRun(Command[Fitted])`. What carries it out is the one handler that takes it
+(`bench_commands`, `study_commands`, `file_commands`); what the window does is ask for it with `Client.request`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Generic, Literal, TypeVar
+
+from labcal.bench.coils.state import LabState
+from labcal.gui.ipc import answers
+from labcal.gui.ipc.wire import Fault
+from labcal.record.stream import Item
+
+R = TypeVar("R")
+
+
+class Command(Generic[R]):
+    """Something asked of a worker; R is what it answers."""
+
+    __slots__ = ()
+
+
+class Word:
+    """A word into a run that goes on; nothing answers it."""
+
+    __slots__ = ()
+
+
+class Event:
+    """What a worker says."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ReadBench(Command[answers.Bench]):
+    """What a bench file states."""
+
+    bench: str
+
+
+@dataclass(frozen=True, slots=True)
+class Identify(Command[answers.Identified]):
+    """Ask every instrument of a bench who it is."""
+
+    bench: str
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchOff(Command[answers.SwitchedOff]):
+    """Every coil of a bench to zero and open."""
+
+    bench: str
+
+
+@dataclass(frozen=True, slots=True)
+class RunProcedure(Command[answers.Ended]):
+    """Run a procedure. `given` holds settings as text; simulated time goes on after the run `after`."""
+
+    procedure: str
+    bench: str
+    given: Mapping[str, str] = field(default_factory=dict)
+    dut: str = ""
+    operator: str = ""
+    pace: str = "at once"
+    seed: int | None = None
+    after: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ResumeRun(Command[answers.Ended]):
+    """Go on with an interrupted run of the DUT `dut`."""
+
+    run: str
+    bench: str
+    dut: str
+    pace: str = "at once"
+    seed: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Rehearse(Command[tuple[str, ...]]):
+    """What a procedure would do, a line each; nothing real is touched."""
+
+    procedure: str
+    bench: str
+    given: Mapping[str, str] = field(default_factory=dict)
+    seed: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ListProcedures(Command[answers.Procedures]):
+    """What there is to run."""
+
+
+@dataclass(frozen=True, slots=True)
+class ListMethods(Command[tuple[str, ...]]):
+    """The names of all estimators; whoever asks first waits for what everything else here needs."""
+
+
+@dataclass(frozen=True, slots=True)
+class LookAt(Command[answers.Look]):
+    """A run as it was recorded."""
+
+    run: str
+
+
+@dataclass(frozen=True, slots=True)
+class FitRun(Command[answers.Fitted]):
+    """One method's calibration of a run."""
+
+    run: str
+    method: str
+
+
+@dataclass(frozen=True, slots=True)
+class WriteDraft(Command[str]):
+    """Write the draft calibration of a method; answers its path."""
+
+    run: str
+    method: str
+
+
+@dataclass(frozen=True, slots=True)
+class CloseLoop(Command[answers.Loop]):
+    """Trace the residual of a run to its cause; a draft is written."""
+
+    run: str
+
+
+@dataclass(frozen=True, slots=True)
+class JoinRuns(Command[str]):
+    """Keep the run of all rows of both; answers its id."""
+
+    run: str
+    new: str
+
+
+@dataclass(frozen=True, slots=True)
+class TryCause(Command[answers.Change]):
+    """What one cause alone would change, named by the loop or not."""
+
+    run: str
+    effect: str
+    channels: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FilterHistory(Command[answers.Growth]):
+    """How a filter's estimate grew."""
+
+    run: str
+    method: str
+
+
+@dataclass(frozen=True, slots=True)
+class ListRuns(Command[tuple[answers.RunLine, ...]]):
+    """The runs of the store, the newest first."""
+
+
+@dataclass(frozen=True, slots=True)
+class LastClosingCheck(Command[answers.Checked | None]):
+    """The last closing check there is."""
+
+
+@dataclass(frozen=True, slots=True)
+class LastCageCheck(Command[answers.Checked | None]):
+    """The last finished cage calibration there is."""
+
+
+@dataclass(frozen=True, slots=True)
+class ListCalibrations(Command[tuple[answers.CalibrationFile, ...]]):
+    """Every calibration file of this lab's folder, the newest first."""
+
+
+@dataclass(frozen=True, slots=True)
+class VerifyFile(Command[answers.Standing]):
+    """How the signatures of a file stand."""
+
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
+class ListKeys(Command[tuple[str, ...]]):
+    """Names with a private key here."""
+
+
+@dataclass(frozen=True, slots=True)
+class NewKey(Command[str]):
+    """Make a key; answers its name."""
+
+    name: str
+    passphrase: str = field(repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Approve(Command[answers.CalibrationFile]):
+    """Write an approver into a draft."""
+
+    path: str
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sign(Command[answers.CalibrationFile]):
+    """Sign a calibration; the passphrase is used and forgotten."""
+
+    path: str
+    name: str
+    passphrase: str = field(repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class WriteReport(Command[str]):
+    """Write the report of a run or a calibration; answers where."""
+
+    source: str
+    out: str
+
+
+@dataclass(frozen=True, slots=True)
+class ExportRun(Command[str]):
+    """Write a run as bundle, csv, hdf5 or mat; answers where."""
+
+    run: str
+    format: Literal["bundle", "csv", "hdf5", "mat"]
+    out: str
+
+
+@dataclass(frozen=True, slots=True)
+class ImportBundle(Command[str]):
+    """Take a bundle into the store; answers the run's id."""
+
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
+class KeepPhoto(Command[Mapping[str, str]]):
+    """Keep a photograph; answers what a note says of it."""
+
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
+class CorrectSerial(Command[str]):
+    """State another serial of a run's DUT; answers it."""
+
+    run: str
+    serial: str
+    who: str
+
+
+@dataclass(frozen=True, slots=True)
+class ApplyCalibration(Command[str]):
+    """Correct readings by a calibration; answers how many rows, in words."""
+
+    path: str
+    source: str
+    out: str
+    dut: str
+
+
+@dataclass(frozen=True, slots=True)
+class HandOut(Command[str]):
+    """Copy a calibration, its signatures and the public keys to a folder; answers it."""
+
+    path: str
+    folder: str
+
+
+@dataclass(frozen=True, slots=True)
+class FindSimulatedBench(Command[str]):
+    """The bench file of the simulated lab."""
+
+
+@dataclass(frozen=True, slots=True)
+class Beat(Word):
+    """This window is not standing still."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answer(Word):
+    """What the person says to the prompt `key`."""
+
+    key: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pause(Word):
+    """Wait where the next step begins."""
+
+
+@dataclass(frozen=True, slots=True)
+class GoOn(Word):
+    """Go on after a pause."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stop(Word):
+    """End in order."""
+
+
+@dataclass(frozen=True, slots=True)
+class Abort(Word):
+    """Coils to zero before anything else."""
+
+
+@dataclass(frozen=True, slots=True)
+class Note(Word):
+    """A remark into the record; `data` goes with it."""
+
+    text: str
+    data: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """A command with the number that its answer bears."""
+
+    number: int
+    command: Command[Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Done(Event):
+    """The answer to the command of that number, still as JSON: who asked knows its type."""
+
+    number: int
+    answer: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Failed(Event):
+    """Why the command of that number was not done; 0 of a line that could not be read."""
+
+    number: int
+    fault: Fault
+
+
+@dataclass(frozen=True, slots=True)
+class Progress(Event):
+    """How far the work is, in words."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Recorded(Event):
+    """Items of the timeline, in order."""
+
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StateRead(Event):
+    """How the lab is, by the clock that all processes of this computer share."""
+
+    state: LabState

@@ -1,0 +1,107 @@
+"""A page's place in the window: built when it is wanted, a part at a time; a card where it cannot be built."""
+
+from __future__ import annotations
+
+import gc
+import time
+import traceback
+from collections.abc import Callable, Iterator
+from functools import partial
+from importlib.metadata import EntryPoint
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from labcal.errors import InputError
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages.registry import Themed, build_more, build_page
+from labcal.gui.theming.stylesheet import apply_style, styled_widgets
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.common import flat
+from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.idle_queue import TIME_SLICE_S
+
+
+class LazyPage(QWidget):
+    """The page that `entry` names, built when it is first seen: the window is up before the plots are."""
+
+    wanted = Signal()  # it is in sight, and not yet built
+
+    def __init__(
+        self, entry: EntryPoint, app_state: AppState, theme: Callable[[], Theme], sheet: Callable[[], str]
+    ) -> None:
+        super().__init__()
+        self.entry, self._app_state, self._theme, self._sheet = entry, app_state, theme, sheet
+        self._parts = self._in_parts()
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self.page: QWidget | None = None
+
+    @property
+    def ready(self) -> bool:
+        """Whether it is built, and has its style sheets."""
+        return self.page is not None and self.page.parent() is self
+
+    def built(self) -> QWidget:
+        """The page itself, at once."""
+        while self.page is None or not self.ready:
+            self.build()
+        return self.page
+
+    def build(self) -> None:
+        """Build the page, a part at a time; at last put it into its place."""
+        next(self._parts, None)
+        gc.freeze()  # what is built stays: the collector need not go through it again
+
+    def _in_parts(self) -> Iterator[None]:
+        try:
+            self.page = build_page(self.entry, self._app_state, self._theme())
+            yield
+            while build_more(self.entry, self.page):
+                yield
+        except InputError as error:
+            if self.page is not None:
+                self.page.deleteLater()
+            self.page = self._card(error)
+            yield
+        yield from self._styled(self.page)
+        self._column.addWidget(self.page)
+        self.page.show()
+
+    def _styled(self, page: QWidget) -> Iterator[None]:
+        applied = ""
+        while applied != (applied := self._sheet()):  # again, where another theme has come meanwhile
+            until = time.monotonic() + TIME_SLICE_S
+            for one in styled_widgets(page):
+                if time.monotonic() > until:
+                    yield
+                    until = time.monotonic() + TIME_SLICE_S
+                apply_style(one, applied)
+                one.ensurePolished()  # sizes are those of the window's fonts before anything is laid out
+
+    def _card(self, error: InputError) -> QWidget:
+        """What stands in the place of a page that cannot be built: what happened, and that all else works."""
+        remedy = self.tr("All other pages work. Mend the package that brings this page, or uninstall it.")
+        holder, card = QWidget(), FaultCard(closable=False)
+        column = QVBoxLayout(holder)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.addWidget(flat(card))
+        column.addStretch()
+        card.report_requested.connect(self._app_state.report_requested)
+        card.show_fault(Fault("page", str(error), remedy, "".join(traceback.format_exception(error))))
+        return holder
+
+    def styled_widgets(self) -> list[QWidget]:
+        """What has a style sheet of its own, in order."""
+        return styled_widgets(self.page) if self.page is not None and self.ready else []
+
+    def theme_updates(self, theme: Theme) -> Iterator[Callable[[], object]]:
+        """What puts each part that draws for itself into the colours of `theme`; holders come after what they hold."""
+        parts = [] if self.page is None else [*reversed(self.page.findChildren(QWidget)), self.page]
+        return (partial(part.set_theme, theme) for part in parts if isinstance(part, Themed))
+
+    def showEvent(self, event: object) -> None:
+        """Ask to be built next."""
+        if not self.ready:
+            self.wanted.emit()

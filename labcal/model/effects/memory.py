@@ -1,0 +1,32 @@
+"""What an effect remembers, as the kinds of its parameters tell; an effect that remembers otherwise says so itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from labcal.model.effects.shape import DELAY, SECANT, TIME_CONSTANT
+
+if TYPE_CHECKING:
+    from labcal.model.effects.protocol import Term
+
+LEAD = 1 / 8  # of a thermometer's time constant: the window either way that its slope is taken over
+
+
+def time_constants(term: Term) -> list[float]:
+    """Of each response to a channel [s]."""
+    return [shape.value for shape in term.shape if shape.kind is TIME_CONSTANT and term.channels]
+
+
+def reach_s(term: Term) -> float | None:
+    """How far [s] from a row, either way, the rows lie that it looks at; None where it looks at its own row alone.
+
+    What follows as a state reaches nowhere: 0.
+    """
+    near = [abs(shape.value) for shape in term.shape if shape.kind in (DELAY, SECANT)]
+    following = [max(-tau_s, 0.0) * LEAD for tau_s in time_constants(term) if tau_s]
+    return max([*near, *following], default=None)
+
+
+def nowhere(term: Term) -> float | None:
+    """Of an effect that is a state: it remembers, and looks at no other row."""
+    return 0.0

@@ -1,0 +1,91 @@
+"""An emulator goes on whatever it is told, and its driver can be greeted afterwards."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from typing import Any
+
+from labcal.errors import InstrumentError
+from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.require import require
+
+NUMBERS = (b"", b"?", b"-", b".", b"1.2.3", b"-7", b"1e999", b"999999999999", b"\xc2\xb2", b"nan")
+LAST_NUMBER = re.compile(rb"-?\d+\.?\d*(?=\D*$)")
+FUNCTIONS = (1, 3, 4, 5, 6, 15, 16, 22)  # of Modbus
+HOMES_IN_S, STEP_S = 8.0, 0.1
+STEPS: tuple[Callable[[Any], object], ...] = (
+    lambda d: d.identify(),
+    lambda d: d.start(),
+    lambda d: d.home(),
+    lambda d: d.output(True),
+    lambda d: d.set_current(0.5),
+    lambda d: d.set_polarity("x", -1),
+    lambda d: d.move_to(30.0, 5.0),
+    lambda d: d.moving(),
+    lambda d: d.measure_current(),
+    lambda d: d.angle_deg(),
+    lambda d: d.make_safe(),
+)
+
+
+def whatever_it_is_told_its_emulator_goes_on(case: DriverCase) -> None:
+    """Every message it knows with other numbers, cut, and with a byte turned; then the driver greets it again."""
+    rig = case.rig()
+    _use(rig)
+    chance, heard = random.Random(1), rig.sent or [b"hello\r\n"]
+    for message in (*case.forbidden, *sorted(set(heard))):
+        for nonsense in _spoilt(message, chance):
+            _tell(rig, nonsense)
+    rig.wait(1.0)
+    rig.emulator.take(rig.clock.now(), b"\x1b\r\n")  # ends a stream, and what was cut
+    rig.wait(1.0)
+    rig.line.flush()
+    told = f"{rig.name} cannot greet its emulator after nonsense: the emulator must drop what it does not know."
+    require(not rig.sent or rig.driver.identify().model, told)
+
+
+def _tell(rig: Rig, nonsense: bytes) -> None:
+    rig.wait(0.2)
+    try:
+        rig.emulator.take(rig.clock.now(), nonsense)
+        rig.emulator.emit(rig.clock.now() + 0.1)
+    except Exception as error:
+        told = f"The emulator of {rig.name} fails when it is told {nonsense!r} ({type(error).__name__}: {error})"
+        raise AssertionError(f"{told}: answer as the instrument would, with an error or not at all.") from error
+
+
+def _use(rig: Rig) -> None:
+    """Have the driver say most of what it can."""
+    for number, step in enumerate(STEPS):
+        with suppress(AttributeError, InstrumentError):
+            step(rig.driver)
+        rig.wait(HOMES_IN_S if number == 2 else STEP_S)
+
+
+def _spoilt(message: bytes, chance: random.Random) -> Iterator[bytes]:
+    """It with other numbers and none, cut, with a byte turned, and, of a Modbus frame, any request that is sound."""
+    for other in NUMBERS:
+        yield LAST_NUMBER.sub(lambda _, other=other: other, message)  # type: ignore[misc]
+    for _ in range(10):
+        at = chance.randrange(len(message))
+        yield message[:at] + chance.randbytes(1) + message[at + 1 :]
+        yield message[:at] + message[-1:]
+        pdu = message[:1] + bytes([chance.choice(FUNCTIONS), *chance.randbytes(4)])
+        pdu += b"" if pdu[1] not in (15, 16) else bytes([2]) + chance.randbytes(2)
+        yield pdu + _crc(pdu)
+
+
+def _crc(frame: bytes) -> bytes:
+    """CRC-16/MODBUS, low byte first; apart from any emulator's own, which it tries."""
+    value = 0xFFFF
+    for byte in frame:
+        value ^= byte
+        for _ in range(8):
+            value = (value >> 1) ^ 0xA001 if value & 1 else value >> 1
+    return value.to_bytes(2, "little")
+
+
+PROMISES = (whatever_it_is_told_its_emulator_goes_on,)

@@ -1,0 +1,123 @@
+"""One driver on its own emulator, with a simulated lab behind it and everything heard that goes over the line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from importlib.metadata import entry_points
+from typing import Any, get_type_hints
+
+from labcal.bench.clock import VirtualClock
+from labcal.bench.links import EmulatedLink
+from labcal.bench.links.modbus import ModbusLink
+from labcal.testing.require import require
+from labcal.twin import open_twin
+
+FIRST = {"coil": "coil-x"}  # which of the roles of one kind it plays here
+
+
+@dataclass(frozen=True)
+class DriverCase:
+    """A driver that is tried: its class, its emulator's, and what a bench file would have to state.
+
+    `forbidden`: messages that its `never` must refuse, whole as they would go over the line (of Modbus without CRC).
+    `to_panel`: what a supply says last, once zero and off are read back, so that its front panel works again.
+    `resolution_A`: how finely a supply can be set. `knows_its_place`: a stage that need not move to find home.
+    """
+
+    driver: Any
+    emulator: Callable[..., Any]
+    forbidden: Sequence[bytes]
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    to_panel: bytes = b""
+    resolution_A: float = 0.001
+    knows_its_place: bool = False
+
+    @property
+    def types(self) -> dict[str, Any]:
+        """The types that the driver's `__init__` states: they decide the kind of link and of settings."""
+        hints = get_type_hints(self.driver.__init__)
+        for name in ("link", "settings"):
+            require(name in hints, f"{self.driver.__name__}.__init__ states no type of its argument `{name}`: add it.")
+        return hints
+
+    @property
+    def modbus(self) -> bool:
+        """Whether it speaks registers instead of bytes."""
+        return self.types["link"] is ModbusLink
+
+    def rig(self, **stated: Any) -> Rig:
+        """It on a line of its own; `stated` are settings beside the case's own."""
+        return Rig(self, self.types["settings"](**{**self.settings, **stated}))
+
+
+def installed(name: str, **stated: Any) -> DriverCase:
+    """The case of a driver by its name in bench.toml; `stated` are the fields of DriverCase."""
+    return DriverCase(_entry("labcal.drivers", name), _entry("labcal.emulators", name), **stated)
+
+
+def _entry(group: str, name: str) -> Any:
+    found = list(entry_points(group=group, name=name))
+    told = f'Declare {name} = "module:Class" in [project.entry-points."{group}"] of pyproject.toml and install again'
+    require(found, f"No installed package has {name!r} in {group}. {told}.")
+    require(len(found) == 1, f"{name!r} is there twice in {group}: two packages bring one name. Rename yours.")
+    return found[0].load()
+
+
+class Foretold:
+    """An emulator that is held to what it foresees: who serves it sleeps until then."""
+
+    def __init__(self, emulator: Any) -> None:
+        self._emulator, self.take, self.due_s = emulator, emulator.take, emulator.due_s
+
+    def emit(self, until_s: float) -> list[tuple[float, bytes]]:
+        """What is on the line up to `until_s`; the first piece is there when `due_s` says."""
+        due_s, pieces = self.due_s(), self._emulator.emit(until_s)
+        first_s = min((t for t, _ in pieces), default=None)
+        kept = due_s > until_s if first_s is None else abs(first_s - due_s) <= 1e-6
+        require(kept, f"due_s() of the emulator says {due_s} s, and its next bytes are on the line at {first_s} s.")
+        return list(pieces)
+
+
+class Rig:
+    """One driver on its emulator, and what went over the line."""
+
+    def __init__(self, case: DriverCase, settings: Any) -> None:
+        self.case, self.settings = case, settings
+        self.role = case.driver.roles[0]
+        self.lab, self.clock = open_twin({}, 1), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+        self.emulator = case.emulator(self.lab, {FIRST.get(self.role, self.role): {}}, settings)
+        end = Foretold(self.emulator) if hasattr(self.emulator, "due_s") else self.emulator
+        self.line = EmulatedLink("emulated://rig", end, self.clock)
+        self.line.never.add(case.driver.never, settings.address if case.modbus else None)
+        self.sent: list[bytes] = []
+        self._overhear()
+        link: Any = ModbusLink(self.line, self.clock) if case.modbus else self.line
+        self.driver: Any = case.driver("rig", link, self.clock, settings)
+
+    def _overhear(self) -> None:
+        send = self.line.send
+
+        def heard(data: bytes) -> None:
+            send(data)
+            self.sent.append(data)
+
+        self.line.send = heard  # type: ignore[method-assign]
+
+    @property
+    def name(self) -> str:
+        """How the driver is spoken of."""
+        return str(self.case.driver.__name__)
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass in the simulated lab."""
+        self.clock.wait_until(self.clock.now() + seconds)
+
+    def coil_A(self) -> float:
+        """What truly flows in coil x now, asked of the physics and not of any instrument."""
+        return float(self.lab.coils["x"].current.now(self.clock.now()))
+
+    def angle_deg(self) -> float:
+        """Where the platform truly is now."""
+        return float(self.lab.platform.now(self.clock.now())[0])

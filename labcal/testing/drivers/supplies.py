@@ -1,0 +1,181 @@
+"""What a coil supply promises: it sets, reads back, refuses, and comes to zero whatever is lost."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from labcal.bench.driver_kit.roles import Unacknowledged, Watched
+from labcal.errors import LimitError
+from labcal.testing.drivers.rig import DriverCase, Rig
+from labcal.testing.require import near, refused, require
+
+SETTLES_S = 0.5
+AT_ONCE_S = 0.6  # for two orders whose answers are lost
+WATCHED_S = 4
+RAMPS_IN_S = 1.5  # from full current to zero
+
+
+def greeted(case: DriverCase, **stated: Any) -> Rig:
+    """A supply that has said who it is."""
+    rig = case.rig(**stated)
+    require(hasattr(rig.settings, "max_current_A"), f"The Settings of {rig.name} lack max_current_A: a supply has one.")
+    rig.driver.identify()
+    return rig
+
+
+def too_much_A(rig: Rig) -> float:
+    """More than it may be set to."""
+    return max(99.0, 2.0 * float(rig.settings.max_current_A))
+
+
+def some_A(rig: Rig, most_A: float) -> float:
+    """A current that it can carry, `most_A` where it can."""
+    return float(min(most_A, rig.settings.max_current_A / 2))
+
+
+def on_at(rig: Rig, current_A: float) -> None:
+    """The output closed and a current set that has settled."""
+    rig.driver.output(True)
+    rig.driver.set_current(current_A)
+    rig.wait(SETTLES_S)
+
+
+def it_sets_reads_back_and_measures(case: DriverCase) -> None:
+    """What is set is what it holds, what it measures, and what flows in the coil."""
+    rig = greeted(case)
+    wanted = some_A(rig, 0.5)
+    rig.driver.set_current(0.0)
+    on_at(rig, wanted)
+    set_point, measured = rig.driver.set_point(), rig.driver.measure_current()
+    after = f"after set_current({wanted:g})"
+    fine, coarse = case.resolution_A, 10 * case.resolution_A
+    require(near(set_point, wanted, fine), f"{rig.name}.set_point() is {set_point:g} A {after}: read what it holds.")
+    require(near(measured, wanted, coarse), f"{rig.name}.measure_current() is {measured:g} A {after}.")
+    flows = rig.coil_A()
+    require(
+        near(flows, wanted, fine), f"{flows:g} A flow in the simulated coil {after}: the emulator calls coil.drive."
+    )
+
+
+def with_all_its_answers_lost_it_hears_zero_and_off_at_once(case: DriverCase) -> None:
+    """The orders of zero and off wait for no answer."""
+    rig = greeted(case)
+    wanted = some_A(rig, 0.5)
+    on_at(rig, wanted)
+    told = f"{rig.name} lacks write_current or write_off (Unacknowledged in labcal/bench/driver_kit/roles.py)."
+    require(isinstance(rig.driver, Unacknowledged), told)
+    with answers_lost(rig):
+        begun_s = rig.clock.now()
+        told = f"{rig.name}.write_current({too_much_A(rig):g}) must raise LimitError, answers or not."
+        with refused(LimitError, told):
+            rig.driver.write_current(too_much_A(rig))
+        rig.driver.write_current(0.4 * wanted)
+        rig.driver.write_current(0.0)
+        took_s = rig.clock.now() - begun_s
+        rig.wait(0.3)
+        told = f"{rig.coil_A():g} A still flow after {rig.name}.write_current(0): it must reach the line unasked."
+        require(near(rig.coil_A(), 0.0, case.resolution_A), told)
+        rig.driver.write_off()
+    told = f"{rig.name}.write_current waited {took_s:.2f} s for answers: put the order on the line and return."
+    require(took_s < AT_ONCE_S, told)
+    rig.wait(1.0)
+    rig.line.flush()
+    require(rig.driver.set_point() == 0.0, f"{rig.name} holds {rig.driver.set_point():g} A after write_current(0).")
+    require(getattr(rig.driver, "enabled", 0) == 0, f"The output of {rig.name} is on after write_off().")
+
+
+@contextmanager
+def answers_lost(rig: Rig) -> Iterator[None]:
+    """All that the emulator says is lost on the line."""
+    end: Any = rig.line._emulator
+    emit = end.emit
+    end.emit = lambda until_s: (emit(until_s), [])[1]
+    yield
+    end.emit = emit
+
+
+def it_refuses_what_is_too_much_and_sends_nothing(case: DriverCase) -> None:
+    """A set-point beyond its limits is an error with the number in it, and no byte."""
+    rig = greeted(case)
+    before, much = len(rig.sent), too_much_A(rig)
+    told = f"{rig.name}.set_current({much:g}) must raise LimitError that says '{much:g} A' and 'nothing was sent'."
+    with refused(LimitError, told, words=rf"{much:g} A.*nothing was sent"):
+        rig.driver.set_current(much)
+    if not rig.driver.bipolar:
+        with refused(LimitError, f"{rig.name}.set_current(-0.1) must raise LimitError: it is not bipolar."):
+            rig.driver.set_current(-0.1)
+    require(len(rig.sent) == before, f"{rig.name} sent {rig.sent[before:]!r} for what it refused: refuse it before.")
+
+
+def made_safe_it_has_no_current_and_its_panel_back(case: DriverCase) -> None:
+    """`make_safe` sets zero, opens the output, and only then gives the panel back."""
+    rig = greeted(case)
+    on_at(rig, some_A(rig, 1.0))
+    rig.driver.make_safe()
+    if case.to_panel:
+        told = f"{rig.name}.make_safe() must end with {case.to_panel!r}, and say it nowhere before"
+        ends = rig.sent[-1].startswith(case.to_panel)
+        require(ends and not any(s.startswith(case.to_panel) for s in rig.sent[:-1]), f"{told}; it sent {rig.sent!r}.")
+    rig.wait(SETTLES_S)
+    measured, flows, set_point = rig.driver.measure_current(), rig.coil_A(), rig.driver.set_point()
+    told = f"{rig.name}.make_safe() leaves {measured:g} A measured, {flows:g} A in the coil, {set_point:g} A set"
+    safe = near(measured, 0.0, rig.driver.zero_current_A) and near(flows, 0.0, rig.driver.zero_current_A)
+    require(safe and set_point == 0.0, f"{told}: it sets zero and opens the output.")
+
+
+def it_ramps_its_full_current_in_time(case: DriverCase) -> None:
+    """A coil is at zero soon, and "zero" is small."""
+    rig = greeted(case)
+    ramp, most, zero = rig.driver.ramp_A_per_s, rig.settings.max_current_A, rig.driver.zero_current_A
+    told = f"{rig.name} ramps {ramp:g} A/s, so {most:g} A take {most / ramp:.1f} s: at most {RAMPS_IN_S} s"
+    require(most / ramp <= RAMPS_IN_S, f"{told}; raise ramp_A_per_s or lower max_current_A.")
+    require(0 < zero < 0.1, f"zero_current_A of {rig.name} is {zero:g}: above 0 and below 0.1 A.")
+
+
+def a_watchdog_takes_it_to_zero_when_it_is_not_heard(case: DriverCase) -> None:
+    """Where its settings name `watchdog_s` it has `feed`, holds while fed and falls to zero when not; else neither."""
+    known = {f.name for f in dataclasses.fields(case.types["settings"])}
+    watched = isinstance(case.rig().driver, Watched)
+    told = f"{case.driver.__name__} has `feed` and `watchdog_s` if and only if its Settings name `watchdog_s`."
+    require(watched == ("watchdog_s" in known), told)
+    if not watched:
+        return
+    require(case.rig().driver.watchdog_s == 0, f"watchdog_s of {case.driver.__name__} is 0 unless it is stated.")
+    rig = greeted(case, watchdog_s=WATCHED_S)
+    wanted = some_A(rig, 1.0)
+    rig.driver.set_current(0.0)
+    on_at(rig, wanted)
+    for _ in range(6):
+        rig.wait(WATCHED_S / 3)
+        told = f"{rig.name}: {rig.coil_A():g} A flow although its watchdog is fed every third of its time."
+        require(near(abs(rig.coil_A()), wanted, 10 * case.resolution_A), told)
+        rig.driver.feed()
+    rig.wait(WATCHED_S + SETTLES_S)
+    told = f"{rig.name}: {rig.coil_A():g} A flow {SETTLES_S} s after its watchdog's time: switch it on in identify()."
+    require(abs(rig.coil_A()) < case.resolution_A, told)
+
+
+def given_back_to_its_panel_it_is_left_alone(case: DriverCase) -> None:
+    """What feeds the watchdog of a supply that was made safe sends nothing."""
+    if not isinstance(case.rig().driver, Watched):
+        return
+    rig = case.rig(watchdog_s=WATCHED_S)
+    rig.driver.output(True)
+    rig.driver.make_safe()
+    before = len(rig.sent)
+    rig.driver.feed()
+    require(len(rig.sent) == before, f"{rig.name}.feed() sent {rig.sent[before:]!r} after make_safe(): send nothing.")
+
+
+PROMISES = (
+    it_sets_reads_back_and_measures,
+    with_all_its_answers_lost_it_hears_zero_and_off_at_once,
+    it_refuses_what_is_too_much_and_sends_nothing,
+    made_safe_it_has_no_current_and_its_panel_back,
+    it_ramps_its_full_current_in_time,
+    a_watchdog_takes_it_to_zero_when_it_is_not_heard,
+    given_back_to_its_panel_it_is_left_alone,
+)

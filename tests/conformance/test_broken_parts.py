@@ -1,0 +1,280 @@
+"""Each check of `labcal.testing` fails for a part that breaks what it is about, and says what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from drivers.emulators.tti_pl import TtiEmulator
+from drivers.tti_pl import TtiSupply
+from drivers.zaber import ZaberStage
+from labcal.bench import Bench
+from labcal.bench.steps import Procedure, energise, ready, record
+from labcal.errors import Stopped
+from labcal.fit import Fit
+from labcal.fit.scalar.centered import centered
+from labcal.fit.vector.ml import ml
+from labcal.model import AffineMap
+from labcal.model.effects import Family, Scene, Term, family
+from labcal.model.effects.regressors import on_each_axis, per_axis
+from labcal.record import Channel, Run
+from labcal.testing import check_driver, check_estimator, check_procedure
+from labcal.testing.drivers import DriverCase, stages
+from labcal.testing.drivers.rig import installed
+from labcal.testing.effects import Trial, check_derivative, check_found, check_left_where_it_is_not
+from labcal.testing.made_up_runs import made_up_run
+
+FORBIDDEN = [b"*RST\n"]
+
+
+class IgnoresZero(TtiSupply):
+    """Made safe it opens its output, gives its panel back, and keeps its set-point."""
+
+    def make_safe(self) -> None:
+        """Only half of it."""
+        self.output(False)
+        self.release()
+
+
+class WaitsForZero(TtiSupply):
+    """Written to it waits for what it holds."""
+
+    def write_current(self, current_A: float) -> None:
+        """As if nothing could be lost."""
+        self.current = current_A
+
+
+class Clips(TtiSupply):
+    """Too much becomes as much as there is."""
+
+    def set_current(self, current_A: float) -> None:
+        """Clipped."""
+        super().set_current(max(0.0, min(current_A, 3.0)))
+
+
+class AllowsReset(TtiSupply):
+    """Nothing is forbidden."""
+
+    never = ()
+
+
+class Talks(TtiEmulator):
+    """Fails where it is told no number."""
+
+    def take(self, t_s: float, data: bytes) -> None:
+        """As if every message held one."""
+        if b"I1 " in data:
+            float(data.split()[-1])
+        super().take(t_s, data)
+
+
+class Late(TtiEmulator):
+    """Foresees its reply too late."""
+
+    def due_s(self) -> float:
+        """A second after it is on the line."""
+        return super().due_s() + 1.0
+
+
+@pytest.mark.parametrize(
+    ("driver", "emulator", "says"),
+    [
+        (IgnoresZero, TtiEmulator, r"make_safe\(\) leaves .* A set: it sets zero and opens the output"),
+        (WaitsForZero, TtiEmulator, r"raised InstrumentError .* The orders of zero and off wait for no answer"),
+        (Clips, TtiEmulator, r"set_current\(99\) must raise LimitError that says '99 A' and 'nothing was sent'"),
+        (AllowsReset, TtiEmulator, r"could send b'\*RST\\n': add a pattern that matches it to `never`"),
+        (TtiSupply, Talks, r"fails when it is told .*: answer as the instrument would"),
+        (TtiSupply, Late, r"due_s\(\) of the emulator says"),
+    ],
+)
+def test_a_driver_or_emulator_that_breaks_a_promise(driver: Any, emulator: Any, says: str) -> None:
+    with pytest.raises(AssertionError, match=says):
+        check_driver(driver, emulator, forbidden=FORBIDDEN, to_panel=b"LOCAL\n")
+
+
+def test_a_driver_that_is_not_installed_is_told_where_it_is_declared() -> None:
+    with pytest.raises(AssertionError, match=r"has 'my-supply' in labcal\.drivers\. Declare my-supply = "):
+        check_driver("my-supply", forbidden=FORBIDDEN)
+
+
+def test_a_stage_that_says_it_arrived_wherever_it_stopped() -> None:
+    class Trusting(ZaberStage):
+        def moving(self) -> bool:
+            return self.state()[1]
+
+    case = replace(installed("zaber", forbidden=[b"/renumber\r\n"]), driver=Trusting)
+    assert isinstance(case, DriverCase)
+    with pytest.raises(AssertionError, match=r"must raise InstrumentError .fault='not arrived'. when it stands short"):
+        stages.held_it_has_not_arrived(case)
+
+
+def energised(bench: Bench) -> Procedure:
+    """Put 20 µT on z for a second."""
+    yield from ready(bench, "The coils go on. Hands off?")
+    yield from energise(bench, (0.0, 0.0, 20_000.0))
+    yield from record(bench, 1.0)
+
+
+def leaves_it_on(bench: Bench) -> Procedure:
+    """Zero at its end, and only there."""
+    yield from energised(bench)
+    bench.cage.zero()
+
+
+def undoes_exceptions_alone(bench: Bench) -> Procedure:
+    """What is not an Exception leaves the coils on."""
+    try:
+        yield from energised(bench)
+    except Exception:
+        bench.cage.zero()
+        raise
+    bench.cage.zero()
+
+
+def goes_on(bench: Bench) -> Procedure:
+    """Whatever happens is kept to itself."""
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)
+        try:
+            yield from energised(bench)
+        except (Exception, Stopped):
+            return
+
+
+def asks_nobody(bench: Bench) -> Procedure:
+    """Energises at once."""
+    with ExitStack() as afterwards:
+        afterwards.callback(bench.cage.zero)
+        yield from energise(bench, (0.0, 0.0, 20_000.0))
+
+
+def never_zero(bench: Bench) -> Procedure:
+    """Leaves it to others."""
+    yield from energised(bench)
+
+
+@pytest.mark.parametrize(
+    ("procedure", "says"),
+    [
+        (never_zero, r"leaves 0\.\d+ A in a coil at its end: with ExitStack"),
+        (leaves_it_on, r"leaves 0\.\d+ A in a coil after a stop at .*: with ExitStack"),
+        (undoes_exceptions_alone, r"leaves 0\.\d+ A in a coil after (a stop|Ctrl-C) at"),
+        (goes_on, r"ends as 'finished' after an exception at .*: let what it does not know pass"),
+        (asks_nobody, r"energises before it has asked: yield from ready"),
+    ],
+)
+def test_a_procedure_that_breaks_a_promise(procedure: Callable[..., Procedure], says: str) -> None:
+    with pytest.raises(AssertionError, match=says):
+        check_procedure(procedure, moments=3)
+
+
+def late(run: Run) -> list[Term]:
+    """A drift that begins in the middle of the run."""
+    return [Term(right, per_axis("c", "nT/s"))]
+
+
+def right(term: Term, scene: Scene) -> np.ndarray:
+    return on_each_axis(np.maximum(scene.t_s - 100.0, 0.0))
+
+
+def formula(scene: Scene, values: Mapping[str, float]) -> np.ndarray:
+    return np.maximum(scene.t_s - 100.0, 0.0)[:, None] * [values["c_x"], values["c_y"], values["c_z"]]
+
+
+def trial(kernel: Callable[..., np.ndarray], size: float = 1.0) -> Trial:
+    def candidates(run: Run) -> list[Term]:
+        return [replace(term, kernel=kernel) for term in late(run)]
+
+    truth = {"c_x": size, "c_y": -size, "c_z": size}
+    return Trial(Family("offset-drift", "sensor", kernel, candidates), made_up_run(rows=50), truth, formula)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda term, scene: -right(term, scene),
+        lambda term, scene: 1e3 * right(term, scene),
+        lambda term, scene: np.roll(right(term, scene), 1, axis=2),
+        lambda term, scene: right(term, scene) + 1e-3,
+    ],
+)
+def test_an_effect_with_a_wrong_derivative(wrong: Callable[..., np.ndarray]) -> None:
+    check_derivative(trial(right))
+    with pytest.raises(AssertionError, match=r"column c_x \[nT/s\] .* is not the derivative of the formula"):
+        check_derivative(trial(wrong))
+
+
+def test_an_effect_that_is_not_found_where_it_is() -> None:
+    with pytest.raises(AssertionError, match=r"is clean by nothing: is `truth` large beside the noise"):
+        check_found(trial(right, 1e-4))
+
+
+def test_an_effect_that_is_named_where_it_is_not() -> None:
+    made = made_up_run(rows=40)
+    t_s = made.run.t_s
+    warm = Channel("temp", "degC", "temperature", 20 + 5 * np.sin(t_s / 9))
+    run = made.with_effect((warm.values - 20)[:, None] * [40.0, -30.0, 20.0])
+    spoilt = replace(made, run=replace(run, channels=(warm,)))
+    with pytest.raises(AssertionError, match="'offset-temperature' is named in a run that has not got it"):
+        check_left_where_it_is_not(Trial(family("offset-temperature"), spoilt, {}, formula))
+
+
+def scaled(by: float) -> Callable[..., Fit]:
+    def estimator(run: Run) -> Fit:
+        found = centered(run)
+        return found if found.covariance is None else replace(found, covariance=by * found.covariance)
+
+    return estimator
+
+
+def with_map(change: Callable[[AffineMap], AffineMap]) -> Callable[..., Fit]:
+    def estimator(run: Run) -> Fit:
+        found = ml(run)
+        return found if found.affine is None else replace(found, affine=change(found.affine))
+
+    return estimator
+
+
+def sure(run: Run) -> Fit:
+    """Answers whatever it is asked."""
+    found = ml(run)
+    return found if found.ok else Fit("sure", ok=True, affine=AffineMap.nominal(1.0), frame_known=True)
+
+
+DRAWN = np.random.default_rng(0)
+
+
+def drawn(run: Run) -> Fit:
+    """Another answer each time."""
+    found = ml(run)
+    if found.affine is None:
+        return found
+    return replace(found, affine=replace(found.affine, k_nT=found.affine.k_nT + DRAWN.normal(0, 0.1, 3)))
+
+
+@pytest.mark.parametrize(
+    ("by", "says"), [(0.25, r"are [12]\.\d+ times its .* is too small"), (4.0, r"are 0\.\d+ times its .* is too large")]
+)
+def test_an_estimator_that_is_too_sure_or_not_sure_enough(by: float, says: str) -> None:
+    with pytest.raises(AssertionError, match=says):
+        check_estimator(scaled(by), ["scalar"], seeds=10)
+
+
+@pytest.mark.parametrize(
+    ("estimator", "says"),
+    [
+        (with_map(lambda a: AffineMap(a.K.T, a.k_nT)), r"is off by .* of the map without noise"),
+        (with_map(lambda a: AffineMap(a.K, -a.k_nT)), r"is off by .* of the map without noise"),
+        (with_map(lambda a: AffineMap(a.K, a.k_nT + 20 * a.K[0])), r"gives another answer to turned readings"),
+        (sure, r"calibrates a run without a reference: answer Fit"),
+        (drawn, r"answers the same run twice differently"),
+    ],
+)
+def test_an_estimator_that_breaks_its_contract(estimator: Callable[..., Fit], says: str) -> None:
+    with pytest.raises(AssertionError, match=says):
+        check_estimator(estimator, ["axis"], seeds=10, exact=0.01)
