@@ -25,7 +25,7 @@ from labcal.loop.selection.equivalents import AT_FLOOR, Equivalent
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
-from labcal.loop.uncertainty import Uncertainty, uncertainty_of
+from labcal.loop.uncertainty import Uncertainty, of_the_file, uncertainty_of
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
@@ -49,7 +49,11 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     accepted = [*of_the_data, *_records(found, after, uncertain)]
     unsupported = working_range.unsupported(run, found.accepted, after)
     shipped, errors = _shipped(found, after, unsupported)
-    of_shipped = uncertain if shipped is after else uncertainty_of(shipped)
+    of_file = of_the_file(
+        shipped,
+        uncertain if shipped is after else uncertainty_of(shipped),
+        [c.family.belongs_to == "sensor" for i, c in enumerate(found.accepted) if i not in unsupported],
+    )
     noticed = (*findings(run, problem, found.level), *working_range.findings(run, found.accepted, after))
     tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
     left = describe(problem, rows) if verdict in ("unexplained", "partly-explained") else None
@@ -68,7 +72,8 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         summary=summary(found, verdict, aside, left),
         next_experiment=next_experiment(found, verdict, after, left),
         affine=shipped.problem.affine,
-        covariance=_covariance(shipped, of_shipped),
+        covariance=of_file.covariance,
+        covariance_of=of_file.names,
         frame_known=not bool((problem.observations.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
         findings=noticed,
@@ -124,15 +129,6 @@ def _shown(problem: LinearProblem) -> Array:
         return problem.residual_nT
     b = problem.scene.field_nT
     return np.asarray(np.sum(problem.residual_nT * b, axis=1) / np.linalg.norm(b, axis=1))[:, None]
-
-
-def _covariance(after: JointFit, uncertain: Uncertainty) -> Array:
-    """Of K row by row [nT per DUT unit], then k [nT]."""
-    problem = after.problem
-    q = problem.parameterisation.basis.shape[1]
-    B = problem.parameterisation.basis * np.r_[np.full(9, 1 / problem.observations.scale), np.ones(3)][:, None]
-    C = B @ uncertain.covariance[:q, :q] @ B.T
-    return np.asarray((C + C.T) / 2)
 
 
 def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,7 @@ from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.bounded import bounded_spectrum
 from labcal.loop.noise.coloured import weighted_gram
 from labcal.loop.selection.joint_fit import JointFit, derivatives
+from labcal.model.affine import MAP_PARAMETERS
 from labcal.uncertainty import Contribution, DeclaredError, covariance_of, declared_errors
 
 Array = NDArray[np.float64]
@@ -29,6 +31,42 @@ class Uncertainty:
     def covariance(self) -> Array:
         """All together (p, p)."""
         return np.asarray(self.of_noise + covariance_of(self.declared, len(self.of_noise)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OfTheFile:
+    """The joint covariance of what a calibration file ships, and the names of its parameters in their order."""
+
+    covariance: Array  # (p, p) K row by row [nT per DUT unit], k [nT], then effects' parameters
+    names: tuple[str, ...]
+
+
+def of_the_file(found: JointFit, uncertain: Uncertainty, of_the_sensor: Sequence[bool]) -> OfTheFile:
+    """Of the map and of the terms that are the sensor's; of a moment its own uncertainty, as it is no slope."""
+    p = found.problem
+    q, start, shape = p.parameterisation.basis.shape[1], p.T.shape[2], p.T.shape[2] + sum(map(len, found.beta))
+    stated = found.parameters(uncertain.covariance)
+    names, places, moments, number = list(MAP_PARAMETERS), list[int](), dict[int, float](), 0
+    for term, parameters, sensor in zip(found.terms, stated, of_the_sensor, strict=True):
+        u = {one.name: one.u for one in parameters}
+        linear = [(name, start + i) for i, (name, _) in enumerate(term.parameters)]
+        searched = [(s.name, shape + i) for i, s in enumerate(s for s in term.shape if s.grid)]
+        start, shape = start + len(linear), shape + len(searched)
+        if not sensor:
+            continue
+        for name, place in (*linear, *searched):
+            if (moment := term.found_by("changepoints")) is not None and moment.name == name:
+                moments[len(names)] = u[name]
+            names.append(f"{number}:{name}")
+            places.append(place)
+        number += 1
+    B = np.zeros((len(names), len(uncertain.of_noise)))
+    B[:12, :q] = p.parameterisation.basis * np.r_[np.full(9, 1 / p.observations.scale), np.ones(3)][:, None]
+    B[np.arange(12, len(names)), places] = 1.0
+    B[list(moments)] = 0.0
+    C = B @ uncertain.covariance @ B.T
+    C[list(moments), list(moments)] = np.square(list(moments.values()))
+    return OfTheFile(np.asarray((C + C.T) / 2), tuple(names))
 
 
 def uncertainty_of(found: JointFit) -> Uncertainty:

@@ -11,11 +11,11 @@ from labcal.certificate.report.calibration import effect_tables, headline_of, na
 from labcal.certificate.report.figures import segment_bounds, thin
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
 from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence, short
-from labcal.certificate.report.unstated import not_stated
 from labcal.loop.result import ClosedLoop, ResidualTest, Verdict
 from labcal.model import EffectRecord
 from labcal.model.effects import families
 from labcal.record import Run
+from labcal.uncertainty.unstated import not_stated
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase

@@ -17,9 +17,9 @@ from labcal.certificate.report.figures import (
 )
 from labcal.certificate.report.page import Block, Facts, Headline, Page, Plot, Prose, Table, section, sections
 from labcal.certificate.report.style import number
-from labcal.certificate.report.unstated import not_stated
 from labcal.fit import Fit
 from labcal.record import Run, Segment, carry, offers
+from labcal.uncertainty.unstated import not_stated
 
 Array = NDArray[np.float64]
 
