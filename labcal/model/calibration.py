@@ -118,7 +118,9 @@ class Calibration:
         """What k belongs to, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""
         stated = {name: value for effect in self.effects for name, value in effect.reference_value.items()}
         units = {name: _unit_of_drive(effect) for effect in self.effects for name in effect.channels[:1]}
-        said = [f"{name} = {value:.4g} {units.get(name, '')}".rstrip() for name, value in {**stated, **self.k_at}.items()]
+        said = [
+            f"{name} = {value:.4g} {units.get(name, '')}".rstrip() for name, value in {**stated, **self.k_at}.items()
+        ]
         return f"at {', '.join(said)}" if said else ""
 
     def apply(

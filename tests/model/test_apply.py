@@ -276,7 +276,9 @@ def test_a_correlation_of_k_with_a_current_s_coefficient_is_in_the_uncertainty()
     names = (*calibration().covariance_of, "0:c_x", "0:c_y", "0:c_z")
     noise = NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3)
     for current in (0.0, 0.5, 1.5):  # b = K m - k - c (i - 0.5)
-        found = apply(calibration(record, covariance=C, covariance_of=names), readings(channels={"i": 0 * TURN + current}))
+        found = apply(
+            calibration(record, covariance=C, covariance_of=names), readings(channels={"i": 0 * TURN + current})
+        )
         x = current - 0.5
         assert found.u_nT[0] ** 2 - noise**2 == pytest.approx(9 + 16 * x**2 + 2 * 0.67 * 12 * x)
 

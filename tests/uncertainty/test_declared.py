@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from lab import Declared
+from wrong_lab import Declared
 
 from labcal.fit.declared import widen
 from labcal.fit.vector.declared import declared_contributions

@@ -74,7 +74,7 @@ def record(seed: int, declared: Declared, *, coupled: bool = False, rows: int = 
     draw = np.random.default_rng(seed)
     K = np.eye(3) + draw.normal(0, 0.02, (3, 3))
     device = {"K": K, "k_nT": draw.normal(0, 1500, 3), "coupling": COUPLING_nT_PER_A * coupled}
-    wrong = _drawn(draw, declared)
+    wrong = drawn(draw, declared)
     segments, parts = [], []
     for mounting in range(3):
         phase = draw.uniform(0, 2 * np.pi)
@@ -83,7 +83,7 @@ def record(seed: int, declared: Declared, *, coupled: bool = False, rows: int = 
             name = f"{'xyz'[mounting]}-{number}"
             segments.append({"id": name, "kind": "rotation", "axis_body": tuple(np.eye(3)[mounting].tolist()),
                              "axis_cage": (0.0, 0.0, 1.0), "mounting": "xyz"[mounting]})  # fmt: skip
-            parts.append(_part(mounting, phase, size * direction, rows, wrong))
+            parts.append(_part(mounting, phase, size * direction, rows, declared.kind, wrong))
     body, reference, angle = (np.concatenate([part[i] for part in parts]) for i in range(3))
     n = len(body)
     t = np.arange(n) * PERIOD_S + 20.0 * np.repeat(np.arange(len(parts)), rows)
@@ -95,7 +95,12 @@ def record(seed: int, declared: Declared, *, coupled: bool = False, rows: int = 
     return Recorded(**{**made.__dict__, "reading": reading})
 
 
-def _drawn(draw: np.random.Generator, d: Declared) -> dict[str, np.ndarray]:
+def longer(field: np.ndarray, by_nT: float) -> np.ndarray:
+    """Fields (…, 3) of a magnitude larger by so much: all that a scalar reference's zero is."""
+    return field * (1 + by_nT / np.linalg.norm(field, axis=-1, keepdims=True))
+
+
+def drawn(draw: np.random.Generator, d: Declared) -> dict[str, np.ndarray]:
     sizes = {"scale": ((), 1e-6 * (d.scale_ppm or 0)), "zero": ((3,), d.zero_nT or 0),
              "align": ((3,), np.radians(d.align_deg or 0)), "body": ((3,), np.radians(d.body_deg or 0))}  # fmt: skip
     return {name: size * draw.normal(size=shape) for name, (shape, size) in sizes.items()}
@@ -109,10 +114,13 @@ def _directions(draw: np.random.Generator) -> np.ndarray:
     return np.column_stack([across * np.cos(azimuth), across * np.sin(azimuth), height])
 
 
-def _part(mounting: int, phase: float, field_C: np.ndarray, rows: int, wrong: dict) -> tuple[np.ndarray, ...]:
+def _part(
+    mounting: int, phase: float, field_C: np.ndarray, rows: int, kind: str, wrong: dict
+) -> tuple[np.ndarray, ...]:
     """True field in the body, what the reference shows without noise, and the angle of one turn."""
     angle = 2 * np.pi * np.arange(rows) / rows
     to_axis = np.roll(np.eye(3), mounting + 1, axis=0)  # carries the cage's z onto this axis of the body
     seen = np.array([turn(-(a + phase) * np.eye(3)[mounting]) @ to_axis @ field_C for a in angle])
-    shown = (1 + wrong["scale"]) * (turn(wrong["align"]) @ field_C) + wrong["zero"]
+    shown = (1 + wrong["scale"]) * (turn(wrong["align"]) @ field_C)
+    shown = shown + wrong["zero"] if kind == "vector" else longer(shown, wrong["zero"][0])
     return seen @ turn(wrong["body"]).T, np.tile(shown, (rows, 1)), np.degrees(angle)
