@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
 
-.PHONY: demo test lint slow papers blind coverage campaign bench gui clean
+.PHONY: demo test lint slow papers blind coverage sensitivity campaign bench gui clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/.run: pyproject.toml
@@ -51,6 +51,9 @@ blind: $(VENV)/.dev
 COVERAGE_RUNS ?= 1000
 coverage: $(VENV)/.dev
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/uncertainty $(BIN)/python tests/uncertainty/cover.py $(COVERAGE_RUNS)
+
+sensitivity: $(VENV)/.dev
+	@$(BIN)/python tests/blind/sensitivity.py sensitivity-out
 
 FAULTS ?= 20
 BENCHES ?= 2

@@ -15,6 +15,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.registers import Registers, register
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
+from labcal.bench.links import quoted
 from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InstrumentError
 
@@ -98,7 +99,7 @@ class EaSupply:
         agree = rated is not None and abs(float(rated[2]) - amps) <= 0.05 * amps
         if not model.startswith("PS") or not agree or not 0 < volts < 1e5:
             raise InstrumentError(
-                f"{self.name}: it calls itself {model!r} with {volts:g} V and {amps:g} A nominal.",
+                f"{self.name}: it calls itself {quoted(model)} with {volts:g} V and {amps:g} A nominal.",
                 fault="another instrument",
                 remedy="Is it an EA PS/PSI/PSB, and is the address in bench.toml the right one?",
             )

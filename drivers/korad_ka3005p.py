@@ -10,7 +10,8 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import quantity
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
+from labcal.bench.links.line import LONGEST, babbles
 from labcal.errors import InstrumentError
 
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")
@@ -65,7 +66,7 @@ class KoradSupply(CurrentSource):
         reply = self._until_quiet(self._first("*IDN?"))
         if (found := IDENTITY.fullmatch(reply)) is None:
             raise InstrumentError(
-                f"{self.name}: {reply!r} answered, not a Korad or a clone.", fault="another instrument"
+                f"{self.name}: {quoted(reply)} answered, not a Korad or a clone.", fault="another instrument"
             )
         return Identity(found[1].title(), found[2], found[4] or "", found[3] or "")
 
@@ -111,6 +112,8 @@ class KoradSupply(CurrentSource):
     def _until_quiet(self, reply: bytes) -> str:
         while pieces := self._link.receive(self._clock.now() + QUIET_S):
             reply += b"".join(piece for _, piece in pieces)
+            if len(reply) > LONGEST:
+                raise babbles(self._link.url, reply)
         return reply.decode("latin-1").strip("\0\r\n ")
 
 

@@ -10,7 +10,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_elsewhere
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 ABORT = ("abort", "stop", "no")
@@ -72,7 +72,7 @@ class ManualPlatform:
         if said in ABORT:
             raise InstrumentError(f"{self.name}: the technician did not turn it.", fault="aborted")
         if said not in AS_ASKED and not re.fullmatch(r"[+-]?\d{1,4}(\.\d+)?", said):
-            raise InstrumentError(f"{self.name}: {answer!r} is no reading of a dial.", fault="wrong reply")
+            raise InstrumentError(f"{self.name}: {quoted(answer)} is no reading of a dial.", fault="wrong reply")
         angle = self._target_deg if said in AS_ASKED else self._nearest(float(said))
         refuse_elsewhere(self.name, angle, self._target_deg, self.settings.tolerance_deg)
         self._angle_deg, self._known = angle, True

@@ -12,7 +12,7 @@ from drivers.framing.newport import Axis
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 DEGREES = "7"
@@ -56,7 +56,9 @@ class Esp301Stage:
         """Ask controller and stage who they are. Raises InstrumentError where the axis does not count degrees."""
         version, stage, unit = self._ask("VE?"), self._ask(f"{self.settings.axis}ID?"), self._ask_axis("SN?")
         if not version.startswith("ESP30"):
-            raise InstrumentError(f"{self.name}: {version!r} answered, not an ESP300.", fault="another instrument")
+            raise InstrumentError(
+                f"{self.name}: {quoted(version)} answered, not an ESP300.", fault="another instrument"
+            )
         if unit != DEGREES:
             raise InstrumentError(
                 f"{self.name}: axis {self.settings.axis} counts in unit {unit}, not in degrees ({DEGREES}).",

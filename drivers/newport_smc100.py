@@ -14,7 +14,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_fast_homing
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 NOT_REFERENCED = range(0x0A, 0x12)
@@ -59,7 +59,9 @@ class Smc100Stage:
         """Ask for the controller's version and its stage. Raises InstrumentError for another controller."""
         version, stage = self._ask("VE"), self._ask("ID?")
         if not re.search("SMC|CONEX", version, re.IGNORECASE):
-            raise InstrumentError(f"{self.name}: {version!r} answered, not an SMC100.", fault="another instrument")
+            raise InstrumentError(
+                f"{self.name}: {quoted(version)} answered, not an SMC100.", fault="another instrument"
+            )
         return Identity("Newport", stage, f"address {self.settings.address}", version)
 
     def home(self, limit_deg_per_s: float = math.inf) -> None:

@@ -11,7 +11,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import after, decimal, quantity
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Output, Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, abridged, quoted
 from labcal.errors import InstrumentError
 
 EVENTS = {
@@ -113,18 +113,18 @@ class TtiSupply(CurrentSource):
     def _lock(self) -> None:
         if self.settings.interface_lock and (reply := self.query("IFLOCK")) != "1":
             raise InstrumentError(
-                f"{self.name}: it refuses the lock ({reply!r}): another interface holds it.",
+                f"{self.name}: it refuses the lock ({quoted(reply)}): another interface holds it.",
                 fault="locked",
                 remedy="Close the other program, or unlock it on the supply's panel.",
             )
 
     def _why(self, events: str) -> str:
         if not events.isdigit():
-            return f"its event register came back as {events!r}"
+            return f"its event register came back as {quoted(events)}"
         said = [text for bit, text in EVENTS.items() if int(events) & bit]
         if int(events) & 16:
             code = self.query("EER?")
-            said.append(EXECUTION.get(int(code) if code.isdigit() else -1, f"execution error {code}"))
+            said.append(EXECUTION.get(int(code) if code.isdigit() else -1, f"execution error {abridged(code)}"))
         return ", ".join(said)
 
 

@@ -14,7 +14,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_elsewhere
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
 WHOLE = re.compile(r"-?\d+", re.ASCII)
@@ -108,7 +108,7 @@ class ZaberStage:
     def _number(self, words: str) -> tuple[int, Reply]:
         reply = self._ask(words)
         if not WHOLE.fullmatch(reply.data):
-            raise InstrumentError(f"{self.name}: {words!r} was answered {reply.data!r}.", fault="wrong reply")
+            raise InstrumentError(f"{self.name}: {words!r} was answered {quoted(reply.data)}.", fault="wrong reply")
         return int(reply.data), reply
 
     def _ask(self, words: str) -> Reply:
@@ -127,11 +127,11 @@ class ZaberStage:
             return None
         found = REPLY.fullmatch(frame)
         if found is None or not self._sound(frame, found[8]):
-            raise InstrumentError(f"{self.name}: {frame!r} is no valid reply.", fault="wrong reply")
+            raise InstrumentError(f"{self.name}: {quoted(frame)} is no valid reply.", fault="wrong reply")
         if found[3] is None or (int(found[1]), int(found[3])) != (self.settings.address, self._id):
             return None
         if found[4] == b"RJ":
-            raise InstrumentError(f"{self.name}: {words!r} was rejected: {found[7].decode()}.", fault="refused")
+            raise InstrumentError(f"{self.name}: {words!r} was rejected: {quoted(found[7])}.", fault="refused")
         return Reply(found[7].decode(), found[5] == b"BUSY", found[6].decode())
 
     def _sound(self, frame: bytes, sum_: bytes | None) -> bool:

@@ -46,6 +46,7 @@ class RigolEmulator(Answers):
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, delay_s=0.01)
         self._channels = {int(s.get("channel", 1)): Channel(lab.coils[role[-1]]) for role, s in roles.items()}
+        self._serial = f"DP8A{ord(min(roles)[-1]) - ord('w'):06d}"
         self._errors = deque[str](maxlen=QUEUE)
 
     def _reply(self, t_s: float, text: str) -> bytes:
@@ -57,7 +58,7 @@ class RigolEmulator(Answers):
 
     def _do(self, t_s: float, text: str) -> str:
         if text.upper() == "*IDN?":
-            return "RIGOL TECHNOLOGIES,DP832,DP8A000001,00.01.16"
+            return f"RIGOL TECHNOLOGIES,DP832,{self._serial},00.01.16"
         if ERROR.fullmatch(text):
             return self._errors.popleft() if self._errors else '0,"No error"'
         if found := SOURCE.fullmatch(text):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from labcal.bench.clock import Clock
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
 from labcal.bench.links.line import wait_for_quiet
 from labcal.errors import InstrumentError
 
@@ -34,7 +34,7 @@ class Words:
         came = self.link.ask(self._request(words), end=b"\r", timeout_s=self.timeout_s).decode("ascii", "replace")
         if not (reply := came.strip()).replace(" ", "_").startswith(expected.replace(" ", "_")):
             raise InstrumentError(
-                f"{self.name}: {words!r} was answered with {reply!r}, not {expected}.", fault="refused"
+                f"{self.name}: {words!r} was answered with {quoted(reply)}, not {expected}.", fault="refused"
             )
         return reply[len(expected) :].strip(" _")
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from labcal.bench.driver_kit.arrival import refuse_elsewhere
 from labcal.bench.driver_kit.quantity import decimal
+from labcal.bench.links import quoted
 from labcal.errors import InstrumentError
 
 
@@ -60,4 +61,4 @@ class Axis:
 
     def wrong(self, words: str, reply: str) -> InstrumentError:
         """The error for a reply that is none to `words`."""
-        return InstrumentError(f"{self.name}: {words} was answered {reply!r}.", fault="wrong reply")
+        return InstrumentError(f"{self.name}: {words} was answered {quoted(reply)}.", fault="wrong reply")

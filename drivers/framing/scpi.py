@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.links import Link
+from labcal.bench.links import Link, abridged
 from labcal.errors import InstrumentError
 
 LONGEST_QUEUE = 64
@@ -53,7 +53,9 @@ class Scpi:
         """Who it says it is. Raises InstrumentError where maker and model do not fit: it is no `kind`."""
         maker, model, serial, firmware = (*map(str.strip, self.query("*IDN?").split(",")), "", "", "")[:4]
         if not fits(maker.upper(), model):
-            raise InstrumentError(f"{self.name}: {maker} {model} answered, not {kind}.", fault="another instrument")
+            raise InstrumentError(
+                f"{self.name}: {abridged(f'{maker} {model}')} answered, not {kind}.", fault="another instrument"
+            )
         return Identity(maker, model, serial, firmware)
 
     def empty_errors(self) -> None:
@@ -61,13 +63,13 @@ class Scpi:
         for _ in range(LONGEST_QUEUE):
             if _none(error := self.query(self.errors)):
                 return
-        raise InstrumentError(f"{self.name}: its queue of errors has no end: {error}.", fault="wrong reply")
+        raise InstrumentError(f"{self.name}: its queue of errors has no end: {abridged(error)}.", fault="wrong reply")
 
 
 def refused(name: str, text: str, why: str) -> InstrumentError:
     """The error for a command that a supply did not take."""
     remedy = "Look at the supply's panel."
-    return InstrumentError(f"{name}: {text!r} failed: {why}.", fault="refused", remedy=remedy)
+    return InstrumentError(f"{name}: {text!r} failed: {abridged(why)}.", fault="refused", remedy=remedy)
 
 
 def _none(error: str) -> bool:

@@ -18,6 +18,7 @@ from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
 from labcal.bench.coils.state import CoilReading, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
+from labcal.bench.driver_kit.identities import refuse_one_at_two_links, refuse_other
 from labcal.bench.driver_kit.roles import (
     ByHand,
     ChannelSpec,
@@ -128,20 +129,21 @@ class Bench:
         return self._instruments
 
     def identities(self) -> dict[str, Identity]:
-        """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another."""
+        """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
+
+        A supply that answers at the links of two coils is another for both.
+        """
         self._known = {name: instrument.identify() for name, instrument in self._instruments.items()}
+        links = {name: one.link for name, one in self.config.instruments.items() if one.role.startswith("coil-")}
+        refuse_one_at_two_links({name: self._known[name] for name in links}, links)
         return dict(self._known)
 
     def reconnect(self, name: str) -> Identity:
         """Open the lost link of an instrument again. Raises InstrumentError where another one answers than before."""
         self._links[name].reopen()
         who, before = self._instruments[name].identify(), self._known.get(name)
-        if before is not None and who != before:
-            raise InstrumentError(
-                f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
-                fault="another instrument",
-                remedy="Plug the instruments in as bench.toml says, and begin again.",
-            )
+        if before is not None:
+            refuse_other(name, who, before)
         return who
 
     @property

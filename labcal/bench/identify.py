@@ -9,9 +9,11 @@ from pathlib import Path
 
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.config import read_config
+from labcal.bench.driver_kit.identities import one_at_two_links
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.guardian.client import ask_once, found
 from labcal.bench.links import ports
+from labcal.bench.links.quoting import abridged
 from labcal.bench.loading import Loader
 from labcal.errors import InstrumentError
 
@@ -28,13 +30,24 @@ class Identified:
 
 
 def identify_all(path: Path) -> list[Identified]:
-    """Ask every instrument of `path` who it is. Raises InputError for a bad file."""
+    """Ask every instrument of `path` who it is. Raises InputError for a bad file.
+
+    A supply that answers at the links of two coils is a fault of both.
+    """
     config = read_config(path)
     loader = Loader(path, config, VirtualClock(datetime.now(UTC)) if config.simulated else RealClock(), 0)
+    loader.look_over()
     loader.meet_group()
     with ExitStack() as afterwards:
         afterwards.callback(loader.close)
-        return [_identified(loader, name) for name in config.instruments]
+        answers = {name: _answer(loader, name) for name in config.instruments}
+    coils = {
+        name: who
+        for name, who in answers.items()
+        if isinstance(who, Identity) and config.instruments[name].role.startswith("coil-")
+    }
+    answers |= one_at_two_links(coils, {name: config.instruments[name].link for name in coils})
+    return [_identified(loader, name, answer) for name, answer in answers.items()]
 
 
 def _asked(loader: Loader, name: str) -> Identity:
@@ -48,11 +61,16 @@ def _asked(loader: Loader, name: str) -> Identity:
     return loader.instrument(name).identify()
 
 
-def _identified(loader: Loader, name: str) -> Identified:
-    entry = loader.config.instruments[name]
+def _answer(loader: Loader, name: str) -> Identity | InstrumentError:
     try:
-        who = _asked(loader, name)
+        return _asked(loader, name)
     except InstrumentError as error:
-        return Identified(name, entry.role, entry.link, fault=error)
-    words = " ".join(part for part in (who.manufacturer, who.model, who.serial, who.firmware) if part)
-    return Identified(name, entry.role, entry.link, words)
+        return error
+
+
+def _identified(loader: Loader, name: str, answer: Identity | InstrumentError) -> Identified:
+    entry = loader.config.instruments[name]
+    if isinstance(answer, InstrumentError):
+        return Identified(name, entry.role, entry.link, fault=answer)
+    words = (answer.manufacturer, answer.model, answer.serial, answer.firmware)
+    return Identified(name, entry.role, entry.link, abridged(" ".join(part for part in words if part)))

@@ -8,6 +8,7 @@ from contextlib import ExitStack, suppress
 from dataclasses import dataclass, field, fields
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
@@ -44,6 +45,7 @@ class Loader:
 
     def instrument(self, name: str) -> Instrument:
         """The driver of the instrument `name`, on the kind of link and with the settings that its `__init__` states."""
+        self._refuse_second(name)
         driver, hints, settings = self.driver(name)
         modbus = speaks_modbus(hints)
         link = self.modbus(name) if modbus else self.link(name)
@@ -94,17 +96,44 @@ class Loader:
 
         Raises InputError.
         """
-        places: dict[tuple[Any, ...], str] = {}
         for name, entry in self.config.instruments.items():
-            _, _, settings = self.driver(name)
+            self.driver(name)
             try:
                 split(entry.link)
             except InputError as error:
                 self.refuse(error.what, ("instruments", name, "link"))
             self._refuse_shared_interlock(name)
-            place = (self.line_of(name), *(getattr(settings, which, None) for which in WHICH))
-            if (other := places.setdefault(place, name)) != name:
+            self._refuse_second(name)
+            self._refuse_other_spelling(name)
+
+    def _refuse_second(self, name: str) -> None:
+        """What the file puts where it has put another before."""
+        for other in self._at_the_port_of(name):
+            if self._which(other) == self._which(name):
                 self.refuse(f"{other} has the same link, address and output", ("instruments", name))
+
+    def _refuse_other_spelling(self, name: str) -> None:
+        """One port is one line, whose URL is stated once or always alike."""
+        for other in self._at_the_port_of(name):
+            if self.line_of(other) != self.line_of(name):
+                self.refuse(f"{other} has this port too, and spells it otherwise; write both alike",
+                            ("instruments", name, "link"))  # fmt: skip
+
+    def _at_the_port_of(self, name: str) -> list[str]:
+        before = takewhile(lambda other: other != name, self.config.instruments)
+        return [other for other in before if self._port(other) == self._port(name)]
+
+    def _port(self, name: str) -> str:
+        line = self.line_of(name)
+        return line if line.startswith("emulated://") else ports.port_of(line)
+
+    def _which(self, name: str) -> tuple[Any, ...]:
+        """What tells it from others on its line; nothing that another has, where the file states it wrongly."""
+        try:
+            settings = self.driver(name)[2]
+        except InputError:
+            return (name,)
+        return tuple(getattr(settings, which, None) for which in WHICH)
 
     def _refuse_shared_interlock(self, name: str) -> None:
         """What hangs on an interlock's line could keep its heartbeat back, or what it cuts could share its fault."""

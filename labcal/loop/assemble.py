@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import SCALAR
+from labcal.loop import policy
 from labcal.loop.candidates.scorer import Scored
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.design.proposal import next_experiment
@@ -21,7 +22,7 @@ from labcal.loop.narrative import summary, tests_text, why_accepted, why_equival
 from labcal.loop.noise.autocorrelation import serially_correlated
 from labcal.loop.result import ClosedLoop, Errors, Pictures, Verdict
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate, fixed_choice, rms
-from labcal.loop.selection.equivalents import AT_FLOOR, Equivalent
+from labcal.loop.selection.equivalents import Equivalent
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
@@ -32,9 +33,6 @@ from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-GROSS_SIGMAS = 10.0  # standard deviations: nearer rows may be a detail that an effect's shape lacks
-MIN_SET_ASIDE = 3  # rows set aside before they are named as a cause
-MOST_OUTLIERS = 0.05
 
 
 def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside: dict[str, int]) -> ClosedLoop:
@@ -43,7 +41,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     rows = found.pool.valid
     in_sample = [rms(r.problem.length_nT(r.problem.residual_nT)[rows]) for r in (before, after)]
     found = replace(found, cv_error=as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
-    verdict = _verdict(found, aside, len(problem))
+    verdict = verdict_of(found, aside, len(problem))
     of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
     uncertain = uncertainty_of(after)
     accepted = [*of_the_data, *_records(found, after, uncertain)]
@@ -131,10 +129,12 @@ def _shown(problem: LinearProblem) -> Array:
     return np.asarray(np.sum(problem.residual_nT * b, axis=1) / np.linalg.norm(b, axis=1))[:, None]
 
 
-def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
-    reaches = found.cv_error.after <= AT_FLOOR * found.level.nT
+def verdict_of(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
+    """The verdict that the evidence bears, with so many rows set `aside` by effect, of so many `rows`."""
+    law = policy.POLICY
+    reaches = found.cv_error.after <= law.floor_ratio * found.level.nT
     known = found.level.source != "differences" or not _correlated(found)
-    outlying = aside[OUTLIERS.id] > MOST_OUTLIERS * rows
+    outlying = aside[OUTLIERS.id] > law.max_outlier_share * rows
     if any(len(r) > 1 for r in found.equivalents):
         return "ambiguous"
     if found.accepted:
@@ -142,8 +142,8 @@ def _verdict(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     if outlying:
         return "partly-explained"
     if (
-        aside[SATURATION.id] >= MIN_SET_ASIDE
-        or (aside[OUTLIERS.id] >= MIN_SET_ASIDE and found.outlier_distance > GROSS_SIGMAS)
+        aside[SATURATION.id] >= law.min_set_aside
+        or (aside[OUTLIERS.id] >= law.min_set_aside and found.outlier_distance > law.gross_outlier_sigmas)
     ) and reaches:
         return "explained"
     return "clean" if reaches else "unexplained"
@@ -188,9 +188,10 @@ def _rival(equivalent: Equivalent) -> Rival:
 def _data_effects(aside: dict[str, int], problem: LinearProblem, verdict: Verdict, far: float) -> list[EffectRecord]:
     """Rows set aside are named as a cause where they are more than chance and the rest is understood."""
     found = []
+    law = policy.POLICY
     for effect, count in aside.items():
-        gross = effect != OUTLIERS.id or far > GROSS_SIGMAS
-        if count >= MIN_SET_ASIDE and gross and verdict != "unexplained":
+        gross = effect != OUTLIERS.id or far > law.gross_outlier_sigmas
+        if count >= law.min_set_aside and gross and verdict != "unexplained":
             part = count / (len(problem) + count)
             rows = Parameter("rows", float(count), 0.0, "1")
             why = f"{count} rows ({100 * part:.1f} %) set aside"

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from labcal.loop import policy
 from labcal.loop.assemble import assemble
 from labcal.loop.candidates.library import Cause
 from labcal.loop.candidates.scorer import CandidateSet
@@ -18,7 +19,6 @@ from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
 from labcal.loop.data.outliers import at_saturation_limit
 from labcal.loop.narrative import of_faulty_data
 from labcal.loop.result import ClosedLoop, Finding
-from labcal.loop.selection.admission import MIN_EVIDENCE
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
 from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
@@ -26,8 +26,6 @@ from labcal.loop.selection.select import Selection, select
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
-MIN_WHITE_LEVEL = 0.85  # of a declared noise; 0.5 of a measured one
-UNRESOLVED = 0.01  # of the rows: fewer in unresolved gaps decide nothing
 Progress = Callable[[str], None]
 
 
@@ -46,7 +44,7 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
         pool = relinearised(base_set)
         selection = select(pool, level)
         gaps = unresolved_gaps(run, _supporting_channels(selection))
-        if np.mean(gaps) <= UNRESOLVED:
+        if not gaps.any():
             break
         run = run.select(~gaps)
     progress("holding out blocks of time")
@@ -57,7 +55,7 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
 
 def _supporting_channels(found: Selection) -> set[str]:
     """The channels of every cause that had the evidence of a name at some step."""
-    scored = [s for ranking in found.rankings for s in ranking if s.evidence >= MIN_EVIDENCE]
+    scored = [s for ranking in found.rankings for s in ranking if s.evidence >= policy.POLICY.min_evidence]
     return {name for s in scored for name in s.candidate.term.channels}
 
 
@@ -95,4 +93,5 @@ def prepare(run: Run) -> tuple[LinearProblem, NoiseFloor, int]:
 
 
 def _min_noise_level(run: Run) -> float:
-    return MIN_WHITE_LEVEL if run.dut.noise_nT else 0.5
+    law = policy.POLICY
+    return law.min_white_level if run.dut.noise_nT else law.min_white_level_measured

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import Scored
 from labcal.loop.result import Finding, NextExperiment, ResidualShape, ResidualTest, Verdict
-from labcal.loop.selection.admission import MATERIAL, MIN_EVIDENCE
 from labcal.loop.selection.crossval import HeldOutErrors
 
 if TYPE_CHECKING:
@@ -72,10 +72,10 @@ def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
         return _why_refused(step)
     if w.evidence < 0:
         return f"no better than chance or a slow wander: evidence {_nats(w.evidence)}"
-    if w.evidence < MIN_EVIDENCE:
+    if w.evidence < policy.POLICY.min_evidence:
         return f"too little evidence: {_nats(w.evidence)}"
     taken = f"takes {w.drop:.2g} times the noise's square off the residual"
-    if w.drop < MATERIAL:
+    if w.drop < policy.POLICY.material_share:
         return f"{taken}: not worth its parameters"
     return f"{taken} in sample, but other forms of what is accepted take as much"
 
@@ -94,7 +94,7 @@ def _why_refused(step: HeldOutErrors) -> str:
 
 
 def _nats(weight: float) -> str:
-    return f"{_signed(weight)} nats, {MIN_EVIDENCE:.0f} needed"
+    return f"{_signed(weight)} nats, {policy.POLICY.min_evidence:.0f} needed"
 
 
 def _signed(value: float) -> str:

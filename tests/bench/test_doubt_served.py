@@ -52,8 +52,7 @@ def test_what_still_disagrees_is_lifted_by_name_alone(
         said = " ".join(capsys.readouterr().out.split())
         assert ended.value.code == code, said
         assert says in said
-    assert latch._path is not None
-    kept = json.loads(latch._path.read_text())
+    kept = json.loads(latch._paths[0].read_text())
     assert kept["lifted"].startswith("Ada Obi answers for it, ")
     assert "the reference sees 20" in kept["lifted"]
     assert "coil x zero, open" in kept["lifted"]

@@ -12,11 +12,13 @@ import pytest
 from served_lab import EXAMPLE, LONG_S, Served, at_zero, example, guardians, until
 from test_guardian_ear import Ear
 
+from labcal.bench import open_bench
 from labcal.bench.config import read_config
 from labcal.bench.guardian import wire
 from labcal.bench.links import ports
 from labcal.bench.shutdown import coils_off
 from labcal.cli import execute
+from labcal.errors import InstrumentError
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="needs Unix sockets and ptys, which Windows lacks")
 
@@ -93,3 +95,70 @@ def test_without_both_it_says_what_stands_there_and_that_nothing_was_touched(
     assert "line 2, column 6: is not TOML" in said
     assert "no coil was touched" in said
     assert "switch the supplies off by hand" in said
+
+
+def doubled(text: str, *, of: str = "y", to: str = "x") -> str:
+    """A bench file in which one supply's link was copied to another."""
+    of_lines = text.index(f'["instruments"."supply_{of}"]'), text.index(f'["instruments"."supply_{to}"]')
+    links = [text[at:].split('"link" = "')[1].split('"')[0] for at in of_lines]
+    return text.replace(links[0], links[1])
+
+
+@POSIX
+def test_two_coils_at_one_output_are_one_that_is_brought_to_zero_and_one_that_is_not_reached(
+    lab: Served, capsys: pytest.CaptureFixture[str]
+) -> None:
+    left_on(lab)
+    lab.file.write_text(doubled(lab.file.read_text()))
+    assert execute(["bench", "off", str(lab.file)]) == 3
+    said = dict(line.split(": ", 1) for line in capsys.readouterr().out.splitlines() if line.startswith("coil "))
+    assert said["coil x"].endswith("zero, open")
+    assert said["coil z"].endswith("zero, open")
+    assert said["coil y"].startswith("unknown  not reached: ")
+    assert "supply_x has the same link, address and output" in said["coil y"]
+    assert "zero" not in said["coil y"]
+    assert at_zero(lab, "xz")
+    assert not at_zero(lab, "y")
+
+
+def test_check_refuses_two_coils_at_one_output_as_a_run_does(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "bench.toml"
+    text = EXAMPLE.read_text()
+    for axis in "xy":
+        of = f'link = "emulated://"\nrole = "coil-{axis}"'
+        assert of in text
+        text = text.replace(of, of.replace("emulated://", "emulated://one"))
+    file.write_text(text)
+    assert execute(["bench", "check", str(file)]) == 2
+    assert "supply_x has the same link, address and output" in capsys.readouterr().err
+
+
+@POSIX
+def test_a_port_that_the_file_spells_in_two_ways_is_refused(lab: Served, capsys: pytest.CaptureFixture[str]) -> None:
+    text = doubled(lab.file.read_text())
+    head, y = text.split('["instruments"."supply_y"]')
+    lab.file.write_text(head + '["instruments"."supply_y"]' + y.replace("127.0.0.1", "LocalHost.", 1))
+    assert execute(["bench", "check", str(lab.file)]) == 2
+    assert "supply_x has the same link, address and output" in capsys.readouterr().err
+    settings = '["instruments"."supply_y"."settings"]\n'
+    assert settings in y
+    y = y.replace("127.0.0.1", "LocalHost.", 1).replace(settings, settings + '"output" = 2\n')
+    lab.file.write_text(head + '["instruments"."supply_y"]' + y)
+    assert execute(["bench", "check", str(lab.file)]) == 2
+    assert "supply_x has this port too, and spells it otherwise" in capsys.readouterr().err
+
+
+@POSIX
+@pytest.mark.parametrize("bench_text", [example().replace("interface_lock = true, ", "")], ids=["unlocked"])
+def test_check_names_one_supply_that_answers_at_two_links(
+    lab: Served, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
+    lab.emulator("supply_y")._serial = lab.emulator("supply_x")._serial
+    assert execute(["bench", "check", str(lab.file)]) == 3
+    said = " ".join(capsys.readouterr().out.split())
+    assert said.count("the same instrument") == 2
+    with pytest.raises(InstrumentError, match="the same instrument answers on both links"), open_bench(lab.file):
+        pass

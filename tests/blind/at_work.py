@@ -5,6 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 
+def log_uniform(rng, low, high):
+    """One positive number, each octave as likely as any other."""
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
 def follow(t, drive, tau):
     """First-order response on the rows' own times, carried over the gaps."""
     out, state = np.empty_like(drive), drive[0]
@@ -59,18 +64,20 @@ def sensor_effect(kind, rng, names, S, span):
         return s.body @ along.T / 50000.0
 
     if kind == "offset-current":
-        tau, second = rng.choice([0.0, 0.0, 4.0, 12.0]), rng.random() < 0.3
+        tau = log_uniform(rng, 2.0, 30.0) if rng.random() < 0.5 else 0.0
+        slow = log_uniform(rng, 15.0, 60.0) if rng.random() < 0.3 else 0.0
 
         def effect(s):
             i = value(s, "load")
             fast = follow(s.t, i, tau) if tau else i
-            return (fast + 0.5 * follow(s.t, i, 30.0) if second else fast)[:, None] * c
+            return (fast + 0.5 * follow(s.t, i, slow) if slow else fast)[:, None] * c
 
         return effect
     if kind == "offset-current-squared":
         return lambda s: (value(s, "levels") ** 2)[:, None] * c
     if kind == "offset-temperature":
-        tau, curve = rng.choice([0.0, 0.0, 60.0, 200.0]), rng.choice([0.0, 0.0, 0.01])
+        tau = log_uniform(rng, 30.0, 400.0) if rng.random() < 0.5 else 0.0
+        curve = log_uniform(rng, 0.003, 0.03) if rng.random() < 1 / 3 else 0.0
 
         def effect(s):
             T = value(s, "temperature") - 22
@@ -83,8 +90,8 @@ def sensor_effect(kind, rng, names, S, span):
     if kind == "gain-temperature":
         return lambda s: (value(s, "temperature") - 22)[:, None] * sized(s) * c
     if kind == "offset-drift":
-        how = rng.integers(3)
-        shapes = (lambda u: u, lambda u: np.sqrt(u + 0.01), lambda u: 1 - np.exp(-u / 0.3))
+        how, tau = rng.integers(3), log_uniform(rng, 0.1, 1.0)
+        shapes = (lambda u: u, lambda u: np.sqrt(u + 0.01), lambda u: 1 - np.exp(-u / tau))
         return lambda s: shapes[how](s.t / span)[:, None] * c
     if kind == "offset-step":
         at = rng.uniform(0.25, 0.75) * span
@@ -92,16 +99,17 @@ def sensor_effect(kind, rng, names, S, span):
     if kind == "offset-mode":
         return lambda s: (s.mode != "nominal").astype(float)[:, None] * c
     if kind == "nonlinearity":
-        shapes = (lambda x: x**3, lambda x: np.tanh(1.4 * x) - 1.4 * x, lambda x: x**2, lambda x: np.abs(x) * x)
+        steep = log_uniform(rng, 0.7, 2.8)
+        shapes = (lambda x: x**3, lambda x: np.tanh(steep * x) - steep * x, lambda x: x**2, lambda x: np.abs(x) * x)
         how = shapes[rng.integers(4)]
         return lambda s: how(sized(s)) * c
     if kind == "cross-field":
-        other = rng.permutation([1, 2])
+        other, part = rng.permutation([1, 2]), rng.uniform(0.2, 1.0)
         if rng.random() < 0.5:
             return lambda s: sized(s) * np.roll(sized(s), other[0], axis=1) * c
         return lambda s: (
             np.roll(sized(s), 1, axis=1) * np.roll(sized(s), 2, axis=1) * c
-            + 0.5 * np.roll(sized(s), other[0], axis=1) ** 2 * c[::-1]
+            + part * np.roll(sized(s), other[0], axis=1) ** 2 * c[::-1]
         )
     if kind == "hysteresis":
         if rng.random() < 0.5:
@@ -123,8 +131,8 @@ def sensor_effect(kind, rng, names, S, span):
         return lambda s: (np.searchsorted(edges, s.t) % 2)[:, None] * c
     if kind == "bursts":
         draw = np.random.default_rng(seed)
-        centres = draw.uniform(0, span, int(span / 40))
-        return lambda s: np.sum(np.exp(-0.5 * ((s.t[:, None] - centres) / 2.5) ** 2), axis=1)[:, None] * c
+        centres, width = draw.uniform(0, span, int(span / 40)), draw.uniform(1.5, 4.0)
+        return lambda s: np.sum(np.exp(-0.5 * ((s.t[:, None] - centres) / width) ** 2), axis=1)[:, None] * c
     if kind == "rate-squared":
 
         def effect(s):

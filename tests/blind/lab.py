@@ -108,7 +108,7 @@ def static_part(rng, name, along, start, seconds, dt, drift):
 
 def record(rng, *, statics, long, modes):
     """Two recordings of one lab: the run, and a fresh one in its gaps about other axes."""
-    dt, seconds = (1.0, 280.0) if long else (0.5, 110.0)
+    dt, seconds = (rng.uniform(0.8, 1.25), 280.0) if long else (rng.uniform(0.4, 0.6), 110.0)
     direction = rng.normal(size=3)
     direction /= np.linalg.norm(direction)
     direction[2] = abs(direction[2]) if abs(direction[2]) > 0.35 else 0.5
@@ -118,7 +118,8 @@ def record(rng, *, statics, long, modes):
     def drift(t):
         return slope * t[:, None]
 
-    plan = [(a, 20000.0) for a in "xyz"] + [(a, 50000.0) for a in "xyz"]
+    weak, strong = rng.uniform(16000.0, 25000.0), rng.uniform(42000.0, 52000.0)
+    plan = [(a, weak) for a in "xyz"] + [(a, strong) for a in "xyz"]
     plan = [plan[i] for i in rng.permutation(len(plan))]
     parts, fresh, now = [], [], 20.0
     for k, (axis, size) in enumerate(plan):
@@ -131,7 +132,7 @@ def record(rng, *, statics, long, modes):
         now += seconds + 25
         tilted = rng.normal(size=3)
         tilted /= np.linalg.norm(tilted)
-        other = rng.choice([30000.0, 40000.0])
+        other = rng.uniform(28000.0, 42000.0)
         fresh.append(rotation_part(rng, f"e{k}", tilted, other, now, 45.0, dt, direction, drift, mode))
         now += 45 + rng.uniform(20, 40)
         if statics and k % 2 == 1:
@@ -151,7 +152,7 @@ def load_current(rng, levels=2):
     """A load that switches, with ripple."""
 
     def make(grid):
-        edges = np.sort(rng.uniform(0, grid[-1], int(grid[-1] / 18)))
+        edges = np.sort(rng.uniform(0, grid[-1], int(grid[-1] / rng.uniform(12, 27))))
         steps = rng.integers(0, levels, len(edges) + 1) / max(levels - 1, 1)
         return 0.2 + rng.uniform(0.4, 1.0) * steps[np.searchsorted(edges, grid)] + rng.normal(0, 0.05, len(grid))
 

@@ -23,7 +23,11 @@ SENSOR = (
 RIG = ("axis-tilt", "field-gradient", "cage-field", "reference-drift", "dut-dipole-at-reference")
 DATA = ("saturation", "outliers")
 STRANGE = ("random-walk", "telegraph", "bursts", "rate-squared")
-STRENGTHS = (0.5, 2.0, 10.0)
+PAIRS = (
+    ("offset-current", "offset-temperature"), ("lag", "offset-current"), ("nonlinearity", "offset-temperature"),
+    ("axis-tilt", "offset-current"), ("hysteresis", "gain-temperature"), ("offset-mode", "cross-field"),
+)  # fmt: skip
+STRENGTHS = (0.5, 2.0, 10.0)  # the classes of the score; what else a run draws, it draws continuously
 
 
 def left_by_base(scene, effect, S):
@@ -59,7 +63,7 @@ def make_run(seed, kinds, strength, as_scalar):
     names = add_channels(rng, run, fresh, end, [w for k in kinds for w in wanted.get(k, [])])
     S = np.eye(3) + rng.normal(0, 0.05, (3, 3))
     offset = rng.normal(0, 3500, 3)
-    noise = float(rng.choice([20, 25, 30, 45, 50]))
+    noise = round(float(rng.uniform(20.0, 50.0)), 2)
     near = rng.normal(size=3)
     near *= 0.25 / np.linalg.norm(near)
     floor = noise * np.sqrt(np.sum(np.linalg.inv(S) ** 2))
@@ -211,9 +215,7 @@ def menu(count, seed):
         turn_ = [(kinds, strength) for kinds in single for strength in STRENGTHS]
         turn_ += [((k,), s) for k in STRANGE for s in (2.0, 10.0)]
         turn_ += [((), 0.0)] * 32
-        pairs = [("offset-current", "offset-temperature"), ("lag", "offset-current"), ("nonlinearity", "offset-temperature"),
-                 ("axis-tilt", "offset-current"), ("hysteresis", "gain-temperature"), ("offset-mode", "cross-field")]  # fmt: skip
-        turn_ += [(p, s) for p in pairs for s in (2.0, 10.0)]
+        turn_ += [(p, s) for p in PAIRS for s in (2.0, 10.0)]
         out += [turn_[i] for i in rng.permutation(len(turn_))]
     return out[:count]
 
@@ -224,9 +226,18 @@ SHORT = (
 )  # fmt: skip
 
 
+DELICATE = (
+    *(((k,), 0.5) for k in ("offset-current", "offset-current-squared", "offset-temperature", "offset-channel",
+                            "gain-temperature", "offset-drift", "hysteresis", "periodic", "axis-tilt", "cage-field")),
+    (("lag",), 2.0), (("outliers",), 0.5), (("saturation",), 0.5), (("offset-temperature",), 2.0, True),
+    *((pair, 2.0) for pair in PAIRS), *(((k,), 2.0) for k in STRANGE),
+)  # fmt: skip
+
+
 def main(out, count, seed):
-    """Write `count` runs, or one of each class where `count` is `short`."""
-    runs = SHORT if count == "short" else menu(int(count), seed)
+    """Write `count` runs; one of each class where `count` is `short`, 24 that are hard to judge where `delicate`."""
+    named = {"short": SHORT, "delicate": DELICATE}
+    runs = named[count] if count in named else menu(int(count), seed)
     for index, run in enumerate(runs):
         publish(Path(out), index, seed * 100000 + index, *run)
 

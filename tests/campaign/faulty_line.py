@@ -23,6 +23,7 @@ class Trouble:
     corrupt_replies: float = 0.0
     lost_requests: float = 0.0
     lost_replies: float = 0.0
+    junk_bytes: int = 0  # without an end of line, at every look
 
 
 WELL, DEAF, MUTE = Trouble(), Trouble(lost_requests=1.0), Trouble(lost_replies=1.0)
@@ -60,6 +61,8 @@ class FaultyLine:
         if replies := b"".join(_due(self._replies, now)):
             self._note(now, "said", replies)
             self.end.write(replies)
+        if trouble.junk_bytes:
+            self.end.write(b"\x55" * trouble.junk_bytes)
 
     def due_s(self, now: float) -> float:
         """When it must be looked at next."""

@@ -91,6 +91,7 @@ def _supplies() -> list[Kind]:
         _supply("misses requests", lambda trial: deeds.trouble(trial, lost_requests=0.25)),
         _supply("misses answers", lambda trial: deeds.trouble(trial, lost_replies=0.25)),
         _supply("obeys and is mute", lambda trial: deeds.trouble(trial, lost_replies=1.0)),
+        _supply("floods its line", lambda trial: deeds.trouble(trial, junk_bytes=4096)),
         _supply("is deaf", lambda trial: deeds.deaf(trial), hears=False),
         _supply("half open", deeds.half_open, benches=("tti",)),
         _supply("lies and measures truly", lambda trial: deeds.lies(trial, True), obeys=False),

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labcal.loop.selection.admission import MIN_EVIDENCE
+from labcal.loop.policy import POLICY
 from labcal.loop.selection.stepwise import stepwise_forward
 from labcal.loop.selection.surrogates import null_distribution
 
@@ -39,5 +39,5 @@ def test_correlated_noise_is_given_no_name_beside_twenty_smooth_channels(
         quantities = {name: QUANTITIES[k % 4] for k, name in enumerate(channels)}
         pool = searching(channels, quantities, noise, seed=seed)
         named += bool(stepwise_forward(pool)[0])
-    assert null_distribution(pool, ()).max() < MIN_EVIDENCE
+    assert null_distribution(pool, ()).max() < POLICY.min_evidence
     assert named <= 0.02 * len(seeds)

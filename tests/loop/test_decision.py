@@ -23,6 +23,7 @@ from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.findings import working_range
 from labcal.loop.noise.coloured import Likelihood
+from labcal.loop.policy import POLICY
 from labcal.loop.selection import equivalents as rivals
 from labcal.loop.selection import heldout_rules, related, stepwise
 from labcal.loop.selection.admission import earns_its_extension
@@ -95,12 +96,12 @@ def test_a_second_effect_brings_a_quarter_of_the_noises_square_at_least(after: f
 
 @pytest.mark.parametrize(("after", "too_much"), [(110.0, False), (180.0, False), (250.0, True)])
 def test_what_leaves_more_than_its_share_is_no_drift(after: float, too_much: bool) -> None:
-    assert heldout_rules.misfit_remains([_held(1000, after)], LEVEL, heldout_rules.MISFIT_SHARE) is too_much
+    assert heldout_rules.misfit_remains([_held(1000, after)], LEVEL, POLICY.material_share) is too_much
 
 
 @pytest.mark.parametrize(("after", "misfit"), [(130.0, False), (180.0, True)])
 def test_a_later_cause_that_leaves_a_third_of_what_it_took_is_misfit_of_the_first(after: float, misfit: bool) -> None:
-    assert heldout_rules.misfit_remains([_held(250, after)], LEVEL, heldout_rules.MISFIT_SHARE_OF_LATER) is misfit
+    assert heldout_rules.misfit_remains([_held(250, after)], LEVEL, POLICY.max_misfit_of_later) is misfit
 
 
 @pytest.mark.parametrize(("left", "idle"), [((420.0, 320.0, 240.0), None), ((420.0, 380.0, 350.0), 2)])
@@ -175,9 +176,7 @@ def test_causes_that_push_each_other_out_come_to_an_end(started: Started, monkey
     every = _search(started())
     few = [c for c in every.candidates if c.family.id in ("cross-field", "offset-drift") and not c.term.shape[1:]]
     monkeypatch.setattr(stepwise, "backward_check", lambda pool, accepted: accepted[-1:])
-    monkeypatch.setattr(
-        stepwise, "best_admissible", lambda pool, accepted, ranking, total: ranking[0] if ranking else None
-    )
+    monkeypatch.setattr(stepwise, "best_admissible", lambda pool, accepted, ranking: ranking[0] if ranking else None)
     assert len(stepwise_forward(every.restricted_to(few))[0]) <= 1
 
 
@@ -207,7 +206,7 @@ def test_the_tail_of_an_exponential_is_its_own(started: Started) -> None:
 def test_the_heat_of_a_load_follows_the_square_of_its_current_slowly(searching: Callable[..., CandidateSet]) -> None:
     t = searching({}, {}).problem.scene.t_s
     amps = np.random.default_rng(3).uniform(0, 2, 40)[(t // 17).astype(int)]
-    tau_s = 12.0
+    tau_s = 17.0
     lit = np.arange(0, t[-1] + 1, 0.05)
     squared = np.interp(lit, t, amps) ** 2
     heat = np.zeros(len(lit))

@@ -17,7 +17,7 @@ from pathlib import Path
 from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Vector, of_ends
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import read_config
-from labcal.bench.links.ports import port_of
+from labcal.bench.links.ports import as_spelt, port_of
 from labcal.errors import InputError, InstrumentError
 from labcal.files import write_text
 from labcal.home import home
@@ -64,9 +64,9 @@ class StoredDoubt:
     """The doubt about the coils on these ports; of a simulated bench (no ports) it ends with the session."""
 
     def __init__(self, urls: Iterable[str]) -> None:
-        ports = sorted(map(port_of, urls))
-        name = hashlib.sha256("\n".join(ports).encode()).hexdigest()[:16]
-        self._path: Path | None = home() / f"not-at-zero-{name}.json" if ports else None
+        links = list(urls)
+        keys = dict.fromkeys((_key(map(port_of, links)), _key(map(as_spelt, links)))) if links else {}
+        self._paths = [home() / f"not-at-zero-{key}.json" for key in keys]  # a name may come by another address
         self._kept = self._read()
 
     @property
@@ -89,26 +89,31 @@ class StoredDoubt:
         if kept is None or not kept.lifted:
             return None
         self._kept = None
-        if self._path is not None:
-            self._path.unlink(missing_ok=True)
+        for path in self._paths:
+            path.unlink(missing_ok=True)
         return kept
 
     def _keep(self, doubt: Doubt) -> None:
         self._kept = doubt
-        if self._path is not None:
+        for path in self._paths:
             with suppress(OSError):  # a disk that is full keeps no coil on: the session itself remembers
-                self._path.parent.mkdir(parents=True, exist_ok=True)
-                write_text(self._path, json.dumps(asdict(doubt)))
+                path.parent.mkdir(parents=True, exist_ok=True)
+                write_text(path, json.dumps(asdict(doubt)))
 
     def _read(self) -> Doubt | None:
-        if self._path is None or not self._path.exists():
+        path = next((path for path in self._paths if path.exists()), None)
+        if path is None:
             return None
         try:
-            said = json.loads(self._path.read_text(encoding="utf-8"))
+            said = json.loads(path.read_text(encoding="utf-8"))
             seen, ambient = (said[key] and _vector(said[key]) for key in ("seen_nT", "ambient_nT"))
             return Doubt(str(said["utc"]), str(said["words"]), seen, ambient, str(said["lifted"]))
         except (OSError, ValueError, KeyError, TypeError):
-            return Doubt("a time unknown", f"{self._path} can no longer be read")
+            return Doubt("a time unknown", f"{path} can no longer be read")
+
+
+def _key(ports: Iterable[str]) -> str:
+    return hashlib.sha256("\n".join(sorted(ports)).encode()).hexdigest()[:16]
 
 
 def _vector(values: Iterable[float]) -> Vector:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from typing import Any, Protocol, Self, overload
 
+from labcal.bench.links.quoting import quoted
 from labcal.errors import InstrumentError, LimitError
 
 DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
@@ -92,7 +93,7 @@ class quantity:
             return self.read(reply)
         except (ValueError, IndexError) as error:
             raise InstrumentError(
-                f"{device.name}: {self.label} came back as {reply!r}.", fault="wrong reply"
+                f"{device.name}: {self.label} came back as {quoted(reply)}.", fault="wrong reply"
             ) from error
 
     def _tell(self, device: Speaks, value: float) -> None:

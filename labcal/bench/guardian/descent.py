@@ -59,7 +59,9 @@ def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> None:
             if coil.line.greeted(coil.name) or _may_be_written(coil, others):
                 coil.bare.write_current(0.0)
             return
-        except InstrumentError:
+        except InstrumentError as fault:
+            if fault.fault == "not reached":  # the file does not say where it is; others on the line need their link
+                return
             with suppress(InstrumentError):
                 coil.line.reopen()
 
@@ -112,7 +114,7 @@ def _read_back(coil: GuardedCoil) -> AtZero:
         if fault.fault != "another instrument":
             with suppress(InstrumentError):
                 coil.bare.write_off()
-    if end.current_A is None and end.fault is not None and end.fault.fault in ("silent", "link lost"):
+    if end.current_A is None and end.fault is not None and end.fault.fault in ("silent", "babbles", "link lost"):
         with suppress(InstrumentError):
             coil.line.reopen()
     return end

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 from labcal.bench.clock import Clock
 from labcal.bench.links import Link
-from labcal.bench.links.line import read_reply
+from labcal.bench.links.line import drop, read_reply
 from labcal.bench.loading import Loader
 from labcal.errors import InstrumentError
 
@@ -104,8 +104,7 @@ class GatedLink:
     def flush(self) -> None:
         """Drop what has arrived and was not read."""
         self._gate.check(self._clock.now())
-        dropped = b"".join(data for _, data in self._link.receive(self._clock.now()))
-        if dropped.endswith((b"\r", b"\n")):
+        if drop(self._link, self._clock).endswith((b"\r", b"\n")):
             self._gate.owed = False
 
     def close(self) -> None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import BenchConfig
+from labcal.bench.driver_kit.identities import refuse_other
 from labcal.bench.driver_kit.roles import Identity, Instrument, PolarityRelay
 from labcal.bench.guardian.gate import Gate, GatedLoader
 from labcal.bench.loading import speaks_modbus
@@ -50,7 +51,7 @@ class OwnedLine:
                     self._open[name] = self.loader.instrument(name)
                 except InputError as error:  # in the file; a session says so before it starts a guardian
                     remedy = "Correct the file and say off again, or switch this supply off by hand."
-                    raise InstrumentError(f"{error}.", fault="not reached", remedy=remedy) from error
+                    raise InstrumentError(f"not reached: {error}.", fault="not reached", remedy=remedy) from error
             return self._open[name]
 
     def identify(self, name: str) -> Identity:
@@ -58,12 +59,7 @@ class OwnedLine:
         with self.lock:
             who = self.instrument(name).identify()
             before = self._known.setdefault(name, who)
-        if who != before:
-            raise InstrumentError(
-                f"{name}: {who.model} {who.serial} answers, before it was {before.model} {before.serial}.",
-                fault="another instrument",
-                remedy="Plug the instruments in as bench.toml says, and begin again.",
-            )
+        refuse_other(name, who, before)
         self._greeted.add(name)
         return who
 

@@ -7,10 +7,14 @@ import math
 from labcal.bench.clock import Clock
 from labcal.bench.links.emulated import EmulatedLink, Emulator, SharedWire
 from labcal.bench.links.line import Link, read_reply
+from labcal.bench.links.quoting import abridged, quoted
 from labcal.bench.links.urls import split
 from labcal.bench.links.wired import WiredLink
 
-__all__ = ["EmulatedLink", "Emulator", "Link", "Nobody", "SharedWire", "WiredLink", "open_link", "read_reply"]
+__all__ = [
+    "EmulatedLink", "Emulator", "Link", "Nobody", "SharedWire", "WiredLink", "abridged", "open_link", "quoted",
+    "read_reply",
+]  # fmt: skip
 
 
 class Nobody:

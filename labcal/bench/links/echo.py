@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from labcal.bench.links.quoting import quoted
 from labcal.errors import InstrumentError
 
 Pieces = list[tuple[float, bytes]]
@@ -31,7 +32,7 @@ class Echo:
         if data[:length] != expected:
             self._due = b""
             raise InstrumentError(
-                f"{self._url}: {expected!r} was sent and {data[:length]!r} came back.",
+                f"{self._url}: {quoted(expected)} was sent and {quoted(data[:length])} came back.",
                 fault="wrong reply",
                 remedy="Do two talk on this line at once? Without an adapter that echoes, take echo=1 out of the link.",
             )

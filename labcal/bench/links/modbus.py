@@ -14,7 +14,7 @@ from pymodbus.pdu.bit_message import WriteSingleCoilRequest
 from pymodbus.transport import CommParams, CommType
 
 from labcal.bench.clock import Clock
-from labcal.bench.links.line import Link, wait_for_quiet
+from labcal.bench.links.line import LONGEST, Link, babbles, wait_for_quiet
 from labcal.bench.links.urls import split
 from labcal.errors import InstrumentError
 
@@ -166,6 +166,7 @@ class _LineClient(ModbusBaseSyncClient):
         super().__init__(framer, 0, params, None, None, None)
         self._line, self._clock, self._timeout_s, self._deadline_s = line, clock, timeout_s, 0.0
         self._looked = False  # when the time was up
+        self._came = 0  # bytes since the request
 
     def connect(self) -> bool:
         return True
@@ -176,14 +177,18 @@ class _LineClient(ModbusBaseSyncClient):
     def send(self, request: bytes, addr: tuple[Any, ...] | None = None) -> int:
         self._line.flush()
         self._line.send(request)
-        self._deadline_s, self._looked = self._clock.now() + self._timeout_s, False
+        self._deadline_s, self._looked, self._came = self._clock.now() + self._timeout_s, False, 0
         return len(request)
 
     def recv(self, size: int | None) -> bytes:
+        """What comes next; nothing when the time is up. Raises InstrumentError (babbles) for more than a reply."""
         while not self._looked:
             self._looked = self._clock.now() >= self._deadline_s
             pieces = self._line.receive(min(self._deadline_s, self._clock.now() + 0.001))
             if data := b"".join(data for _, data in pieces):
+                self._came += len(data)
+                if self._came > LONGEST:
+                    raise babbles(self._line.url, data)
                 return data
         return b""
 

@@ -15,15 +15,15 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import IO, Any
 
-from labcal.bench.links import devices, locks
+from labcal.bench.links import devices, hosts, locks
 from labcal.bench.links.holders import connected, locker, process
 from labcal.bench.links.places import folders, meet, own_folder, runtime_folder, user, user_name
-from labcal.bench.links.urls import place, split
+from labcal.bench.links.urls import NETWORK, OVER_NETWORK, place, split
 from labcal.errors import InputError, InstrumentError
 
 __all__ = [
-    "announce", "announced", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of", "refuse_connected",
-    "runtime_folder", "still_held",
+    "announce", "announced", "as_spelt", "claim", "hold", "holder", "holding", "let_go", "meet", "port_of",
+    "refuse_connected", "runtime_folder", "still_held",
 ]  # fmt: skip
 
 
@@ -64,9 +64,25 @@ _card: dict[str, Any] = {}
 
 
 def port_of(url: str) -> str:
-    """What two links to the same port have in common: the device file, or host and port."""
-    address = url.split("://", 1)[1].split("?")[0].removeprefix("socket://")
-    return os.path.realpath(address) if address.startswith("/") else address.lower()
+    """What two links to the same port have in common, however it is spelt: the device file, or address and port.
+
+    A host whose name has no address is compared as text.
+    """
+    scheme, rest = url.split("://", 1)
+    address = rest.split("?")[0]
+    if address.startswith("/"):
+        return os.path.realpath(address)
+    kind, _, there = address.rpartition("://")
+    if scheme in NETWORK or kind.lower() in OVER_NETWORK:
+        with suppress(InputError):  # whoever opens it says so
+            host, port = place(url, scheme, there)
+            return f"{hosts.one_of(host)}:{port}"
+    return as_spelt(url)
+
+
+def as_spelt(url: str) -> str:
+    """The text of a link that names its port, in small letters: it stays where a host gets another address."""
+    return url.split("://", 1)[1].split("?")[0].removeprefix("socket://").lower()
 
 
 def hold(urls: Iterable[str]) -> bool:
@@ -154,7 +170,7 @@ def _connected(url: str) -> set[int]:
     if scheme not in ("tcp", "modbus-tcp") and not address.startswith("socket://"):
         return set()
     host, port = place(url, scheme, address.removeprefix("socket://"))
-    return connected(host or "localhost", port)
+    return {uid for found in hosts.addresses(host) for uid in connected(found, port)}
 
 
 def claim(url: str) -> Callable[[], None]:

@@ -17,6 +17,7 @@ CHOICES = {
 }  # fmt: skip
 OPTIONS = (*NUMBERS, *CHOICES)
 BY_URL = ("socket", "rfc2217", "loop", "hwgrep")  # pyserial's others write a file (spy) or load code (alt)
+OVER_NETWORK = ("socket", "rfc2217")  # of these
 THEIR_OPTIONS = ("logging", "ign_set_control", "poll_modem", "timeout")
 
 

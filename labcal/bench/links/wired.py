@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import socket
 import sys
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Protocol
@@ -12,10 +13,10 @@ from typing import Protocol
 import serial
 
 from labcal.bench.clock import Clock
-from labcal.bench.links import devices
+from labcal.bench.links import devices, hosts
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
-from labcal.bench.links.line import read_reply
+from labcal.bench.links.line import drop, read_reply
 from labcal.bench.links.ports import claim
 from labcal.bench.links.urls import place, split
 from labcal.bench.links.usbtmc import UsbtmcPort
@@ -23,6 +24,8 @@ from labcal.errors import InputError, InstrumentError
 
 CONNECT_S = 3.0
 BUSY = (errno.EAGAIN, errno.EBUSY, errno.EADDRINUSE)
+LOOK_S, LOOK_BYTES = 0.002, 1 << 16  # of one look: whoever looks has a clock of their own to keep
+UNREAD_BYTES = 64 << 20  # beyond that the rest stays with the computer, which makes the other side wait or drops it
 DATAGRAM_BUFFER = 4 << 20  # what comes while nobody looks is lost beyond this (Linux caps it at rmem_max)
 
 
@@ -59,6 +62,7 @@ class WiredLink:
         self.never = DenyList()
         self._echo = Echo(url) if self._options.get("echo") == "1" else None
         self._arrived: list[tuple[float, bytes]] = []
+        self._unread = 0  # bytes in it
         self._last_s = -1e9
         self._port: Port | None = None
         self._give_back_port: Callable[[], None] = lambda: None
@@ -70,7 +74,7 @@ class WiredLink:
         """Open the port, again where it was lost. Who asks must then ask the instrument who it is."""
         self.close()
         self._give_back_port = claim(self.url)
-        self._arrived, self._failure = [], None
+        self._arrived, self._unread, self._failure = [], 0, None
         if self._echo is not None:
             self._echo.forget()
         try:
@@ -98,7 +102,7 @@ class WiredLink:
         self._look()
         if self._port is None and not self._arrived:
             raise self._lost(self._failure)
-        pieces, self._arrived = self._arrived, []
+        pieces, self._arrived, self._unread = self._arrived, [], 0
         return pieces if self._echo is None else self._echo.taken_off(pieces)
 
     def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
@@ -110,10 +114,11 @@ class WiredLink:
     def give_back(self, t_s: float, data: bytes) -> None:
         """Put bytes that were read too far back at the head of the line."""
         self._arrived.insert(0, (t_s, data))
+        self._unread += len(data)
 
     def flush(self) -> None:
         """Drop what has arrived and was not read."""
-        self.receive(self._clock.now())
+        drop(self, self._clock)
 
     def close(self) -> None:
         """Let go of the line."""
@@ -125,15 +130,24 @@ class WiredLink:
         self._give_back_port = lambda: None
 
     def _look(self) -> None:
-        """Take in what has arrived. A line that is lost is told to whoever uses it next, not to who waits now."""
+        """Take in what has arrived, or the first of it where that is much: the next look takes the next.
+
+        A line that is lost is told to whoever uses it next, not to who waits now.
+        """
+        most, until_s = min(self._unread + LOOK_BYTES, UNREAD_BYTES), time.monotonic() + LOOK_S
         try:
-            while self._port is not None and (data := self._port.read()):
-                now = self._clock.now()
-                self._arrived.append((max(now - len(data) * self._port.byte_s, self._last_s), data))
-                self._last_s = now
+            while self._unread < most and self._port is not None and (data := self._port.read()):
+                self._take(data, self._port.byte_s)
+                if time.monotonic() > until_s:
+                    break
         except OSError as error:
             self._failure = error
             self.close()
+
+    def _take(self, data: bytes, byte_s: float) -> None:
+        now = self._clock.now()
+        self._arrived.append((max(now - len(data) * byte_s, self._last_s), data))
+        self._unread, self._last_s = self._unread + len(data), now
 
     def _open_port(self) -> Port:
         if self._port is None:
@@ -191,7 +205,7 @@ class TcpPort:
     byte_s = 0.0
 
     def __init__(self, host: str, port: int) -> None:
-        self._socket = socket.create_connection((host, port), CONNECT_S)
+        self._socket = _connected(host, port)
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def read(self) -> bytes:
@@ -213,6 +227,19 @@ class TcpPort:
     def close(self) -> None:
         """Let go."""
         self._socket.close()
+
+
+def _connected(host: str, port: int) -> socket.socket:
+    """A connection to the first address that answers. Raises OSError."""
+    error, known = OSError(f"{host} has no address that is known"), hosts.addresses(host)
+    for address in known:
+        try:
+            return socket.create_connection((address, port), CONNECT_S)
+        except OSError as failure:
+            error = failure
+    if known:
+        hosts.forget(host)
+    raise error
 
 
 class UdpPort:
@@ -252,4 +279,4 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
     if scheme == "usbtmc":
         return UsbtmcPort(address)
     host, port = place(url, scheme, address)
-    return UdpPort(host, port) if scheme == "udp" else TcpPort(host or "localhost", port)
+    return UdpPort(host, port) if scheme == "udp" else TcpPort(host, port)

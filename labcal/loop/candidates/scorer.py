@@ -25,6 +25,7 @@ from labcal.loop.parallel import parallel_map
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
+GROUP_SHARE = 0.25  # of a group has to be asked for before all of it is scored
 LONG_RUN = 5000  # rows: fewer may have more prime factors, so that mostly none is dropped for a fast transform
 PRIMES = 2 * 3 * 5 * 7 * 11 * 13  # of the length of a short run
 CACHE_NUMBERS = 12_000_000  # in all transformed columns: more are not kept
@@ -176,7 +177,7 @@ class CandidateSet:
         """The evidence for each beside the null model; by groups where at least a quarter of a group is asked for."""
         found = self.cached("scores", (null_model,), lambda: dict[Candidate, Scored]())
         missing = set(candidates) - found.keys()
-        groups = [g for g in self.store.groups if 4 * sum(c in missing for c in g.candidates) > len(g.candidates)]
+        groups = [g for g in self.store.groups if np.mean([c in missing for c in g.candidates]) > GROUP_SHARE]
         for group, scores in zip(groups, parallel_map(partial(self._with_group, null_model), groups), strict=True):
             found |= {c: self._scored(c, null_model, *s) for c, s in zip(group.candidates, scores, strict=True)}
         for candidate in candidates:

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.periodogram import periodogram, running_median
@@ -15,9 +16,8 @@ from labcal.model.effects.regressors import stretches
 from labcal.record import Run
 
 Array = NDArray[np.float64]
+BELOW_NYQUIST = 0.98  # of the highest frequency: beyond, a line and its alias are one
 PEAKS = 3  # frequencies that a periodic effect is tried at
-CYCLES = 3.0  # a period must fit this often into the run, and into a median segment where it keeps step with them:
-PHASE_LOCKED = 0.7  # resultant length of its phases at their starts: a turn there and back repeats at twice the rate
 
 
 def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
@@ -54,8 +54,11 @@ def _with_a_line(family: Family, run: Run) -> list[tuple[Term, Shape]]:
 def _admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:
     """Which frequencies [Hz] are neither a drift's nor those of a motion that repeats in each segment."""
     times = [problem.scene.t_s[part] for part in stretches(problem.scene.segment)]
-    few = frequency < CYCLES / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
-    in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > PHASE_LOCKED
-    own = (frequency > CYCLES / max(times[-1][-1] - times[0][0], 1e-9)) & (frequency < 0.98 * frequency[-1])
+    law = policy.POLICY
+    few = frequency < law.min_cycles / max(float(np.median([np.ptp(t) for t in times])), 1e-9)
+    in_step = np.abs(np.mean([np.exp(2j * np.pi * frequency[few] * t[0]) for t in times], axis=0)) > law.phase_locked
+    own = (frequency > law.min_cycles / max(times[-1][-1] - times[0][0], 1e-9)) & (
+        frequency < BELOW_NYQUIST * frequency[-1]
+    )
     own[few] &= ~in_step
     return np.asarray(own)

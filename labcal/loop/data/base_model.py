@@ -13,11 +13,11 @@ from labcal.fit.vector.ml import Estimate, estimate
 from labcal.fit.vector.observations import AXIS, SCALAR, VECTOR, Observations, observe
 from labcal.fit.vector.solve import LEAST_SQUARES, ParameterisationName, Solution, solve
 from labcal.fit.vector.system import Noise, evaluate
+from labcal.loop import policy
 from labcal.loop.data.linear_problem import Base
 from labcal.record import Run
 
 Array = NDArray[np.float64]
-MAX_FIELD_UNCERTAINTY = 0.02  # a base whose field is uncertain by more than this part of the largest is not determined
 MIN_ROWS = 30  # fewer usable rows than this are refused
 
 
@@ -110,7 +110,8 @@ def fit_base(run: Run, seen: Observations) -> tuple[Base, Estimate]:
 
 
 def _is_determined(found: Estimate, base: Base) -> bool:
-    loose = found.identified.worst_u_nT >= MAX_FIELD_UNCERTAINTY * float(found.observations.magnitude.max())
+    field = float(found.observations.magnitude.max())
+    loose = found.identified.worst_u_nT >= policy.POLICY.max_field_uncertainty * field
     return found.identified.why_not is None and (base == "offset" or not loose)
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import SCALAR
+from labcal.loop import policy
 from labcal.loop.data.batch_fit import BatchFit
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import NoiseFloor
@@ -26,20 +27,9 @@ from labcal.record import Run
 Array = NDArray[np.float64]
 AXES = "xyz"
 QUICK_FIT_ROWS = 160  # rows of a run in the batch fits
-GROSS_MISFIT = 5.0  # times the noise floor, and
-GROSS_SHARE_OF_FIELD = 0.015  # of the field: a base that leaves less than one of them is not checked further
-INCOHERENT = 0.2  # of the field: more than any effect of a sensor leaves
-UNIT_FACTOR = 100.0  # times larger or smaller than the field: readings of another unit
+AXIS_ROUNDING = 0.4  # of a turn's elements: farther from 0 and ±1 it exchanges no axes
 MIN_FIELD_nT = 1.0  # of a field: less is none
-MIN_IMPROVEMENT = 5.0  # times less has to be left without a fault
-MIN_CLOCK_IMPROVEMENT = 3.0
-AT_FLOOR = 1.15  # times the noise floor: a base that leaves no more needs no larger one
-MIN_MAP_IMPROVEMENT = 1.5  # times less has to be left by a whole map before its lack is the cause
-MIN_GAIN_RATIO = 0.2  # of the largest gain: a smaller one is no axis of a magnetometer
-AS_GOOD = 1.1  # times the least residual: faults within it are equivalent
-MAX_ANGLE_RAD = 100.0  # of an angle that may be in radians
-MIN_CLOCK_OFFSET_S = 1.0  # of a clock's offset: less is a lag, and the effect of that name explains it
-OFFSETS_S = np.concatenate([np.arange(0.5, 10.1, 0.5), np.arange(12.0, 61.0, 2.0)])
+OFFSETS_S = np.concatenate([np.arange(1.0, 10.1, 0.5), np.arange(12.0, 61.0, 2.0)])  # less is an effect's lag
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,9 +48,10 @@ def check_data(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
     if (finding := _dead_axis(problem) or _units(problem, field)) is not None:
         return finding
     left = float(np.sqrt(np.mean(problem.length_nT(problem.residual_nT) ** 2)))
-    if left < AT_FLOOR * level.nT:
+    law = policy.POLICY
+    if left < law.floor_ratio * level.nT:
         return None
-    run, gross = _thinned(problem.run), max(GROSS_MISFIT * level.nT, GROSS_SHARE_OF_FIELD * field)
+    run, gross = _thinned(problem.run), max(law.gross_factor * level.nT, law.max_field_uncertainty * field)
     declared, _ = _batch_fit(problem, [run]).fitted(0)
     if min(left, declared) < gross:
         return _insufficient_excitation(problem, left)
@@ -80,7 +71,8 @@ def _units(problem: LinearProblem, field: float) -> Finding | None:
     """Readings of another order of magnitude than the field: no gain and no offset explains them."""
     readings = problem.observations.reading * problem.observations.scale * problem.run.dut.nominal_nT_per_unit
     size, spread = (float(np.sqrt(np.mean(np.sum(v**2, axis=1)))) for v in (readings, readings - readings.mean(axis=0)))
-    if not (size * UNIT_FACTOR < field or spread > UNIT_FACTOR * max(field, MIN_FIELD_nT)):
+    factor = policy.POLICY.unit_factor
+    if not (size * factor < field or spread > factor * max(field, MIN_FIELD_nT)):
         return None
     text = f"The readings come to {size:.3g} nT, the reference to {field:.3g} nT"
     return Finding("units", "data", f"{text}: the unit or nominal_nT_per_unit of one of them is not as declared.")
@@ -91,7 +83,7 @@ def _insufficient_excitation(problem: LinearProblem, left: float) -> Finding | N
     if problem.base == "affine" or problem.kind != "vector":
         return None
     whole, _ = _batch_fit(problem, [_thinned(problem.run)]).fitted(0)
-    if whole * MIN_MAP_IMPROVEMENT > left:
+    if whole * policy.POLICY.floor_ratio > left:
         return None
     text = f"This run does not determine the whole map ({problem.base} alone): too few axes or fields are excited"
     change = f"a whole map would leave {whole:.0f} instead of {left:.0f} nT, and be anyone's guess"
@@ -104,7 +96,7 @@ def turned_axes(problem: LinearProblem) -> Finding | None:
         return None
     u, _, v = np.linalg.svd(problem.affine.K)
     near = np.round(u @ v)
-    clear = np.abs(u @ v - near).max() < 0.4 and bool((np.abs(near).sum(axis=0) == 1).all())
+    clear = np.abs(u @ v - near).max() < AXIS_ROUNDING and bool((np.abs(near).sum(axis=0) == 1).all())
     if not clear or bool((near == np.eye(3)).all()):
         return None
     seen = ", ".join(f"{AXES[i]} is the device's {_signed(row)}" for i, row in enumerate(near))
@@ -131,17 +123,17 @@ def _frame(problem: LinearProblem, run: Run, declared: float) -> Finding | None:
     """The frame, axes or angle with which the reference fits far better."""
     if run.reference_vector is None:
         return None
-    worth, tried = AS_GOOD * declared / MIN_IMPROVEMENT, list[tuple[DataFault, float, Array]]()
+    law, tried = policy.POLICY, list[tuple[DataFault, float, Array]]()
+    worth = law.equivalent_rms * declared / law.gross_factor
     for alike in (*([other] for other in (*_frames(run), *_senses(run))), [*_axes(run)]):
         tries = _batch_fit(problem, [mistake.corrected for mistake in alike])
         tried += [(mistake, *tries.fitted(i, worth)) for i, mistake in enumerate(alike)]
     tried = [(mistake, left, K) for mistake, left, K in tried if _is_full_rank(K)]
     least = min((left for _, left, _ in tried), default=np.inf)
-    if least * MIN_IMPROVEMENT > declared:
+    if least * law.gross_factor > declared:
         return None
-    equal = sorted(
-        (_prefer_unmirrored(m, K) for m, left, K in tried if left <= AS_GOOD * least), key=lambda m: m.changes
-    )
+    as_good = [(mistake, K) for mistake, left, K in tried if left <= law.equivalent_rms * least]
+    equal = sorted((_prefer_unmirrored(mistake, K) for mistake, K in as_good), key=lambda m: m.changes)
     also = f" ({' or '.join(m.says for m in equal[1:3])} fits as well)" if len(equal) > 1 else ""
     text = f"The run fits far better {equal[0].says}: the base model leaves {least:.0f} instead of {declared:.0f} nT"
     return Finding("reference-frame", "data", f"{text}{also}.")
@@ -162,9 +154,8 @@ def _senses(run: Run) -> Iterator[DataFault]:
     if run.angle_deg is None:
         return
     yield DataFault("with the platform's angle counted the other way", replace(run, angle_deg=-run.angle_deg), 1)
-    if np.nanmax(np.abs(run.angle_deg), initial=0.0) < MAX_ANGLE_RAD:
-        in_degrees = replace(run, angle_deg=np.degrees(run.angle_deg))
-        yield DataFault("with the platform's angle taken in radians, not degrees", in_degrees, 1)
+    in_degrees = replace(run, angle_deg=np.degrees(run.angle_deg))
+    yield DataFault("with the platform's angle taken in radians, not degrees", in_degrees, 1)
 
 
 def _axes(run: Run) -> Iterator[DataFault]:
@@ -184,7 +175,7 @@ def signed_permutations() -> list[Array]:
 def _is_full_rank(K: Array) -> bool:
     """Whether every axis is seen: a map that flattens the readings fits any constant."""
     sizes = np.linalg.svd(K, compute_uv=False)
-    return bool(sizes[2] > MIN_GAIN_RATIO * sizes[0])
+    return bool(sizes[2] * policy.POLICY.gross_factor > sizes[0])
 
 
 def _prefer_unmirrored(mistake: DataFault, K: Array) -> DataFault:
@@ -221,11 +212,9 @@ def _signed(row: Array) -> str:
 def _clock(problem: LinearProblem, declared: float) -> Finding | None:
     """The stream whose stamps are seconds off, and by how much."""
     found = sorted(parallel_map(partial(_offset, problem), _streams(problem.run)), key=lambda o: o.residual_nT)
-    equal = [o for o in found if o.residual_nT <= AS_GOOD * found[0].residual_nT]
-    if (
-        found[0].residual_nT * MIN_CLOCK_IMPROVEMENT > declared
-        or max(abs(o.offset_s) for o in equal) < MIN_CLOCK_OFFSET_S
-    ):
+    equal = [o for o in found if o.residual_nT <= policy.POLICY.equivalent_rms * found[0].residual_nT]
+    farthest = max(abs(o.offset_s) for o in equal)
+    if found[0].residual_nT * policy.POLICY.gross_factor > declared or farthest < OFFSETS_S.min():
         return None
     text = ", or ".join(f"the stamps of {STREAM_OWNER[o.stream]} {_offset_text(o.offset_s)}" for o in equal)
     change = f"put right, the base model leaves {found[0].residual_nT:.0f} instead of {declared:.0f} nT"
@@ -279,9 +268,8 @@ def _offset(problem: LinearProblem, stream: str) -> ClockOffset:
         sides = best.offset_s + max(round(width / step), 1) * step * np.array([-1.0, 1.0])
         tries = _at_offsets(problem, stream, sides)
         near = [ClockOffset(stream, float(s), tries.fitted(i, best.residual_nT)[0]) for i, s in enumerate(sides)]
-        best = min(
-            [o for o in near if AS_GOOD * o.residual_nT < best.residual_nT], key=lambda o: o.residual_nT, default=best
-        )
+        better = [o for o in near if policy.POLICY.equivalent_rms * o.residual_nT < best.residual_nT]
+        best = min(better, key=lambda o: o.residual_nT, default=best)
     return best
 
 
@@ -313,7 +301,7 @@ def time_shifted(t_s: Array, values: Array, at_s: Array) -> Array:
 
 
 def _incoherent(left: float, field: float) -> Finding | None:
-    if left < INCOHERENT * field:
+    if left * policy.POLICY.gross_factor < field:
         return None
     text = f"The readings do not follow the reference: the base model leaves {left:.0f} of {field:.0f} nT"
     return Finding("reference", "data", f"{text}, and no flip or exchange of axes and no offset of a clock mends it.")

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import policy
 from labcal.loop.data.linear_problem import Bins, LinearProblem
 from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.model.effects.regressors import stretches
@@ -19,7 +20,6 @@ Array = NDArray[np.float64]
 TARGET_ROWS = 6000  # rows after decimation, about
 MAX_TURN_RAD = 0.35  # rad that the field may turn within a bin
 LINE_CONTRAST = 15.0  # times its neighbourhood: a line in the spectrum that is not chance,
-MIN_LINE_SHARE = 0.02  # of the noise's square: a smaller one, as a switched load has many, would not be named
 
 
 def decimate(problem: LinearProblem) -> LinearProblem:
@@ -45,7 +45,7 @@ def rows_per_bin(problem: LinearProblem) -> int:
         return 1
     frequency, power = periodogram(problem.scene.t_s, problem.y)
     share = 2 * power / (len(problem) * problem.y.size)
-    lines = frequency[(power > LINE_CONTRAST * running_median(power)) & (share > MIN_LINE_SHARE)]
+    lines = frequency[(power > LINE_CONTRAST * running_median(power)) & (share > policy.POLICY.material_share)]
     fast = lines[lines > 0.5 * frequency[-1] / m]
     return 1 if len(fast) else m
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.system import Noise
+from labcal.loop import policy
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.noise.differences import white_level
 from labcal.model.effects import Scene
@@ -18,7 +19,6 @@ Array = NDArray[np.float64]
 Source = Literal["declared", "static", "differences"]
 MIN_STEPS_PER_ROW = 3.0  # steps of the encoder between two rows
 STEP_TOLERANCE = 0.1  # of a step, that a change may be off a multiple of it
-STILL = 0.002  # of the field: the field of a static stretch varies no more than this
 ROWS_EACH = 10  # of a static stretch, for each number that is fitted to it
 
 
@@ -89,7 +89,7 @@ def _static_noise(problem: LinearProblem) -> float | None:
     square, free = 0.0, 0
     for part in stretches(problem.scene.segment):
         field = problem.scene.field_nT[part]
-        still = float(field.std(axis=0).max()) < STILL * float(np.linalg.norm(field.mean(axis=0)))
+        still = float(field.std(axis=0).max()) < policy.POLICY.still_share * float(np.linalg.norm(field.mean(axis=0)))
         known = _regressors_at_rest(problem.scene, part)
         if still and len(field) > ROWS_EACH * known.shape[1]:
             y = problem.y[part]

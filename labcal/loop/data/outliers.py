@@ -5,17 +5,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import policy
 from labcal.model.effects.regressors import stretches
 from labcal.record import Run
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-SATURATION_SIGNIFICANCE = 1e-6  # chance of so many rows at an extreme, below which the device saturates there
-OTHER_LIMIT_SIGNIFICANCE = 0.05  # the same for other axes and ends of a device that saturates somewhere
 NEIGHBOUR_READINGS = 10  # distinct readings next to an extreme that it is compared with
-OUTLIER_SIGMAS = 6.0  # robust standard deviations from the neighbours
 WINDOW = 4  # neighbours on either side
-LONGEST_OUTLIER = 2  # rows in a row: more is structure, not an outlier
+LONGEST_OUTLIER = WINDOW // 2  # rows in a row: of more the median of the neighbours is no measure
 
 
 def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
@@ -28,7 +26,7 @@ def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array |
     """
     away, around = _neighbourhood(residual, segment)
     spread = 1.4826 * np.median(np.abs(away), axis=0)
-    limit = OUTLIER_SIGMAS * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
+    limit = policy.POLICY.outlier_sigmas * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
     if effects is not None:
         limit = limit + _local_span(effects)
     far = (np.abs(away) > limit).any(axis=1)
@@ -80,9 +78,9 @@ def at_saturation_limit(run: Run) -> Mask:
     """
     ends = [(values, extreme) for values in run.reading.T for extreme in (np.nanmax(values), np.nanmin(values))]
     found = [(values == extreme, _chance_of_pile_up(values, float(extreme))) for values, extreme in ends]
-    if min(chance for _, chance in found) > SATURATION_SIGNIFICANCE:
+    if min(chance for _, chance in found) > policy.POLICY.saturation_significance:
         return np.zeros(len(run), dtype=bool)
-    return np.asarray(np.any([stuck for stuck, chance in found if chance < OTHER_LIMIT_SIGNIFICANCE], axis=0))
+    return np.asarray(np.any([stuck for stuck, chance in found if chance < policy.POLICY.significance], axis=0))
 
 
 def _chance_of_pile_up(values: Array, extreme: float) -> float:

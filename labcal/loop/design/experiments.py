@@ -20,6 +20,7 @@ from labcal.record.run import Channel, Segment
 
 Array = NDArray[np.float64]
 ROWS = 300  # of a designed run
+MIN_ROWS = 4  # of a turning segment that is turned again
 HALF_TURN = np.diag([-1.0, -1.0, 1.0])
 GAP_S = 60.0  # between the run and what is measured next
 WARMER_C = 15.0
@@ -99,7 +100,7 @@ def _swept(run: Run, speeds: Sequence[float]) -> Run | None:
     parts, segments, clock = list[Run](), list[Segment](), float(run.t_s[-1]) + GAP_S
     for index in _turning(few):
         rows = few.rows(index)
-        if len(rows) < 4:
+        if len(rows) < MIN_ROWS:
             continue
         for speed in speeds:
             order = rows if speed > 0 else rows[::-1]

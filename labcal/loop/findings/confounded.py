@@ -14,6 +14,8 @@ from labcal.model.gaps import bridged
 
 Array = NDArray[np.float64]
 LOCKED_SHARE = 0.98  # of a current's variance that the field in the body predicts: it follows the attitude
+MOVING = 0.1  # of the fastest rate: a slower platform stands
+MOSTLY = 0.9  # of the moving rows
 ONE_RATE = 0.1  # of the median rate: farther from it the platform turns at several
 
 
@@ -56,6 +58,6 @@ def _one_rate(angle_rad: Array, t_s: Array, segment: NDArray[np.intp]) -> bool:
     """Whether the platform turns at one rate, and one way, in all segments."""
     within = (np.diff(segment) == 0) & np.isfinite(np.diff(angle_rad))
     rate = (np.diff(angle_rad) / np.diff(t_s))[within]
-    moving = rate[np.abs(rate) > 0.1 * np.abs(rate).max(initial=0.0)]
+    moving = rate[np.abs(rate) > MOVING * np.abs(rate).max(initial=0.0)]
     usual = float(np.median(moving)) if len(moving) else 0.0
-    return bool(len(moving)) and float(np.mean(np.abs(moving - usual) < ONE_RATE * abs(usual))) > 0.9
+    return bool(len(moving)) and float(np.mean(np.abs(moving - usual) < ONE_RATE * abs(usual))) > MOSTLY

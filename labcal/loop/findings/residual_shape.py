@@ -22,6 +22,10 @@ DOMINANT_SHARE = 0.6  # of the square above the noise: an axis with as much is n
 MIN_EXPLAINED = 0.5  # of it that a line, a step or two levels have to take off
 CONCENTRATION = 3.0  # times more above the noise in one third of fields, or quarter of a turn, than in the least
 STEEP = -1.2  # slope of log power over log frequency: −2 is a random walk, 0 is white
+MEMORY = 1.5  # rows: a longer correlation time is a wander
+DIFFERENT_FIELDS = 0.2  # of the mean magnitude: a smaller range of fields is one
+SLOPE_ROWS = 60  # of a segment whose spectrum has a slope
+PART_ROWS = 20  # of a third of fields or a quarter of a turn
 SMOOTH = 5  # rows of a running median
 SWITCHES = 3  # between two levels before they are called telegraph-like,
 TWO_LEVELS = 0.88  # and the part of what is above the noise that they have to take off
@@ -146,16 +150,16 @@ def _broadband(t: Array, x: Array, segment: NDArray[np.intp]) -> _Description:
     if slope < STEEP:
         return _Description("random-walk", 0.0, "a wander like a random walk")
     step = float(np.median(np.diff(t)))
-    if memory > 1.5 * step:
+    if memory > MEMORY * step:
         return _Description("wander", 0.0, f"a wander that remembers itself for about {memory:.2g} s")
     return _Description("noise", 0.0, "more noise than is stated, without memory from row to row")
 
 
 def _slope(x: Array, segment: NDArray[np.intp]) -> float:
     """Of log power over log frequency, averaged over segments, between a twentieth and all of the lower third."""
-    parts = [x[rows] for rows in stretches(segment) if np.ptp(np.flatnonzero(segment == segment[rows][0])) > 60]
+    parts = [x[rows] for rows in stretches(segment) if np.ptp(np.flatnonzero(segment == segment[rows][0])) > SLOPE_ROWS]
     length = min((len(p) for p in parts), default=0)
-    if length < 60:
+    if length < SLOPE_ROWS:
         parts, length = [x], len(x)
     window = np.hanning(length)
     power = np.mean([np.abs(np.fft.rfft((p[:length] - p[:length].mean()) * window)) ** 2 for p in parts], axis=0)
@@ -170,7 +174,7 @@ def _concentrated_in(problem: LinearProblem, good: Mask) -> tuple[str, Range, Ra
     """The third of fields and the quarter of a turn that hold most of it, where they hold far more than the others."""
     square = np.mean(problem.y[good] ** 2, axis=1)
     size = problem.observations.magnitude[good]
-    field = _third(square, size) if np.ptp(size) > 0.2 * size.mean() else None
+    field = _third(square, size) if np.ptp(size) > DIFFERENT_FIELDS * size.mean() else None
     rig, angle = problem.scene.rig, None
     if rig is not None and np.isfinite(rig.angle_rad).any():
         degrees = np.mod(np.degrees(rig.angle_rad[good]), 360.0)
@@ -188,12 +192,12 @@ def _third(square: Array, size: Array) -> Range:
 
 def _quarter(square: Array, degrees: Array) -> Range:
     edges = np.arange(0.0, 361.0, 90.0)
-    return _concentrated_part(square, [(degrees >= a) & (degrees < a + 90) for a in edges[:-1]], edges)
+    return _concentrated_part(square, [(degrees >= a) & (degrees < b) for a, b in pairwise(edges.tolist())], edges)
 
 
 def _concentrated_part(square: Array, inside: list[Mask], edges: Array) -> Range:
     """The edges of the part that lies far above the least; None where none does, or a part has few rows."""
-    if min(int(rows.sum()) for rows in inside) < 20:
+    if min(int(rows.sum()) for rows in inside) < PART_ROWS:
         return None
     above = [max(float(square[rows].mean()) - 1.0, 0.05) for rows in inside]
     place = int(np.argmax(above))

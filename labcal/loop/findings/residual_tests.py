@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import chdtrc, fdtrc, ndtr
 
+from labcal.loop import policy
 from labcal.loop.data.linear_problem import LinearProblem
-from labcal.loop.noise.autocorrelation import LAGS, MATERIAL, SIGNIFICANCE, ljung_box, predictable_share
+from labcal.loop.noise.autocorrelation import LAGS, ljung_box, predictable_share
 from labcal.loop.noise.cross_correlation import MAX_LAG, Series, cross_correlation
 from labcal.loop.result import ResidualTest
 from labcal.model.effects.regressors import stretches
@@ -60,7 +61,7 @@ def whiteness_test(problem: LinearProblem, y: Array) -> ResidualTest:
         worst = min(worst, (p, q, name, predictable_share(part)))
     p, q, name = min(1.0, trials * worst[0]), worst[1], worst[2]
     share = worst[3]
-    passes = p >= SIGNIFICANCE or share < MATERIAL
+    passes = p >= policy.POLICY.significance or share < policy.POLICY.material_share
     says = "white from row to row" if passes else f"follows itself from row to row, most in segment {name}"
     return ResidualTest("whiteness", name, q, p, share, passes, says)
 
@@ -74,7 +75,7 @@ def independence_tests(problem: LinearProblem, y: Array) -> Iterator[ResidualTes
         trials = y.shape[1] * (2 * MAX_LAG + 1)
         p = min(1.0, trials * 2 * float(ndtr(-z)))
         share = r**2
-        passes = p >= SIGNIFICANCE or share < MATERIAL
+        passes = p >= policy.POLICY.significance or share < policy.POLICY.material_share
         says = f"independent of {name}" if passes else f"goes with {name} (correlation {r:+.2f})"
         yield ResidualTest("independence", name, r, p, share, passes, says)
 
@@ -114,7 +115,7 @@ def lack_of_fit_test(problem: LinearProblem, good: Mask) -> Iterator[ResidualTes
     ratio = (between / free[1]) / max(within / free[0], 1e-300)
     p = float(fdtrc(free[1], free[0], ratio))
     share = max(between - free[1], 0.0) / float(np.sum(problem.y[good] ** 2))
-    passes = p >= SIGNIFICANCE or share < MATERIAL
+    passes = p >= policy.POLICY.significance or share < policy.POLICY.material_share
     says = (
         "no lack of fit against repeats"
         if passes

@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import policy
 from labcal.loop.data.checks import turned_axes
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import NoiseFloor
@@ -17,7 +18,6 @@ from labcal.record.run import Channel
 
 Array = NDArray[np.float64]
 ONE_SIGNAL = 0.99999  # correlation from which two channels are one signal
-MAX_NOISE_RATIO = 1.3  # contract: declared and measured floors that differ by more are a finding
 MIN_COMMON_ROWS = 0.5  # of the rows that both channels have to be known in
 
 
@@ -69,7 +69,7 @@ def noise_disagreement(problem: LinearProblem, level: NoiseFloor) -> Finding | N
         return None
     still = level.measured_over_declared
     ratio = still or white_level(problem.y, problem.scene.segment)
-    if 1 / MAX_NOISE_RATIO <= ratio <= MAX_NOISE_RATIO:
+    if 1 / policy.POLICY.max_noise_ratio <= ratio <= policy.POLICY.max_noise_ratio:
         return None
     where = "at rest" if still else "from row to row"
     doubt = f"the floor of {level.nT:.0f} nT that results are compared with may be wrong"

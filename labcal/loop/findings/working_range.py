@@ -20,6 +20,7 @@ from labcal.model.effects import Scene, Term
 from labcal.record import Run
 
 Array = NDArray[np.float64]
+AXIAL = 0.9  # of a unit vector: a component as large is called along its axis
 SETTLED_S = 1e5  # after which a slow response has settled
 DIRECTIONS = np.vstack([np.eye(3), -np.eye(3), np.array(list(itertools.product((-1, 1), repeat=3))) / np.sqrt(3)])
 
@@ -77,7 +78,7 @@ def _ends(run: Run, name: str) -> tuple[float, float]:
 def _describe_corner(term: Term, values: Sequence[float], direction: Array, largest: float) -> str:
     at = ", ".join(f"{name} = {value:.3g}" for name, value in zip(term.channels, values, strict=True))
     place = int(np.argmax(np.abs(direction)))
-    along = f"along {'xyz'[place]}" if np.abs(direction).max() > 0.9 else "across the axes"
+    along = f"along {'xyz'[place]}" if np.abs(direction).max() > AXIAL else "across the axes"
     return f"{at} in {largest / 1000:.0f} µT {along}"
 
 

@@ -6,11 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.autocorrelation import autocorrelation, lagged_products
+from labcal.loop import policy
 
 Array = NDArray[np.float64]
 LAGS = 10  # rows, of Ljung and Box's sum
-SIGNIFICANCE = 0.01  # a residual without structure fails one test this often
-MATERIAL = 0.03  # of the residual's square: less is no structure worth a name, however certain it is
 
 
 def ljung_box(y: Array) -> float:
@@ -34,7 +33,8 @@ def serially_correlated(y: Array, segment: NDArray[np.intp]) -> bool:
 
     rho = np.array([autocorrelation(y, lag, segment) for lag in range(1, LAGS + 1)])
     statistic = y.size * (y.size + 2) * float(np.sum(rho**2 / (y.size - np.arange(1, LAGS + 1))))
-    return bool(chdtrc(LAGS, statistic) < SIGNIFICANCE) and float(np.max(rho**2)) >= MATERIAL
+    significant = bool(chdtrc(LAGS, statistic) < policy.POLICY.significance)
+    return significant and float(np.max(rho**2)) >= policy.POLICY.material_share
 
 
 def correlation_time_s(t_s: Array, y: Array) -> float:

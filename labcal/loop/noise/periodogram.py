@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+LONGEST, PADDING = 64, 1024  # quarter intervals for each row, and beside: longer gaps are closed
 
 
 def periodogram(t_s: Array, residual: Array) -> tuple[Array, Array]:
@@ -17,8 +18,8 @@ def periodogram(t_s: Array, residual: Array) -> tuple[Array, Array]:
 
     step = float(np.median(np.diff(t_s)))
     place = np.round((t_s - t_s[0]) / (step / 4)).astype(int)
-    if place[-1] > 64 * len(t_s) + 1024:  # gaps far longer than the record: close them
-        place = np.cumsum(np.concatenate([[0], np.minimum(np.diff(place), 64)]))
+    if place[-1] > LONGEST * len(t_s) + PADDING:  # gaps far longer than the record: close them
+        place = np.cumsum(np.concatenate([[0], np.minimum(np.diff(place), LONGEST)]))
     grid = np.zeros((int(place[-1]) + 1, residual.shape[1]))
     np.add.at(grid, place, residual - residual.mean(axis=0))
     length = next_fast_len(2 * len(grid), real=True)

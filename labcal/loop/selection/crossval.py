@@ -16,9 +16,11 @@ from labcal.model.effects.regressors import stretches
 
 Array = NDArray[np.float64]
 FOLDS = 5
+TWO_BLOCKS = 24  # rows of a segment that is cut in two at least
 NEVER = -1
 BLOCKS = 40  # about so many blocks in a run
 DRAWS = 500
+INTERVAL_95 = (2.5, 97.5)  # percentiles: the contract's improvement_ci95_nT
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,7 +61,7 @@ def block_folds(
     draw = np.random.default_rng(seed)
     for part in parts:
         span = float(t[part][-1] - t[part][0])
-        pieces = max(round(span / length), 2 if len(t[part]) >= 24 else 1)
+        pieces = max(round(span / length), 2 if len(t[part]) >= TWO_BLOCKS else 1)
         inside = np.minimum((t[part] - t[part][0]) / max(span, 1e-9) * pieces, pieces - 1e-9).astype(int)
         block[part] = count + inside
         count, shortest = count + pieces, min(shortest, span / pieces)
@@ -96,7 +98,7 @@ class HeldOutErrors:
         sums = np.stack([np.bincount(place, v**2) for v in (self.before_nT, self.after_nT)])
         drawn = np.random.default_rng(1).integers(len(blocks), size=(DRAWS, len(blocks)))
         means = sums[:, drawn].sum(axis=2) / count[drawn].sum(axis=1)
-        low, high = np.percentile(np.sqrt(means[0]) - np.sqrt(means[1]), [2.5, 97.5])
+        low, high = np.percentile(np.sqrt(means[0]) - np.sqrt(means[1]), INTERVAL_95)
         return float(low), float(high)
 
 

@@ -7,19 +7,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from labcal.loop import policy
 from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
-from labcal.loop.selection.admission import MATERIAL, MIN_EVIDENCE, earns_its_extension
+from labcal.loop.selection.admission import earns_its_extension
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.related import related_columns
 from labcal.loop.selection.stepwise import is_same_source
 
-AT_FLOOR = 1.15  # held-out rms over the noise floor up to which nothing is left to explain
-EQUIVALENT_RMS = 1.03  # times the held-out rms of the effect in whose place another cause stands
 MAX_TRIED = 4  # causes that are tried on held-out data
-EQUIVALENT_NATS = 8.0  # a smaller difference in evidence is none
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,7 +46,7 @@ def equivalent_models(
 
 def not_worse(either: HeldOutErrors) -> bool:
     """Whether the effects after are as good as those before, or better on some bootstrap draws of the blocks."""
-    return either.after <= EQUIVALENT_RMS * either.before or either.improvement()[1] > 0
+    return either.after <= policy.POLICY.equivalent_rms * either.before or either.improvement()[1] > 0
 
 
 def equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:
@@ -61,7 +59,7 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     others = [c for c in accepted if c is not chosen]
     open_to = [c for c in all_candidates(pool, others) if not any(is_same_source(o, c) for o in others)]
     related = [refined(pool, c, others) for c in _same_response(open_to, chosen)]
-    misfit = float(np.mean(pool.residual(accepted)[pool.rows] ** 2)) > AT_FLOOR**2
+    misfit = float(np.mean(pool.residual(accepted)[pool.rows] ** 2)) > policy.POLICY.floor_ratio**2
     always = {c.cause for c in related if misfit and chosen.family.second_order}
     near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, always)
     if pool.problem.whole is not None and len(near) > 1:
@@ -76,7 +74,8 @@ def plausible_extensions(pool: CandidateSet, accepted: Sequence[Candidate], chos
     causes = {c.cause for c in accepted}
     beside = pool.rank(larger, accepted, related_columns(pool, accepted)) if larger else []
     open_to = [w for w in beside if w.candidate.cause not in causes]
-    return [w for w in open_to if w.evidence > 0 and (w.evidence < MIN_EVIDENCE or w.drop >= MATERIAL)]
+    law = policy.POLICY
+    return [w for w in open_to if w.evidence > 0 and (w.evidence < law.min_evidence or w.drop >= law.material_share)]
 
 
 def _same_response(candidates: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
@@ -93,7 +92,7 @@ def within_reach(ranking: Sequence[Scored], chosen: Candidate, always: Collectio
     """`chosen`, what has nearly its evidence, and causes that count as near `always`."""
     own = next(w for w in ranking if w.candidate.cause == chosen.cause)
     others = (w for w in ranking if w.candidate.cause != chosen.cause)
-    least = _g_prior_evidence(own) - EQUIVALENT_NATS
+    least = _g_prior_evidence(own) - policy.POLICY.equivalent_nats
     return [own, *(w for w in others if _g_prior_evidence(w) > least or w.candidate.cause in always)]
 
 

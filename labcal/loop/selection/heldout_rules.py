@@ -6,23 +6,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from labcal.loop import policy
 from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
-from labcal.loop.selection.equivalents import AT_FLOOR, Equivalent, equally_likely
+from labcal.loop.selection.equivalents import Equivalent, equally_likely
 from labcal.model.effects.regressors import WEATHER, stretches
 
-MIN_EXPLAINED = 0.75  # of the mean square above the noise, by all effects together
-MIN_EXPLAINED_BY_SWITCHES = 0.5  # the same where each of them follows a channel that somebody switches
-MISFIT_SHARE = 0.03  # of what an effect took off: more left means an unnamed process, not a drift, a step or a mode
-MISFIT_SHARE_OF_A_LINE = 0.1  # the same for a line with its harmonics
-MISFIT_SHARE_OF_LATER = 1 / 3  # the same for a later cause: it took misfit of an earlier one's form
-MIN_SHARE_OF_A_SECOND = 0.03  # of what all take off together: a second effect has to take off as much,
-MIN_SECOND_OF_NOISE = 0.25  # or this part of the noise's square
 ALTERNATIVES = 2  # causes of other families that a doubtful one is compared with
-MAX_EQUIVALENTS_NAMED = 3  # more names for one effect are no answer
 
 
 def first_unsupported(
@@ -33,7 +26,7 @@ def first_unsupported(
         if not (improves(step) and is_more_than_detail(steps[: i + 1], level)):
             return i
     for i, chosen in reversed(list(enumerate(accepted))):
-        share = MISFIT_SHARE_OF_A_LINE if chosen.family.harmonics else MISFIT_SHARE
+        share = policy.POLICY.max_misfit_of_a_line if chosen.family.harmonics else policy.POLICY.material_share
         mine = steps if level.source == "differences" else steps[_first_of_its_cause(accepted, i) :]
         if is_time_bound(pool, chosen) and misfit_remains(mine, level, share):
             return i
@@ -41,7 +34,7 @@ def first_unsupported(
         return None
     for i in range(len(steps) - 1, 0, -1):
         begins = _first_of_its_cause(accepted, i)
-        if begins and misfit_remains(steps[begins:], level, MISFIT_SHARE_OF_LATER):
+        if begins and misfit_remains(steps[begins:], level, policy.POLICY.max_misfit_of_later):
             return i
     return None
 
@@ -63,7 +56,7 @@ def first_doubtful(
     Where no form reaches the noise, the nearest one may be so by coincidence.
     """
     missed = steps[-1].after ** 2 - level.nT**2 if steps else 0.0
-    if not steps or level.source == "differences" or steps[-1].after <= AT_FLOOR * level.nT:
+    if not steps or level.source == "differences" or steps[-1].after <= policy.POLICY.floor_ratio * level.nT:
         return None
     for i, chosen in enumerate(accepted):
         for other in _other_explanations(pool, accepted, chosen) if _first_of_its_cause(accepted, i) == i else ():
@@ -101,7 +94,7 @@ def is_time_bound(pool: CandidateSet, chosen: Candidate) -> bool:
 def misfit_remains(steps: Sequence[HeldOutErrors], level: NoiseFloor, share: float) -> bool:
     """Whether what all effects leave above the noise exceeds this share of what they took off."""
     before, after = steps[0].before, steps[-1].after
-    return after > AT_FLOOR * level.nT and after**2 - level.nT**2 > share * (before**2 - after**2)
+    return after > policy.POLICY.floor_ratio * level.nT and after**2 - level.nT**2 > share * (before**2 - after**2)
 
 
 def improves(step: HeldOutErrors) -> bool:
@@ -112,7 +105,8 @@ def improves(step: HeldOutErrors) -> bool:
 def is_more_than_detail(steps: Sequence[HeldOutErrors], level: NoiseFloor) -> bool:
     """Whether the last of some effects takes off more than a detail of the others would, on held-out data."""
     fall, total = (step.before**2 - steps[-1].after ** 2 for step in (steps[-1], steps[0]))
-    return len(steps) == 1 or fall > min(MIN_SHARE_OF_A_SECOND * total, MIN_SECOND_OF_NOISE * level.nT**2)
+    law = policy.POLICY
+    return len(steps) == 1 or fall > min(law.material_share * total, law.clear_share * level.nT**2)
 
 
 def explains_excess(
@@ -124,8 +118,9 @@ def explains_excess(
     weather, but not a load that somebody switches.
     """
     excess = cv_error.before**2 - level.nT**2
-    share = MIN_EXPLAINED_BY_SWITCHES if all(_follows_a_switch(pool, c) for c in accepted) else MIN_EXPLAINED
-    return cv_error.after <= AT_FLOOR * level.nT or cv_error.before**2 - cv_error.after**2 > share * excess
+    law, switched = policy.POLICY, all(_follows_a_switch(pool, c) for c in accepted)
+    share = law.min_explained_by_switches if switched else law.min_explained
+    return cv_error.after <= law.floor_ratio * level.nT or cv_error.before**2 - cv_error.after**2 > share * excess
 
 
 def _follows_a_switch(pool: CandidateSet, candidate: Candidate) -> bool:
@@ -146,10 +141,11 @@ def n_reportable(
     Not the last where together they explain too little; nor, where they do not reach the noise, one with too many
     equivalents: whatever resembles an unknown shape a little is equivalent there.
     """
-    if not accepted or cv_error.after <= AT_FLOOR * level.nT:
+    if not accepted or cv_error.after <= policy.POLICY.floor_ratio * level.nT:
         return len(accepted)
     if not explains_excess(pool, cv_error, level, accepted):
         return len(accepted) - 1
     if level.source == "differences":
         return len(accepted)
-    return next((i for i, equivalents in enumerate(models) if len(equivalents) > MAX_EQUIVALENTS_NAMED), len(accepted))
+    most = policy.POLICY.max_equivalents
+    return next((i for i, equivalents in enumerate(models) if len(equivalents) > most), len(accepted))

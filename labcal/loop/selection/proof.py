@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.data.outliers import hampel_outliers, outlier_distance
-from labcal.loop.selection.admission import MATERIAL
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.equivalents import Equivalent, equivalent_models
 from labcal.loop.selection.heldout_rules import n_reportable
@@ -116,7 +116,7 @@ def _is_nonlinear(pool: CandidateSet, accepted: Sequence[Candidate]) -> bool:
     whole, x = pool.whole, pool.coefficients(accepted)
     field = np.einsum("nqj,nj->nq", whole.whiten, whole.scene.field_nT)
     moved, added = whole.T @ x[: whole.T.shape[2]], pool.residual_everywhere(accepted)[1]
-    return bool(np.mean(moved**2) * np.mean(added**2) > MATERIAL * np.mean(field**2))
+    return bool(np.mean(moved**2) * np.mean(added**2) > policy.POLICY.material_share * np.mean(field**2))
 
 
 def without_outliers(pool: CandidateSet, known: NDArray[np.bool_] | None = None) -> CandidateSet:

@@ -6,19 +6,20 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.noise.autocorrelation import correlation_time_s
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, block_folds, cross_validate, fixed_choice
-from labcal.loop.selection.equivalents import EQUIVALENT_RMS, equally_likely, not_worse
+from labcal.loop.selection.equivalents import equally_likely, not_worse
 from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
 MAX_ROUNDS = 6  # of selection and refusal
-Judgement = Literal["supported", "displaced", "unsupported", "one too many"]  # of one round
+RoundOutcome = Literal["supported", "displaced", "unsupported", "one too many"]  # of one round
 Ending = Literal["supported", "rounds exhausted"]
 
 
@@ -54,7 +55,7 @@ def select(
 ) -> Selection:
     """Select effects on the rows of `pool`, and refuse those that blocks held out of them do not support.
 
-    Each round ends in a judgement: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
+    Each round has an outcome: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
     the next round; of a cause that is there already `one too many` is cut off. When the rounds are exhausted, what the
     last one left stands.
     """
@@ -62,14 +63,14 @@ def select(
     ending: Ending = "rounds exhausted"
     for _ in range(MAX_ROUNDS):
         last = _select_once(pool, blocks, most, refused)
-        judgement, place = _judge(pool, last, level)
-        if judgement == "supported":
+        outcome, place = _judge(pool, last, level)
+        if outcome == "supported":
             ending = "supported"
             break
-        if judgement == "displaced":
+        if outcome == "displaced":
             refused |= last.displaced
             continue
-        if judgement == "one too many":
+        if outcome == "one too many":
             most = place
         else:
             refused.add(last.accepted[place].cause)
@@ -88,7 +89,7 @@ def _select_once(pool: CandidateSet, blocks: BlockFolds | None, most: int, refus
     return _Round(kept, rankings, contributions, blocks, {c.cause for c in simple} - {c.cause for c in kept})
 
 
-def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor) -> tuple[Judgement, int]:
+def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor) -> tuple[RoundOutcome, int]:
     """What a round comes to, and the place of the effect that it fails at."""
     accepted, contributions = last.accepted, last.contributions
     place = first_unsupported(pool, accepted, contributions, level)
@@ -143,7 +144,7 @@ def _simplest(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate])
         for candidate in _simpler_candidates(pool, chosen, others):
             simple = [*accepted[:place], candidate, *accepted[place + 1 :]]
             richer = cross_validate(pool, blocks, fixed_choice(accepted), simple)
-            if richer.before <= EQUIVALENT_RMS * richer.after:
+            if richer.before <= policy.POLICY.equivalent_rms * richer.after:
                 accepted = simple
                 break
     return accepted

@@ -11,17 +11,17 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
+from labcal.loop import policy
 from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.parallel import parallel_map
-from labcal.loop.selection.admission import MIN_EVIDENCE, earns_its_extension, min_material_drop
+from labcal.loop.selection.admission import earns_its_extension, min_material_drop
 from labcal.loop.selection.pairs import score_pairs
 from labcal.loop.selection.related import related_columns
 
 MAX_EFFECTS = 3  # effects accepted at most
-COMPANION = 0.7  # of the drop of the best candidate
 NEARLY_WHITE = 1.5  # times the white level: no frequency of the noise left has more
 
 
@@ -31,7 +31,7 @@ def stepwise_forward(
     """The causes accepted, in order, and the ranking at each step; those `refused` are not taken."""
     accepted: list[Candidate] = []
     rankings: list[list[Scored]] = []
-    total, out_of_play, left = 0.0, set(refused), set[Cause]()
+    out_of_play, left = set(refused), set[Cause]()
     while len(accepted) < most:
         open_to = [c for c in all_candidates(pool, accepted) if not _already_accepted(c, accepted)]
         ranking = pool.rank(open_to, accepted)
@@ -41,9 +41,9 @@ def stepwise_forward(
         if accepted:
             ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
         rankings.append(ranking)
-        best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play], total)
+        best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play])
         if best is None:
-            both = _material_pair(pool, accepted, ranking, out_of_play, total) if len(accepted) + 2 <= most else []
+            both = _material_pair(pool, accepted, ranking, out_of_play) if len(accepted) + 2 <= most else []
             accepted = [*accepted, *both]
             if not both:
                 break
@@ -53,7 +53,7 @@ def stepwise_forward(
         if chosen in kept:
             gone = {c.cause for c in accepted if c not in kept}
             out_of_play |= gone & left  # what leaves for the second time would alternate for ever
-            accepted, total, left = kept, total + best.drop, left | gone
+            accepted, left = kept, left | gone
         else:
             out_of_play.add(best.candidate.cause)
     return accepted, rankings
@@ -63,7 +63,7 @@ def _is_white(pool: CandidateSet, accepted: Sequence[Candidate], ranking: Sequen
     """Whether the accepted effects leave nearly white noise, and no candidate has half the evidence of a name."""
     null_model = pool.null_model(accepted)
     highest = float(null_model.bands.spectra[null_model.null.spectrum].max())
-    return highest < NEARLY_WHITE and ranking[0].evidence < MIN_EVIDENCE / 2
+    return highest < NEARLY_WHITE and ranking[0].evidence < policy.POLICY.min_evidence / 2
 
 
 def _material_pair(
@@ -71,13 +71,12 @@ def _material_pair(
     accepted: Sequence[Candidate],
     ranking: Sequence[Scored],
     refused: Collection[Cause],
-    total: float,
 ) -> list[Candidate]:
     """Two causes that are material together, each earning its place beside the other; none where no two do."""
     null_model = pool.null_model(accepted, related_columns(pool, accepted))
     open_to = [w for w in ranking if not _already_accepted(w.candidate, accepted)]
     for pair in score_pairs(pool, null_model, open_to, {*refused, *(c.cause for c in accepted)}):
-        if pair.evidence < MIN_EVIDENCE or pair.drop < min_material_drop(pool, accepted, total):
+        if pair.evidence < policy.POLICY.min_evidence or pair.drop < min_material_drop(pool, accepted):
             continue
         one = refined(pool, pair.one, [*accepted, pair.other])
         both = [one, refined(pool, pair.other, [*accepted, one])]
@@ -86,15 +85,11 @@ def _material_pair(
     return []
 
 
-def best_admissible(
-    pool: CandidateSet, accepted: Sequence[Candidate], ranking: list[Scored], total: float
-) -> Scored | None:
-    """The best that is material; one on a channel already accepted goes before another that is a little better."""
-    least = min_material_drop(pool, accepted, total)
-    fit = [w for w in ranking if w.drop >= least and w.evidence >= MIN_EVIDENCE]
-    used = {name for c in accepted for name in c.term.channels}
-    companions = [w for w in fit if used & set(w.candidate.term.channels) and w.drop >= COMPANION * fit[0].drop]
-    return next((w for w in [*companions, *fit] if earns_its_extension(pool, accepted, w)), None)
+def best_admissible(pool: CandidateSet, accepted: Sequence[Candidate], ranking: list[Scored]) -> Scored | None:
+    """The best that is material and earns its place."""
+    least = min_material_drop(pool, accepted)
+    fit = [w for w in ranking if w.drop >= least and w.evidence >= policy.POLICY.min_evidence]
+    return next((w for w in fit if earns_its_extension(pool, accepted, w)), None)
 
 
 def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
@@ -117,7 +112,7 @@ def backward_check(pool: CandidateSet, accepted: list[Candidate]) -> list[Candid
     while len(accepted) > 1:
         each = parallel_map(evidence, accepted)
         weakest = int(np.argmin(each))
-        if each[weakest] >= MIN_EVIDENCE:
+        if each[weakest] >= policy.POLICY.min_evidence:
             break
         accepted = [c for i, c in enumerate(accepted) if i != weakest]
     return accepted

@@ -1,0 +1,153 @@
+"""Judgements stand in one place, with their source and a test; what else is a number in the loop is listed by kind."""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import FrozenInstanceError, fields
+from pathlib import Path
+from runpy import run_path
+
+import numpy as np
+import pytest
+
+from labcal.loop import policy
+from labcal.loop.data.outliers import hampel_outliers
+
+ROOT = Path(__file__).parents[2]
+LOOP = ROOT / "labcal" / "loop"
+SPELT_OUT = (0, 0.5, 1, 2, 3)  # numbers that say no more than words do: none, half, all, both, the axes
+TOLERANCE = 1e-3  # a smaller number in a comparison is arithmetic's
+KINDS = {
+    "budget of a search": (
+        "candidates.changepoints:PEAKS EDGE APART", "candidates.spectral_lines:PEAKS BELOW_NYQUIST",
+        "data.checks:OFFSETS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED",
+        "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
+        "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
+        "selection.select:MAX_ROUNDS OUT_OF_REACH", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
+        "selection.surrogates:SURROGATES TAIL", "noise.cross_correlation:MAX_LAG",
+    ),
+    "size of a sample": (
+        "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
+        "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER", "findings.residual_tests:MIN_ROWS MIN_VISITS",
+        "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS",
+    ),
+    "setting of an estimator": (
+        "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
+        "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
+        "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
+    ),
+    "arithmetic and computing time": (
+        "candidates.columns:GROUP_COLUMNS", "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
+        "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
+        "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "findings.run_findings:ONE_SIGNAL",
+        "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
+        "selection.crossval:NEVER", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
+    ),
+    "run that is simulated": (
+        "design.experiments:ROWS MIN_ROWS HALF_TURN GAP_S WARMER_C CYCLES",
+        "findings.working_range:SETTLED_S DIRECTIONS",
+    ),
+    "words for what is left, beside the verdict": (
+        "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
+        "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
+        "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS",
+    ),
+}  # fmt: skip
+
+
+def _listed() -> set[str]:
+    lines = (line.split(":") for lines in KINDS.values() for line in lines)
+    return {f"{module}:{name}" for module, names in lines for name in names.split()}
+
+
+def _is_number(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool)
+
+
+def _modules() -> Iterator[tuple[str, ast.Module]]:
+    for path in sorted(LOOP.rglob("*.py")):
+        if path.name != "policy.py":
+            yield ".".join(path.relative_to(LOOP).with_suffix("").parts), ast.parse(path.read_text())
+
+
+def _constants(tree: ast.Module) -> Iterator[str]:
+    """Names that a module gives to numbers, or to what is made of numbers."""
+    for node in tree.body:
+        if isinstance(node, (ast.Assign, ast.AnnAssign)) and node.value and any(map(_is_number, ast.walk(node.value))):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            yield from (n.id for target in targets for n in ast.walk(target) if isinstance(n, ast.Name))
+
+
+def _anonymous(tree: ast.Module) -> Iterator[str]:
+    """Comparisons that hold a number with a meaning of its own."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Compare):
+            numbers = [n.value for side in (node.left, *node.comparators) for n in ast.walk(side) if _is_number(n)]
+            if any(number not in SPELT_OUT and abs(number) > TOLERANCE for number in numbers):
+                yield f"line {node.lineno}: {ast.unparse(node)}"
+
+
+def test_no_number_in_the_loop_is_a_judgement_outside_the_policy() -> None:
+    found = {f"{module}:{name}" for module, tree in _modules() for name in _constants(tree)}
+    assert found - _listed() == set(), "a judgement belongs into labcal/loop/policy.py"
+    assert _listed() - found == set(), "listed, and there no more"
+
+
+def test_no_threshold_stands_anonymously_in_a_comparison() -> None:
+    assert {module: said for module, tree in _modules() if (said := list(_anonymous(tree)))} == {}
+
+
+@pytest.mark.parametrize("source", ["A = 1.5", "A: float = 3.0", "A, B = 7, 8", "A = np.arange(5)"])
+def test_a_new_constant_is_seen(source: str) -> None:
+    assert list(_constants(ast.parse(source))) in (["A"], ["A", "B"])
+
+
+@pytest.mark.parametrize("source", ["x > 0.7", "x < 4 * y", "0.1 <= x", "f(x, 12) == y", "x > 1.15 * level.nT"])
+def test_an_anonymous_threshold_is_seen(source: str) -> None:
+    assert len(list(_anonymous(ast.parse(source)))) == 1
+
+
+def test_every_judgement_is_read_somewhere() -> None:
+    text = "\n".join(path.read_text() for path in LOOP.rglob("*.py"))
+    unread = {name for name in policy.judgements() if not re.search(rf"(law|POLICY|self)\.{name}\b", text)}
+    assert unread == set()
+
+
+@pytest.mark.parametrize("name", policy.judgements())
+def test_every_judgement_says_what_it_decides_and_names_a_test_that_is_there(name: str) -> None:
+    stated = policy.judgements()[name]
+    file, function = stated.test.split("::")
+    assert f"def {function}(" in (ROOT / "tests" / file).read_text()
+    assert stated.decides
+    assert stated.why
+    assert stated.source in ("derived", "cited", "measured")
+    assert getattr(policy.POLICY, name) == stated.value
+
+
+def test_the_policy_is_frozen_and_what_is_derived_follows() -> None:
+    with pytest.raises(FrozenInstanceError):
+        policy.POLICY.min_evidence = 1.0  # type: ignore[misc]
+    assert policy.Policy(floor_ratio=1.25).min_white_level == 0.8
+    assert policy.Policy(min_evidence=20.0).saturation_significance == pytest.approx(math.exp(-20.0))
+    assert len(fields(policy.Policy)) == len(policy.judgements()) <= 25
+
+
+def test_the_page_about_the_loop_holds_the_judgements_as_they_are() -> None:
+    page = (ROOT / "docs" / "closed-loop.md").read_text(encoding="utf-8")
+    assert run_path(str(ROOT / "tools" / "policy_table.py"))["with_table"](page) == page, "tools/policy_table.py"
+
+
+def test_a_policy_put_in_its_place_is_the_one_that_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    residual, segment = np.zeros((60, 3)), np.zeros(60, dtype=np.intp)
+    residual[30] = 7.0
+    assert hampel_outliers(residual, segment).any()
+    monkeypatch.setattr(policy, "POLICY", policy.Policy(outlier_sigmas=8.0))
+    assert not hampel_outliers(residual, segment).any()
+
+
+def test_nobody_keeps_a_policy_of_his_own() -> None:
+    kept = {p.name for p in LOOP.rglob("*.py") if re.search(r"import .*POLICY|^\w+ = .*POLICY", p.read_text(), re.M)}
+    assert kept - {"policy.py"} == set()
