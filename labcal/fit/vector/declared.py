@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,7 +11,7 @@ from labcal.fit.vector.observations import SCALAR, Observations, observe
 from labcal.fit.vector.solve import Parameterisation, Solution
 from labcal.fit.vector.system import Noise, blocks, evaluate, normal
 from labcal.record import Run
-from labcal.uncertainty import Contribution, declared_errors
+from labcal.uncertainty import Contribution, DeclaredError, declared_errors
 
 Array = NDArray[np.float64]
 
@@ -23,14 +25,44 @@ def declared_contributions(
     moves by -N^-1 dg, with the phases free and no more of the error in the map than the form can take up.
     """
     q, unit = parameterisation.basis.shape[1], np.r_[np.full(9, 1 / seen.scale), np.ones(3)]
-    as_scalar, here = bool((seen.kind == SCALAR).all()), _gradient(seen, noise, parameterisation, found)
     out = []
-    for error in declared_errors(run):
-        there = observe(error.change(run), as_scalar=as_scalar)
-        step = _solved(found.normal, here - _gradient(there, noise, parameterisation, found))
+    for error, _, step in _moved(run, seen, noise, parameterisation, found):
         shift = unit * (parameterisation.basis @ step[:q])
         out.append(Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift))
     return tuple(out)
+
+
+def residual_beside_declared(
+    run: Run, seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution
+) -> tuple[Array, Array]:
+    """The weighted residual (n, 3) [nT], and what no declared error, the map fitted beside it, could have left.
+
+    What they left is no noise: it is in the uncertainty as theirs.
+    """
+    q, weight = parameterisation.basis.shape[1], np.sqrt(found.weight)[:, None]
+    here = weight * _residual(seen, noise, found.theta, found.phase)
+    left = [
+        weight * _residual(there, noise, found.theta + parameterisation.basis @ step[:q], found.phase + step[q:]) - here
+        for _, there, step in _moved(run, seen, noise, parameterisation, found)
+    ]
+    if not left:
+        return here, here
+    D = np.stack([part.ravel() for part in left], axis=1)
+    return here, np.asarray(here - (D @ np.linalg.lstsq(D, here.ravel(), rcond=1e-9)[0]).reshape(-1, 3))
+
+
+def _moved(
+    run: Run, seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution
+) -> Iterator[tuple[DeclaredError, Observations, Array]]:
+    """Each declared error, the rows with it, and the step (q + phases,) that the solution takes."""
+    as_scalar, here = bool((seen.kind == SCALAR).all()), _gradient(seen, noise, parameterisation, found)
+    for error in declared_errors(run):
+        there = observe(error.change(run), as_scalar=as_scalar)
+        yield error, there, _solved(found.normal, here - _gradient(there, noise, parameterisation, found))
+
+
+def _residual(seen: Observations, noise: Noise, theta: Array, phase: Array) -> Array:
+    return np.concatenate([evaluate(part, of, theta, phase).residual for _, part, of in blocks(seen, noise)])
 
 
 def _gradient(seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution) -> Array:
