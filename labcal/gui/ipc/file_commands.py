@@ -106,6 +106,7 @@ def _calibration(path: Path) -> CalibrationFile:
         dut=found.dut,
         K=found.affine.K.tolist(),
         k_nT=found.affine.k_nT.tolist(),
+        k_means=found.k_means(),
         u=None if covariance is None else np.sqrt(np.diag(covariance)[:12]).tolist(),
         effects=found.effects,
         findings=found.findings,
