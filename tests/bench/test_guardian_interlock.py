@@ -39,7 +39,7 @@ def flowed(lab: Served, t_s: float) -> list[float]:
 
 def kill_all(child: subprocess.Popen[str]) -> None:
     (first,) = guardians()
-    until(lambda: bool(children_of(first)))
+    until(lambda: len(children_of(first)) == 2)
     for pid in (*children_of(first), first, child.pid):
         os.kill(pid, signal.SIGKILL)
     child.wait()
@@ -113,7 +113,7 @@ def test_a_supply_that_does_not_obey_is_cut_off(lab: Served, session: Sessions) 
 def test_a_guardian_that_is_replaced_closes_the_contact_again(lab: Served, session: Sessions) -> None:
     child = session("idle")
     (first,) = guardians()
-    until(lambda: bool(children_of(first)))
+    until(lambda: len(children_of(first)) == 2)
     os.kill(first, signal.SIGKILL)
     until(lambda: at_zero(lab))
     child.kill()

@@ -8,11 +8,10 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from pydantic import ValidationError
-
-from labcal.bench.config import BenchConfig
+if TYPE_CHECKING:
+    from labcal.bench.config import BenchConfig
 
 BRIEFED = "--briefed"
 LONGEST = 60_000  # bytes: a pipe takes as many before anybody reads
@@ -35,8 +34,10 @@ class Briefing:
 
 def briefing_of(line: str) -> Briefing | None:
     """What such a line says; None where it says nothing, or is spoilt."""
+    from labcal.bench.config import BenchConfig  # who only says off needs none
+
     try:
         said: dict[str, Any] = json.loads(line)
         return Briefing(Path(said["named"]), BenchConfig.model_validate(said["config"]), str(said["print"]))
-    except (ValueError, KeyError, TypeError, ValidationError):
+    except (ValueError, KeyError, TypeError):  # pydantic's are ValueErrors
         return None
