@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
 
-.PHONY: demo test lint slow papers blind sensitivity campaign bench gui clean
+.PHONY: demo test lint slow papers blind coverage sensitivity campaign bench gui clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/.run: pyproject.toml
@@ -47,6 +47,10 @@ BLIND_RUNS ?= 448
 blind: $(VENV)/.dev
 	@rm -rf blind-out && $(BIN)/python tests/blind/simulate.py blind-out $(BLIND_RUNS) 2026
 	@$(BIN)/python tests/blind/score.py blind-out
+
+COVERAGE_RUNS ?= 1000
+coverage: $(VENV)/.dev
+	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/uncertainty $(BIN)/python tests/uncertainty/cover.py $(COVERAGE_RUNS)
 
 sensitivity: $(VENV)/.dev
 	@$(BIN)/python tests/blind/sensitivity.py sensitivity-out

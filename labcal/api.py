@@ -185,12 +185,13 @@ def load_calibration(path: str | Path) -> Calibration:
     Parameters
     ----------
     path : str or Path
-        A file of the format `labcal-calibration/1`.
+        A file of the format `labcal-calibration/2`, or 1.
 
     Returns
     -------
     Calibration
-        `affine`, `covariance` (12, 12), the sensor's `effects`, `validity`; `apply` corrects readings.
+        `affine`, the sensor's `effects`, `covariance` (p, p) of K row by row, k and their parameters (`covariance_of`),
+        `validity`; `apply` corrects readings.
 
     Raises
     ------

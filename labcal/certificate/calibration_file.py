@@ -17,15 +17,15 @@ from typing import Annotated, Any, Literal
 import numpy as np
 import rfc8785
 from numpy.typing import NDArray
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
+from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Rival
 from labcal.record import Dut
 from labcal.text_safety import checked_text
 
-FORMAT: Literal["labcal-calibration/1"] = "labcal-calibration/1"
 LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
 WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other
 ROUNDING = 1e-6  # of a covariance scaled to unit variances
@@ -57,6 +57,12 @@ def _covariance(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...],
     return rows
 
 
+def _square(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
+    if {len(row) for row in rows} != {len(rows)}:
+        raise ValueError("is not square")
+    return rows
+
+
 def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
     if len(set(names)) < len(names):
         raise ValueError("names one thing twice")
@@ -70,6 +76,10 @@ Span = Annotated[tuple[float, float], AfterValidator(_range)]
 Row = tuple[float, float, float]
 CovarianceRow = Annotated[tuple[float, ...], Field(min_length=12, max_length=12)]
 Covariance = Annotated[tuple[CovarianceRow, ...], Field(min_length=12, max_length=12), AfterValidator(_covariance)]
+JointCovariance = Annotated[
+    tuple[tuple[float, ...], ...], Field(min_length=12), AfterValidator(_square), AfterValidator(_covariance)
+]
+Plain = dict[Name, float | Text | bool | None]
 Sha256 = Annotated[str, Field(pattern=r"\A[0-9a-f]{64}\z")]
 Uncertainty = Annotated[float, Field(ge=0, le=1e100)]  # its square is a number too
 
@@ -137,8 +147,55 @@ def _not_of_the_sensor(effects: tuple[_Effect, ...]) -> tuple[_Effect, ...]:
     return effects
 
 
+class _BudgetRow(_Part):
+    source: Name
+    type: Literal["A", "B"]
+    distribution: Text
+    u: Uncertainty
+    unit: Text
+    sensitivity: float
+    share: Annotated[float, Field(ge=0, le=1)]
+    dof: Annotated[float, Field(gt=0)] | None
+
+
+class _Budget(_Part):
+    quantity: Name
+    at: Text
+    unit: Text
+    U: Uncertainty
+    k: Annotated[float, Field(gt=0)]
+    dof: Annotated[float, Field(gt=0)] | None
+    rows: tuple[_BudgetRow, ...]
+    correlations: tuple[Plain, ...]
+
+
+class _Specified(_Part):
+    quantity: Name
+    value: float
+    U: Uncertainty
+    limit: float
+    unit: Text
+    rule: Text
+    result: Literal["pass", "conditional-pass", "conditional-fail", "fail"]
+    risk: Annotated[float, Field(ge=0, le=1)] | None
+    tur: Annotated[float, Field(ge=0)] | None
+
+
+class _MadeBy(_Part):
+    command: Text
+    method: Text
+    channels: Names | None
+    empirical: bool
+    version: Text
+
+
+class _Chain(_Part):
+    head: Sha256
+    rows: Annotated[int, Field(ge=0)]
+
+
 class _File(_Part):
-    """Every field of the file; the order is the contract's (the bytes are sorted by RFC 8785)."""
+    """Every field of version 1; the order is the contract's (the bytes are sorted by RFC 8785)."""
 
     format: Literal["labcal-calibration/1"]
     run_id: Name
@@ -162,6 +219,36 @@ class _File(_Part):
     approvers: Names
 
 
+class _File2(_File):
+    """Every field of version 2: the covariance is joint, and says of what."""
+
+    format: Literal["labcal-calibration/2"]  # type: ignore[assignment]
+    covariance: JointCovariance | None
+    covariance_of: Names
+    k_at: dict[Name, float]
+    budget: tuple[_Budget, ...]
+    not_covered: tuple[Text, ...]
+    specification: tuple[_Specified, ...]
+    made_by: _MadeBy | None
+    chain: _Chain | None
+    number: Name | None
+    issued_utc: Name | None
+
+    @model_validator(mode="after")
+    def _named(self) -> _File2:
+        """Raise ValueError unless the covariance says of what it is: the map, then parameters that are there."""
+        known = [f"{i}:{p.name}" for i, effect in enumerate(self.effects) for p in effect.parameters]
+        if self.covariance_of[:12] != MAP_PARAMETERS or (strangers := set(self.covariance_of[12:]) - set(known)):
+            named = f"; {sorted(strangers)[0]} is not there" if self.covariance_of[:12] == MAP_PARAMETERS else ""
+            raise ValueError(f"covariance_of: names K row by row, k, then parameters of the effects{named}")
+        if self.covariance is not None and len(self.covariance) != len(self.covariance_of):
+            raise ValueError(f"covariance: has {len(self.covariance)} rows for {len(self.covariance_of)} names")
+        return self
+
+
+VERSIONS: dict[str, type[_File]] = {"labcal-calibration/1": _File, "labcal-calibration/2": _File2}
+
+
 def read_calibration(path: Path) -> Calibration:
     """Read the calibration at `path`. Raises InputError with the file and the path to the fault in it."""
     return parse_calibration(read_limited(path, LARGEST_BYTES), path)
@@ -169,9 +256,9 @@ def read_calibration(path: Path) -> Calibration:
 
 def parse_calibration(content: bytes, file: object = "calibration") -> Calibration:
     """The calibration that the bytes `content` state; `file` is named in faults. Raises InputError."""
-    _refuse_bad_json(content, file)
+    version = VERSIONS.get(_format_of(content, file), _File2)
     try:
-        stated = _File.model_validate_json(content, strict=True)
+        stated = version.model_validate_json(content, strict=True)
     except ValidationError as error:
         raise InputError(_first_fault(error), file=file) from None
     return _calibration(stated)
@@ -184,7 +271,7 @@ def calibration_bytes(calibration: Calibration) -> bytes:
     read again (a NaN, a singular K, an effect under the wrong owner).
     """
     try:
-        stated = _File.model_validate(_fields(calibration))
+        stated = VERSIONS[calibration.format].model_validate(_fields(calibration))
     except ValidationError as error:
         raise InputError(_first_fault(error), file="calibration to be written") from None
     return rfc8785.dumps(stated.model_dump(mode="json"))
@@ -209,10 +296,14 @@ def read_limited(path: Path, largest: int) -> bytes:
     return content
 
 
-def _refuse_bad_json(content: bytes, file: object) -> None:
-    """What a JSON parser lets pass in silence: double keys, NaN, other encodings, numbers without end."""
+def _format_of(content: bytes, file: object) -> str:
+    """The format that it states, "" for none. Raises InputError for what a JSON parser lets pass in silence.
+
+    That is double keys, NaN, other encodings, numbers without end.
+    """
     try:
-        json.loads(content.decode(), object_pairs_hook=_unique, parse_constant=_finite_only)
+        stated = json.loads(content.decode(), object_pairs_hook=_unique, parse_constant=_finite_only)
+        return str(stated.get("format", "")) if isinstance(stated, dict) else ""
     except json.JSONDecodeError as error:
         raise InputError(f"is not JSON: {error.msg}", file=file, line=error.lineno, column=error.colno) from None
     except UnicodeDecodeError as error:
@@ -247,8 +338,7 @@ def _printable(name: str) -> str:
 
 
 def _fields(c: Calibration) -> Mapping[str, object]:
-    return {name: getattr(c, name) for name in _File.model_fields if hasattr(c, name)} | {
-        "format": FORMAT,
+    return {name: getattr(c, name) for name in VERSIONS[c.format].model_fields if hasattr(c, name)} | {
         "K": c.affine.K.tolist(),
         "k_nT": c.affine.k_nT.tolist(),
         "covariance": None if c.covariance is None else c.covariance.tolist(),
@@ -258,7 +348,10 @@ def _fields(c: Calibration) -> Mapping[str, object]:
 
 def _calibration(f: _File) -> Calibration:
     until = f.validity.until
+    added = f.model_dump(include=_File2.model_fields.keys() - _File.model_fields.keys())
     return Calibration(
+        **added,
+        format=f.format,
         run_id=f.run_id,
         simulated=f.simulated,
         dut=Dut(**f.dut.model_dump()),

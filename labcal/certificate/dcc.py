@@ -134,7 +134,7 @@ def _place(d: Any, place: Place) -> tuple[Any, Any]:
 
 
 def _results(d: Any, si: Any, c: Calibration) -> Any:
-    u = np.full(12, np.nan) if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance), 0.0))
+    u = np.full(12, np.nan) if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance)[:12], 0.0))
     per_reading = "1" if c.dut.unit == "nT" else "nT"
     given = [
         _result(

@@ -5,19 +5,27 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.geometry import skew
+from labcal.geometry import skew, unit
 from labcal.model import AffineMap
 from labcal.record import Run
+from labcal.uncertainty import Contribution, covariance_of, declared_errors
 
 Array = NDArray[np.float64]
+SYMMETRIC = np.zeros((12, 9))  # K row by row, then k, from the six elements of a symmetric K, then k
+for _column, (_a, _b) in enumerate(((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))):
+    SYMMETRIC[[3 * _a + _b, 3 * _b + _a], _column] = 1.0
+SYMMETRIC[9:, 6:] = np.eye(3)
 
 
 def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) -> Array:
     """`covariance` (12, 12) and the declared uncertainties that the residuals do not show (contract: u_axis_*, u_…).
 
     A common turn by w changes K by [w]× K and k by [w]× k, a scale of the reference both in proportion, its zero k
-    alone. A turn says nothing where the frame is not known. What is not declared is not covered.
+    alone. Where the frame is not known a turn says nothing, and magnitudes move the map by least squares. What is not
+    declared is not covered. (Where vectors are fitted, `labcal.fit.vector.declared` asks the fit itself.)
     """
+    if not frame_known:
+        return np.asarray(covariance + covariance_of(_of_magnitudes(run, affine), 12))
     out = covariance.copy()
     reference = run.reference
     if reference.u_scale_ppm:
@@ -25,12 +33,26 @@ def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) 
         out += np.outer(step, step)
     if reference.u_offset_nT:
         out[9:, 9:] += reference.u_offset_nT**2 * np.eye(3)
-    if frame_known:
-        u = np.hypot(mounting_rad(run), np.radians(reference.u_align_deg or 0.0))
-        for turn in skew(u * np.eye(3)):
-            step = np.concatenate([(turn @ affine.K).ravel(), turn @ affine.k_nT])
-            out += np.outer(step, step)
+    u = np.hypot(mounting_rad(run), np.radians(reference.u_align_deg or 0.0))
+    for turn in skew(u * np.eye(3)):
+        step = np.concatenate([(turn @ affine.K).ravel(), turn @ affine.k_nT])
+        out += np.outer(step, step)
     return out
+
+
+def _of_magnitudes(run: Run, affine: AffineMap) -> tuple[Contribution, ...]:
+    """What each declared error does to K, symmetric, and k by |K m − k| = |ref|: d|b| = u · (dK m − dk), u = b/|b|."""
+    b, magnitude = affine.apply(run.reading), run.magnitude_nT
+    rows = np.isfinite(b).all(axis=1) & np.isfinite(magnitude)
+    u = unit(b[rows])
+    A = np.concatenate([(u[:, :, None] * run.reading[rows][:, None, :]).reshape(-1, 9), -u], axis=1) @ SYMMETRIC
+    size = np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+    found = []
+    for error in declared_errors(run):
+        moved = np.nan_to_num((error.change(run).magnitude_nT - magnitude)[rows])
+        shift = SYMMETRIC @ (np.linalg.lstsq(A / size, moved, rcond=1e-9)[0] / size)
+        found.append(Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift))
+    return tuple(found)
 
 
 def mounting_rad(run: Run) -> float:

@@ -12,6 +12,7 @@ from labcal.model import Calibration, EffectRecord, Validity
 from labcal.model.effects import of_temperature
 from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
+from labcal.uncertainty.unstated import not_covered
 from labcal.version import __version__
 
 
@@ -49,6 +50,11 @@ def draft_calibration(
         cage_sha256=cage_sha256,
         software=f"labcal {__version__}",
         operator=run.operator,
+        covariance_of=found.covariance_of,
+        k_at={
+            name: value for e in found.effects if e.belongs_to == "sensor" for name, value in e.reference_value.items()
+        },
+        not_covered=not_covered(run),
     )
 
 

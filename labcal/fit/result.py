@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model import AffineMap, EffectRecord
+from labcal.model.affine import MAP_PARAMETERS
 
 Array = NDArray[np.float64]
 
@@ -35,4 +36,5 @@ class Fit:
     seconds: float = 0.0
     effects: tuple[EffectRecord, ...] = ()
     phase_rad: Array | None = None  # the starting phases found, one per group of `record.carry(run)`
+    covariance_of: tuple[str, ...] = MAP_PARAMETERS  # beyond the map: "0:c_x", by the sensor's effects in their order
     noise_nT: float | None = None  # standard deviation of one axis of one reading, estimated

@@ -26,6 +26,7 @@ from labcal.loop.selection.equivalents import Equivalent
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
+from labcal.loop.uncertainty import Uncertainty, of_the_file, uncertainty_of
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
@@ -42,9 +43,15 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     found = replace(found, cv_error=as_shipped(found.cv_error, in_sample[1], added=bool(found.accepted)))
     verdict = verdict_of(found, aside, len(problem))
     of_the_data = _data_effects(aside, problem, verdict, found.outlier_distance)
-    accepted = [*of_the_data, *_records(found, after)]
+    uncertain = uncertainty_of(after)
+    accepted = [*of_the_data, *_records(found, after, uncertain)]
     unsupported = working_range.unsupported(run, found.accepted, after)
     shipped, errors = _shipped(found, after, unsupported)
+    of_file = of_the_file(
+        shipped,
+        uncertain if shipped is after else uncertainty_of(shipped),
+        [c.family.belongs_to == "sensor" for i, c in enumerate(found.accepted) if i not in unsupported],
+    )
     noticed = (*findings(run, problem, found.level), *working_range.findings(run, found.accepted, after))
     tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
     left = describe(problem, rows) if verdict in ("unexplained", "partly-explained") else None
@@ -63,7 +70,8 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         summary=summary(found, verdict, aside, left),
         next_experiment=next_experiment(found, verdict, after, left),
         affine=shipped.problem.affine,
-        covariance=_covariance(shipped),
+        covariance=of_file.covariance,
+        covariance_of=of_file.names,
         frame_known=not bool((problem.observations.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
         findings=noticed,
@@ -121,15 +129,6 @@ def _shown(problem: LinearProblem) -> Array:
     return np.asarray(np.sum(problem.residual_nT * b, axis=1) / np.linalg.norm(b, axis=1))[:, None]
 
 
-def _covariance(after: JointFit) -> Array:
-    """Of K row by row [nT per DUT unit], then k [nT]."""
-    problem = after.problem
-    q = problem.parameterisation.basis.shape[1]
-    B = problem.parameterisation.basis * np.r_[np.full(9, 1 / problem.observations.scale), np.ones(3)][:, None]
-    C = B @ after.covariance[:q, :q] @ B.T
-    return np.asarray((C + C.T) / 2)
-
-
 def verdict_of(found: Evidence, aside: dict[str, int], rows: int) -> Verdict:
     """The verdict that the evidence bears, with so many rows set `aside` by effect, of so many `rows`."""
     law = policy.POLICY
@@ -156,9 +155,9 @@ def _correlated(found: Evidence) -> bool:
     return serially_correlated(left, found.pool.whole.scene.segment)
 
 
-def _records(found: Evidence, after: JointFit) -> list[EffectRecord]:
-    out = []
-    lists = zip(found.accepted, after.terms, after.parameters(), found.contributions, found.equivalents, strict=True)
+def _records(found: Evidence, after: JointFit, uncertain: Uncertainty) -> list[EffectRecord]:
+    out, stated = [], after.parameters(uncertain.covariance)
+    lists = zip(found.accepted, after.terms, stated, found.contributions, found.equivalents, strict=True)
     for chosen, term, parameters, step, rivals in lists:
         low, high = step.improvement()
         own, others = rivals[0], rivals[1:]

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from labcal.fit import Fit
 from labcal.model import AffineMap, EffectRecord
+from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Owner
 from labcal.model.effects import Confounded
 
@@ -119,7 +120,7 @@ class ClosedLoop:
     summary: str
     next_experiment: NextExperiment | None
     affine: AffineMap  # with the effects that are shipped
-    covariance: Array | None  # (12, 12) of K row by row, then k
+    covariance: Array | None  # (p, p) of K row by row, then k, then what `covariance_of` names of the effects shipped
     frame_known: bool
     noise_nT: float  # standard deviation of one axis of one reading
     pictures: Pictures
@@ -131,6 +132,7 @@ class ClosedLoop:
     twins: tuple[Confounded, ...] = ()  # of the accepted effects
     rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
+    covariance_of: tuple[str, ...] = MAP_PARAMETERS
 
     @property
     def done(self) -> bool:
@@ -144,6 +146,7 @@ class ClosedLoop:
             ok=True,
             affine=self.affine,
             covariance=self.covariance,
+            covariance_of=self.covariance_of,
             frame_known=self.frame_known,
             effects=tuple(e for i, e in enumerate(self.accepted) if i not in self.unsupported),
             noise_nT=self.noise_nT,

@@ -136,7 +136,8 @@ def _survey(
 def _applied(
     calibration: Calibration, readings: Readings, part: _Corrected, whole: _Whole, filled: dict[str, Mask], rows: slice
 ) -> Applied:
-    variance, flags = _base_variance(calibration, readings.reading), _flags(part, len(readings))
+    variance, flags = _noise_variance(calibration, readings.reading), _flags(part, len(readings))
+    variance += _parameters_variance(calibration, readings.reading, part)
     of_effects = zip(calibration.effects, part.effects, whole.sizes, whole.restless, whole.spreads, strict=True)
     for record, effect, size, restless, spread in of_effects:
         variance += effect.variance
@@ -192,15 +193,20 @@ def temperature_channel(calibration: Calibration, names: Mapping[str, Array]) ->
     return next((name for name in (*used, "temp_dut") if name in names), None)
 
 
-def _base_variance(calibration: Calibration, reading: Array) -> Array:
-    """Variance of each component (n, 3) [nT²] from the covariance of (K, k) and from the reading's noise."""
+def _noise_variance(calibration: Calibration, reading: Array) -> Array:
+    """Variance of each component (n, 3) [nT²] from the reading's noise, and from what the run's residuals keep."""
     per_unit = calibration.affine.K / calibration.dut.nominal_nT_per_unit
     noise = reading_noise(calibration) ** 2 * np.sum(per_unit**2, axis=1)
-    variance = noise + np.full(reading.shape, misfit_variance(calibration, float(np.sqrt(noise.sum()))))
-    if calibration.covariance is not None:
-        J = jacobian(reading)
-        variance += np.einsum("nap,pq,naq->na", J, calibration.covariance, J, optimize=True)
-    return np.asarray(variance)
+    return np.asarray(noise + np.full(reading.shape, misfit_variance(calibration, float(np.sqrt(noise.sum())))))
+
+
+def _parameters_variance(calibration: Calibration, reading: Array, part: _Corrected) -> Array:
+    """Variance of each component (n, 3) [nT²]: J Σ Jᵀ over K, k and every effect's parameters together (GUM, 5.2.2)."""
+    covariance = calibration.joint_covariance()
+    J = np.concatenate([jacobian(reading), *(-effect.jacobian for effect in part.effects)], axis=2)
+    if calibration.covariance is None:
+        J, covariance = J[:, :, 12:], covariance[12:, 12:]
+    return np.asarray(np.sum(J @ covariance * J, axis=2))
 
 
 def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from labcal.model.affine import AffineMap
+from labcal.model.affine import MAP_PARAMETERS, AffineMap
 from labcal.record import Dut, Run
 
 if TYPE_CHECKING:
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Owner = Literal["sensor", "rig", "data"]
+Format = Literal["labcal-calibration/1", "labcal-calibration/2"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +69,11 @@ class Validity:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Calibration:
-    """What ships: map, covariance (12, 12) of (K row by row, k), the sensor's effects, and the findings."""
+    """What ships: map, the sensor's effects, the joint covariance of both, and the findings.
+
+    `covariance` is of the parameters `covariance_of` (contract): K row by row, k, then "0:c_x" for c_x of the first
+    effect. Parameters that are not there (version 1 has none but the map's) count as independent, with their own u.
+    """
 
     run_id: str
     simulated: bool
@@ -88,6 +93,35 @@ class Calibration:
     software: str = ""
     operator: str = ""
     approvers: tuple[str, ...] = ()
+    format: Format = "labcal-calibration/2"
+    covariance_of: tuple[str, ...] = MAP_PARAMETERS
+    k_at: Mapping[str, float] = field(default_factory=dict)  # the channels' values that k belongs to
+    budget: tuple[Mapping[str, Any], ...] = ()
+    not_covered: tuple[str, ...] = ()
+    specification: tuple[Mapping[str, Any], ...] = ()
+    made_by: Mapping[str, Any] | None = None
+    chain: Mapping[str, Any] | None = None
+    number: str | None = None
+    issued_utc: str | None = None
+
+    def joint_covariance(self) -> Array:
+        """Of K row by row, k, then every parameter of every effect in their order; a map without one has zeros."""
+        effects = [(f"{i}:{p.name}", p.u) for i, effect in enumerate(self.effects) for p in effect.parameters]
+        names = [*MAP_PARAMETERS, *(name for name, _ in effects)]
+        joint = np.diag([0.0] * len(MAP_PARAMETERS) + [u**2 for _, u in effects])
+        if self.covariance is not None:
+            place = [names.index(name) for name in self.covariance_of]
+            joint[np.ix_(place, place)] = self.covariance
+        return joint
+
+    def k_means(self) -> str:
+        """What k belongs to, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""
+        stated = {name: value for effect in self.effects for name, value in effect.reference_value.items()}
+        units = {name: _unit_of_drive(effect) for effect in self.effects for name in effect.channels[:1]}
+        said = [
+            f"{name} = {value:.4g} {units.get(name, '')}".rstrip() for name, value in {**stated, **self.k_at}.items()
+        ]
+        return f"at {', '.join(said)}" if said else ""
 
     def apply(
         self,
@@ -140,3 +174,10 @@ class Calibration:
 
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is no number, and says so in its row
             return apply(self, readings_of(reading, t_s, segment, mode, channels))
+
+
+def _unit_of_drive(effect: EffectRecord) -> str:
+    """The unit of the channel that drives an effect of so much per unit: of nT/A it is A; empty where that is open."""
+    units = {p.unit.removeprefix("nT/") for p in effect.parameters if p.unit.startswith("nT/")}
+    unit = units.pop() if len(units) == 1 else ""
+    return unit.replace("degC", "°C") if unit.isalpha() else ""

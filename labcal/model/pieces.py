@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.calibration import Calibration, EffectRecord
-from labcal.model.effects import DELAY, Fitted, Scene, Shape, load_shipped
+from labcal.model.effects import DELAY, Fitted, Scene, Shape, Term, load_shipped
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings
 
@@ -27,7 +27,8 @@ class Taken:
     """One effect in some rows (n), which is nought where it is not known."""
 
     value: Array  # (n, 3)
-    variance: Array  # (n, 3)
+    jacobian: Array  # (n, 3, p) by its parameters in their order; nought where it is not known
+    variance: Array  # (n, 3) of what its parameters do not say
     usable: Mask  # (n,) rows that have what it needs
     flags: Mapping[str, Mask]  # each (n,)
     late: Mask | None  # (n,) rows where its channel is not known so much earlier or later
@@ -79,7 +80,8 @@ class Walk:
         self._calibration, self._record, self._recording = calibration, record, recording
         self.effect = load_shipped(record)
         self._reach_s = (self.effect.family.reach_s(self.effect.term) or 0.0) if remembers(self.effect) else 0.0
-        self._left: Mapping[str, State] = {}
+        self._left: dict[str, Mapping[str, State]] = {}
+        self._steps = self._steps_of_shapes()
 
     @property
     def at_once(self) -> bool:
@@ -97,12 +99,16 @@ class Walk:
         """The effect in the rows that follow."""
         lacking, n = self._lacking(rows), rows.stop - rows.start
         usable, flags = ~np.logical_or.reduce(list(lacking.values())), {w: m for w, m in lacking.items() if w}
-        value, variance = np.zeros((n, 3)), np.zeros((n, 3))
+        value, variance, jacobian = np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3, len(self._record.parameters)))
         if usable.any():
-            columns = self._columns(rows)
+            columns, slopes = self._columns(rows, self.effect.term), self._slopes(rows)
             value[usable] = columns @ self.effect.beta
-            u = {p.name: p.u for p in self._record.parameters}
-            variance[usable] = columns**2 @ np.array([u[name] ** 2 for name, _ in self.effect.term.parameters])
+            linear = [name for name, _ in self.effect.term.parameters]
+            for place, parameter in enumerate(self._record.parameters):
+                if parameter.name in linear:
+                    jacobian[usable, :, place] = columns[:, :, linear.index(parameter.name)]
+                elif parameter.name in slopes:
+                    jacobian[usable, :, place] = (slopes[parameter.name] - value[usable]) / self._steps[parameter.name]
         if self.effect.term.found_by("own secant") is not None:
             flags["rate"] = self._recording.out_of_reach(rows, float(self.effect.beta[0]))
             variance[flags["rate"]] += value[flags["rate"]] ** 2
@@ -110,19 +116,37 @@ class Walk:
             unsure = self._beside(moment, rows)
             flags["time"] = flags.get("time", unsure) | unsure
             variance[unsure] += self._jump(rows, unsure) ** 2 / 4
-        return Taken(value, variance, usable, flags, self._late(rows))
+        return Taken(value, jacobian, variance, usable, flags, self._late(rows))
 
-    def _columns(self, rows: slice) -> Array:
-        """The effect's columns in the usable ones of the rows; what it leaves is where it goes on from."""
+    def _slopes(self, rows: slice) -> dict[str, Array]:
+        """The effect (m, 3) in the usable ones of the rows, each uncertain shape of it a step further."""
+        shapes = {shape.name: shape for shape in self.effect.term.shape}
+        moved = {n: self.effect.term.with_values(**{n: shapes[n].value + step}) for n, step in self._steps.items()}
+        return {name: self._columns(rows, term, name) @ self.effect.beta for name, term in moved.items()}
+
+    def _steps_of_shapes(self) -> dict[str, float]:
+        """Steps over which the effect is straight in its uncertain shapes; moments and secants have rules of their own.
+
+        One of an hour's rows where the recording has no time.
+        """
+        t_s, u = self._time(slice(None)), {p.name: p.u for p in self._record.parameters}
+        if len(t_s) < 2 or not t_s[-1] > t_s[0]:
+            t_s = np.linspace(0.0, 3600.0, 3601)
+        searched = [s for s in self.effect.term.shape if s.kind.found_by not in ("changepoints", "own secant")]
+        steps = {s.name: s.step(t_s) for s in searched if u[s.name] > 0}
+        return {name: step for name, step in steps.items() if np.isfinite(step) and step > 0}
+
+    def _columns(self, rows: slice, term: Term, variant: str = "") -> Array:
+        """A term's columns in the usable ones of the rows; what it leaves is where that variant goes on from."""
         around = self._near(rows) if self._reach_s and not self.at_once else rows
         while True:
             usable = self._usable(around)
             first, last = rows.start - around.start, rows.stop - around.start
             before, own = int(usable[:first].sum()), int(usable[first:last].sum())
-            past = Past(own, self._left)
-            columns = self.effect.term.columns(self._scene(around, usable, past))
+            past = Past(own, self._left.get(variant, {}))
+            columns = term.columns(self._scene(around, usable, past))
             if not self._beyond(around.stop, past.until_s):
-                self._left = past.after
+                self._left[variant] = past.after
                 return columns[before : before + own]
             around = slice(rows.start, int(np.searchsorted(self._time(slice(None)), past.until_s, side="right")))
 

@@ -15,11 +15,15 @@ from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "calibration-1.json"
+GOLDEN_2 = GOLDEN.with_name("calibration-2.json")
 # fmt: off
 CONTRACT_FIELDS = {
     "format", "run_id", "simulated", "dut", "K", "k_nT", "covariance", "frame_known", "effects", "findings",
     "validity", "span_s", "metrics", "instruments", "run_sha256", "cage_sha256", "supersedes", "software", "operator",
     "approvers",
+}
+ADDED_FIELDS = {
+    "covariance_of", "k_at", "budget", "not_covered", "specification", "made_by", "chain", "number", "issued_utc",
 }
 EFFECT_FIELDS = {
     "effect", "channels", "reference_value", "belongs_to", "provisional", "parameters", "holdout_rms_before_nT",
@@ -30,7 +34,8 @@ EFFECT_FIELDS = {
 
 def test_file_has_exactly_the_contract_s_fields(calibration: Calibration):
     stated = json.loads(calibration_bytes(calibration))
-    assert set(stated) == CONTRACT_FIELDS
+    assert set(stated) == CONTRACT_FIELDS | ADDED_FIELDS
+    assert set(json.loads(GOLDEN.read_bytes())) == CONTRACT_FIELDS
     assert set(stated["dut"]) == {"serial", "model", "unit", "nominal_nT_per_unit"}
     assert set(stated["validity"]) == {"field_nT", "temperature_C", "modes", "until"}
     assert set(stated["metrics"]) == {"before", "after"}
@@ -41,7 +46,47 @@ def test_file_has_exactly_the_contract_s_fields(calibration: Calibration):
 
 def test_golden_file_reads_and_repeats_byte_for_byte(calibration: Calibration):
     assert calibration_bytes(read_calibration(GOLDEN)) == GOLDEN.read_bytes()
-    assert calibration_bytes(calibration) == GOLDEN.read_bytes()
+    assert calibration_bytes(replace(calibration, format="labcal-calibration/1")) == GOLDEN.read_bytes()
+
+
+def joint(calibration: Calibration) -> Calibration:
+    """As the loop ships it: k is correlated with the current's coefficients."""
+    names = (*calibration.covariance_of, "0:c_x", "0:c_y", "0:c_z")
+    C = np.diag([1e-10] * 9 + [4.0] * 3 + [0.16] * 3)
+    for axis in range(3):
+        C[9 + axis, 12 + axis] = C[12 + axis, 9 + axis] = 0.67 * 2.0 * 0.4
+    return replace(calibration, covariance=C, covariance_of=names, k_at={"i_eps": 0.25}, not_covered=("Ageing.",))
+
+
+def test_the_second_version_holds_one_covariance_of_map_and_effects(calibration: Calibration):
+    assert calibration_bytes(joint(calibration)) == GOLDEN_2.read_bytes()
+    again = read_calibration(GOLDEN_2)
+    assert calibration_bytes(again) == GOLDEN_2.read_bytes()
+    assert again.joint_covariance()[9, 12] == pytest.approx(0.67 * 2.0 * 0.4)
+    assert again.k_means() == "at i_eps = 0.25 A"
+    old = read_calibration(GOLDEN).joint_covariance()
+    assert old.shape == (15, 15)
+    assert old[12, 12] == pytest.approx(0.16)
+    assert not old[:12, 12:].any()
+
+
+@pytest.mark.parametrize(
+    ("change", "where"),
+    [
+        (lambda s: s["covariance_of"].__setitem__(12, "1:c_x"), "covariance_of: .*1:c_x is not there"),
+        (lambda s: s["covariance_of"].__setitem__(0, "k_x"), "covariance_of: names one thing twice"),
+        (lambda s: s["covariance_of"].pop(), "covariance: has 15 rows for 14 names"),
+        (lambda s: s["covariance"].pop(), "covariance: is not square"),
+        (lambda s: s.update(made_by={"command": "fit"}), "made_by"),
+    ],
+)
+def test_a_covariance_that_does_not_say_of_what_is_refused(
+    calibration: Calibration, change: Callable[[dict[str, Any]], object], where: str
+):
+    stated = json.loads(calibration_bytes(joint(calibration)))
+    change(stated)
+    with pytest.raises(InputError, match=where):
+        parse_calibration(json.dumps(stated).encode())
 
 
 def test_bytes_are_canonical_json(calibration: Calibration):
@@ -77,7 +122,7 @@ def put(*steps: Any, value: Any) -> Callable[[dict[str, Any]], None]:
 @pytest.mark.parametrize(
     ("change", "where"),
     [
-        (put("format", value="labcal-calibration/2"), "format"),
+        (put("format", value="labcal-calibration/3"), "format"),
         (put("novelty", value=1), "novelty"),
         (put("\x1b[2J", value=1), r"'\\x1b\[2J'"),
         (put("effects", 0, "parameters", 1, "u", value=-1), r"effects\[0\]\.parameters\[1\]\.u"),

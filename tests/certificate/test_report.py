@@ -17,12 +17,12 @@ from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.figures import coverage
 from labcal.certificate.report.html import html
 from labcal.certificate.report.style import decimals_for, number
-from labcal.certificate.report.unstated import not_stated
 from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.fit import Fit
 from labcal.model import AffineMap, Calibration
 from labcal.record import Channel, Dut, Reference, Run, Segment
+from labcal.uncertainty.unstated import not_stated
 
 NOW = datetime(2026, 11, 21, tzinfo=UTC)
 

@@ -266,3 +266,29 @@ def test_where_k_belongs_to_rows_without_a_mode_they_are_known() -> None:
     found = apply(cal, readings(mode=np.full(len(FIELD), "")))
     assert set(found.flags) == {""}
     assert found.u_nT.max() < 20
+
+
+def test_a_correlation_of_k_with_a_current_s_coefficient_is_in_the_uncertainty() -> None:
+    record = effect("offset-current", ("i",), {"i": 0.5}, c_x=(90, 4.0), c_y=(0, 4.0), c_z=(0, 4.0))
+    C = np.diag([0.0] * 9 + [9.0] * 3 + [16.0] * 3)
+    for axis in range(3):
+        C[9 + axis, 12 + axis] = C[12 + axis, 9 + axis] = 0.67 * 3.0 * 4.0
+    names = (*calibration().covariance_of, "0:c_x", "0:c_y", "0:c_z")
+    noise = NOISE_NT * np.sqrt(np.trace(K @ K.T) / 3)
+    for current in (0.0, 0.5, 1.5):  # b = K m - k - c (i - 0.5)
+        found = apply(
+            calibration(record, covariance=C, covariance_of=names), readings(channels={"i": 0 * TURN + current})
+        )
+        x = current - 0.5
+        assert found.u_nT[0] ** 2 - noise**2 == pytest.approx(9 + 16 * x**2 + 2 * 0.67 * 12 * x)
+
+
+def test_a_shape_s_uncertainty_is_in_that_of_the_field() -> None:
+    t = np.linspace(0.0, 100.0, len(FIELD))
+    wave = {"s_x": (80.0, 0.0), "s_y": (0.0, 0.0), "s_z": (0.0, 0.0), "c_x": (0.0, 0.0), "c_y": (0.0, 0.0)}
+    sure, unsure = (
+        apply(calibration(effect("periodic", f_Hz=(0.05, u), **wave, c_z=(0.0, 0.0))), readings(t_s=t)).u_nT
+        for u in (0.0, 1e-4)
+    )
+    grown = np.sqrt(np.maximum(unsure**2 - sure**2, 0.0)).max()
+    assert grown == pytest.approx(80.0 * 2 * np.pi * 1e-4 * 100.0 / np.sqrt(3), rel=0.1)

@@ -70,11 +70,15 @@ Make = Callable[..., Calibration]
 def calibration(monkeypatch: pytest.MonkeyPatch) -> Make:
     """A calibration with an effect of somebody else's, whose one nonlinear parameter is called `hers`."""
 
-    def make(kernel: Callable[[Term, Scene], np.ndarray], hers: Shape, **stated: object) -> Calibration:
+    def make(
+        kernel: Callable[[Term, Scene], np.ndarray], hers: Shape, u_hers: float = 1.0, **stated: object
+    ) -> Calibration:
         family = Family("hers", "sensor", kernel, lambda run: [], shapes=(hers,), **stated)  # type: ignore[arg-type]
         monkeypatch.setattr(registry, "families", lambda: (family,))
         linear = tuple(Parameter(name, 100.0, U_nT, unit) for name, unit in per_axis("c", "nT"))
-        record = EffectRecord("hers", ("q",), {"q": 0.0}, "sensor", (*linear, Parameter("hers", hers.value, 1.0, "s")))
+        record = EffectRecord(
+            "hers", ("q",), {"q": 0.0}, "sensor", (*linear, Parameter("hers", hers.value, u_hers, "s"))
+        )
         metrics = {"before": {}, "after": {"noise_nT": 10.0}}
         return Calibration(
             run_id="r", simulated=True, dut=Dut("S"), affine=AffineMap(np.eye(3), np.zeros(3)), covariance=None,
@@ -112,9 +116,18 @@ def test_rows_beside_a_moment_are_flagged_and_less_certain_by_half_the_jump(cali
 
 
 def test_rows_whose_channel_is_not_known_so_much_earlier_are_less_certain(calibration: Make) -> None:
-    found = apply(calibration(_late, Shape("hers", 7.0, "s", kind=DELAY)), _readings())
+    found = apply(calibration(_late, Shape("hers", 7.0, "s", kind=DELAY), u_hers=0.0), _readings())
     unsure = found.u_nT > 20.0
     assert np.flatnonzero(unsure).tolist() == [*range(4), *range(100, 104)]
+
+
+def test_where_a_late_channel_changes_an_uncertain_delay_is_in_the_uncertainty(calibration: Make) -> None:
+    known, unknown = (
+        apply(calibration(_late, Shape("hers", 7.0, "s", kind=DELAY), u_hers=u), _readings()).u_nT for u in (0.0, 0.5)
+    )
+    changing = unknown > known + 1.0
+    assert 10 < changing.sum() < 20  # rows between which the load, seven seconds late, is switched
+    assert unknown[changing] == pytest.approx(np.hypot(known[changing], 0.5 * 100 / 2), rel=0.02)
 
 
 @pytest.mark.parametrize("in_pieces", [False, True])

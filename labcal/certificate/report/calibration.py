@@ -11,11 +11,11 @@ import numpy as np
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
 from labcal.certificate.report.style import decimals_for, number, sentence
-from labcal.certificate.report.unstated import not_stated
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.model.effects import find
 from labcal.record import Dut, Run
+from labcal.uncertainty.unstated import not_stated
 
 COVERAGE = 2.0  # coverage factor k of U
 _UNKNOWN_RUN = (
@@ -145,7 +145,7 @@ def _instrument(stated: object) -> str:
 
 def _parameters(c: Calibration) -> list[Block]:
     per_unit = " (nT)" if c.dut.unit == "count" else ""
-    u = None if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance), 0.0))
+    u = None if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance)[:12], 0.0))
     values = np.column_stack([c.affine.K, c.affine.k_nT])
     U = np.full((3, 4), np.nan) if u is None else COVERAGE * np.column_stack([u[:9].reshape(3, 3), u[9:]])
     dK, dk = decimals_for(U[:, :3].ravel(), 7), decimals_for(U[:, 3])
@@ -157,6 +157,7 @@ def _parameters(c: Calibration) -> list[Block]:
     note = (
         f"U is the expanded uncertainty, k = {COVERAGE:.0f} (about 95 %)." if u is not None else "No covariance stated."
     )
+    note += f" k is the offset {c.k_means()}." if c.k_means() else ""
     return [Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note), sensor_figures(c, COVERAGE)]
 
 
@@ -178,7 +179,7 @@ def _validity(c: Calibration) -> Facts:
 
 
 def _not_covered(c: Calibration, run: Run | None) -> tuple[str, ...]:
-    said = list(not_stated(run)) if run else [_UNKNOWN_RUN]
+    said = list(c.not_covered or (not_stated(run) if run else [_UNKNOWN_RUN]))
     if not c.frame_known:
         said.append("The attitude of the sensor in its body: the run does not show it; K is symmetric by convention.")
     if c.covariance is None:

@@ -11,11 +11,11 @@ from labcal.certificate.report.calibration import effect_tables, headline_of, na
 from labcal.certificate.report.figures import segment_bounds, thin
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
 from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence, short
-from labcal.certificate.report.unstated import not_stated
 from labcal.loop.result import ClosedLoop, ResidualTest, Verdict
 from labcal.model import EffectRecord
 from labcal.model.effects import families
 from labcal.record import Run
+from labcal.uncertainty.unstated import not_covered
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase
@@ -56,7 +56,7 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
             section("Tried and not accepted", [_rejected(result.rejected), _not_tried(result)]),
             section("Remarks", [Prose(result.remarks)] if result.remarks else []),
             section("What this run alone can never tell apart", _twins(result)),
-            section("What is not covered", [Prose(not_stated(run))]),
+            section("What is not covered", [Prose(not_covered(run))]),
         ),
         footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes. "
         "U is the expanded uncertainty, k = 2 (about 95 %). A positive offset parameter: the sensor reads high.",

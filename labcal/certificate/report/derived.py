@@ -20,7 +20,9 @@ def sensor_figures(calibration: Calibration, coverage: float) -> Table:
     U = np.full((3, 3), np.nan)
     if calibration.covariance is not None:
         J = _jacobian(theta)
-        U = coverage * np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", J, calibration.covariance, J), 0)).reshape(3, 3)
+        U = coverage * np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", J, calibration.covariance[:12, :12], J), 0)).reshape(
+            3, 3
+        )
     decimals = [decimals_for(row, most) for row, most in zip(U, (7, 3, 4), strict=True)]
     rows = []
     for i, (axis, pair) in enumerate(zip("xyz", ("x–y", "y–z", "z–x"), strict=True)):

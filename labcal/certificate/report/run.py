@@ -17,9 +17,9 @@ from labcal.certificate.report.figures import (
 )
 from labcal.certificate.report.page import Block, Facts, Headline, Page, Plot, Prose, Table, section, sections
 from labcal.certificate.report.style import number
-from labcal.certificate.report.unstated import not_stated
 from labcal.fit import Fit
 from labcal.record import Run, Segment, carry, offers
+from labcal.uncertainty.unstated import not_covered
 
 Array = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ def run_page(run: Run, run_sha256: str, fit: Fit) -> Page:
             section("What the fit leaves", _left(run, residual, labels)),
             section("Segments", [_segments(run)]),
             section("Housekeeping", [_channels(run)]),
-            section("What is not covered", [Prose(not_stated(run))]),
+            section("What is not covered", [Prose(not_covered(run))]),
         ),
         footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes.",
     )

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.autocorrelation import variance_inflation
-from labcal.fit.declared import widen
 from labcal.fit.result import Fit
+from labcal.fit.vector.declared import declared_contributions, residual_beside_declared
 from labcal.fit.vector.identify import Identified, identify
 from labcal.fit.vector.observations import SCALAR, Observations, observe
 from labcal.fit.vector.solve import (
@@ -24,9 +24,10 @@ from labcal.fit.vector.solve import (
     solve,
 )
 from labcal.fit.vector.start import starts
-from labcal.fit.vector.system import Noise, WhiteIn, blocks, evaluate, map_of
+from labcal.fit.vector.system import Noise, WhiteIn, map_of
 from labcal.model import AffineMap
 from labcal.record import Run
+from labcal.uncertainty import Contribution, covariance_of
 
 Array = NDArray[np.float64]
 MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
@@ -84,7 +85,7 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
         method="ml",
         ok=True,
         affine=found.affine,
-        covariance=widen(run, found.affine, found.covariance * _inflation(found), frame_known=frame_known),
+        covariance=found.covariance * _inflation(run, found) + covariance_of(_declared(run, found), 12),
         frame_known=frame_known,
         phase_rad=found.solution.phase,
         noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
@@ -116,12 +117,21 @@ def estimate(
     return Estimate(seen, noise, shape, found, identified, scale)
 
 
-def _inflation(found: Estimate) -> float:
-    """How much correlated residuals widen the covariance; 1 where they are independent."""
-    theta, phase = found.solution.theta, found.solution.phase
-    parts = [evaluate(part, noise, theta, phase).residual for _, part, noise in blocks(found.observations, found.noise)]
-    residual = np.sqrt(found.solution.weight)[:, None] * np.concatenate(parts)
-    return variance_inflation(residual, found.observations.segment)
+def _declared(run: Run, found: Estimate) -> tuple[Contribution, ...]:
+    return declared_contributions(run, found.observations, found.noise, found.parameterisation, found.solution)
+
+
+def _inflation(run: Run, found: Estimate) -> float:
+    """How much correlated residuals widen the covariance, declared errors set apart; 1 where they are independent.
+
+    Residuals that declared errors enlarged have widened it already: that is taken back as far as the declared noise.
+    """
+    parts = found.observations, found.noise, found.parameterisation, found.solution
+    residual, left = residual_beside_declared(run, *parts)
+    share = float(np.sum(left**2) / max(np.sum(residual**2), 1e-300))
+    if run.dut.noise_nT is not None:
+        share = max(share, 1 / found.scale**2)
+    return share * variance_inflation(left, found.observations.segment)
 
 
 def _require_excitation(seen: Observations, shape: Parameterisation) -> None:

@@ -274,6 +274,7 @@ class CalibrationFile:
     dut: Dut
     K: Matrix
     k_nT: tuple[float, ...]
+    k_means: str  # what k belongs to, as "at i_eps = 0.0532 A"
     u: tuple[float, ...] | None
     effects: tuple[EffectRecord, ...]
     findings: tuple[EffectRecord, ...]

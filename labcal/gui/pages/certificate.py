@@ -240,7 +240,8 @@ class CertificatePage(QWidget):
         K = [v for row in one.K for v in row]
         gain = f"nT/{one.dut.unit}"
         rows = [
-            (f"k {axis}", value, u[9 + n], "nT") for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
+            (f"k {axis} {one.k_means}".rstrip(), value, u[9 + n], "nT")
+            for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
         ]
         names = [f"K {a}{b}" for a in "xyz" for b in "xyz"]
         rows += [(name, value, s, gain) for name, value, s in zip(names, K, u, strict=False)]

@@ -34,7 +34,7 @@ def noise_spectrum(transformed: Array, y: Array) -> tuple[Bands, Array]:
 
 def weighted_gram(transformed: Array, bands: Bands, weight: Array) -> Array:
     """Σ_k weight_k G_k (b, b) over the bands, for transformed columns (n, q, b)."""
-    return np.asarray(np.tensordot(weight, _grams(transformed, bands), axes=1))
+    return np.asarray(np.tensordot(weight, grams_of_bands(transformed, bands), axes=1))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,7 +70,7 @@ class NullModel:
         both = np.concatenate([columns, y], axis=2)
         columns = both[:, :, :-1]
         columns /= np.maximum(np.sqrt(np.einsum("nqb,nqb->b", columns, columns)), 1e-300)
-        total = np.tensordot(1.0 / bands.spectra, _grams(both, bands), axes=1)
+        total = np.tensordot(1.0 / bands.spectra, grams_of_bands(both, bands), axes=1)
         A, b, yy = total[:, :-1, :-1], total[:, :-1, -1:], total[:, -1, -1]
         diagonal = np.einsum("tii->ti", A)
         diagonal += RIDGE * diagonal.sum(axis=1, keepdims=True)
@@ -166,7 +166,7 @@ def _explained_within(schur: Array, xty: Array, new: NDArray[np.bool_]) -> Array
     return np.asarray(np.sum(xty * np.linalg.solve(system, xty), axis=(2, 3)))
 
 
-def _grams(columns: Array, bands: Bands) -> Array:
+def grams_of_bands(columns: Array, bands: Bands) -> Array:
     """Gram matrices (bands, p, p) of columns (n, q, p)."""
     parts = [columns[a:b].reshape(-1, columns.shape[2]) for a, b in itertools.pairwise(bands.edges)]
     return np.stack(

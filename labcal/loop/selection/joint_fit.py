@@ -32,6 +32,7 @@ class JointFit:
     terms: tuple[Term, ...]
     beta: tuple[Array, ...]  # of each term
     covariance: Array  # of the base's coordinates, phases, betas and searched parameters, coloured noise included
+    used: NDArray[np.bool_]  # (n,) the rows of the fit
 
     def effects(self, scene: Scene) -> Array | float:
         """Σ e (n, 3) [nT]."""
@@ -51,9 +52,10 @@ class JointFit:
         y = sum((here.columns(term) @ b for term, b in zip(self.terms, self.beta, strict=True)), here.y)
         return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + effects)
 
-    def parameters(self) -> tuple[tuple[Parameter, ...], ...]:
-        """The parameters of each effect with their standard uncertainties."""
-        u = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))[self.problem.T.shape[2] :]
+    def parameters(self, covariance: Array | None = None) -> tuple[tuple[Parameter, ...], ...]:
+        """The parameters of each effect with their standard uncertainties, by `covariance` or that of the noise."""
+        of = self.covariance if covariance is None else covariance
+        u = np.sqrt(np.maximum(np.diag(of), 0.0))[self.problem.T.shape[2] :]
         linear = sum(len(b) for b in self.beta)
         by_slope, t_s = iter(u[linear:].tolist()), self.problem.scene.t_s
         out, at = [], 0
@@ -89,7 +91,7 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
         here, terms, beta = there
         if _negligible(A, step):
             break
-    return JointFit(here, terms, beta, _covariance(here, terms, beta, used))
+    return JointFit(here, terms, beta, _covariance(here, terms, beta, used), used)
 
 
 def _line_search(
@@ -194,14 +196,26 @@ def _covariance(
     here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], used: NDArray[np.bool_]
 ) -> Array:
     """A⁻¹ (Σ S_k G_k) A⁻¹ for plain least squares under the noise spectrum S that the residual shows."""
-    shapes = [_nonlinear_slopes(term, b, here) for term, b in zip(terms, beta, strict=True)]
-    columns = [here.columns(term) for term in terms]
-    parts = np.concatenate([here.T, *columns, *(s for s in shapes if s.shape[2])], axis=2)[used]
-    moved = cosine_transform(parts)
+    moved = cosine_transform(_derivatives(here, terms, beta, used))
     bands, spectrum = noise_spectrum(moved, here.y[used])
     A = weighted_gram(moved, bands, np.ones_like(spectrum))
     inverse = inverse_gram(A, here.T.shape[2], _min_new_share(here, terms, beta, used))
     return np.asarray(inverse @ weighted_gram(moved, bands, spectrum) @ inverse)
+
+
+def derivatives(found: JointFit) -> tuple[Array, Array]:
+    """The whitened residual's derivatives (n, q, p) by all parameters, and the inverse (p, p) of their Gram matrix."""
+    here, terms, beta, used = found.problem, found.terms, found.beta, found.used
+    A = _derivatives(here, terms, beta, used)
+    flat = A.reshape(-1, A.shape[2])
+    return A, inverse_gram(flat.T @ flat, here.T.shape[2], _min_new_share(here, terms, beta, used))
+
+
+def _derivatives(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> Array:
+    """The whitened residual's derivatives (n, q, p) on the rows used: base, phases, betas, searched parameters."""
+    shapes = [_nonlinear_slopes(term, b, here) for term, b in zip(terms, beta, strict=True)]
+    columns = [-here.columns(term) for term in terms]
+    return np.concatenate([here.T, *columns, *(-s for s in shapes if s.shape[2])], axis=2)[used]
 
 
 def _nonlinear_slopes(term: Term, beta: Array, here: LinearProblem) -> Array:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from labcal.record import Reference, Run
 
+ALL_COVERED = "All that the run states of its reference and mounting is covered."
+
 
 def not_stated(run: Run) -> tuple[str, ...]:
     """One sentence each for the reference, the mounting and the angle; never empty."""
@@ -14,7 +16,20 @@ def not_stated(run: Run) -> tuple[str, ...]:
         said.append(f"Of the reference, because the run does not state it: {', '.join(left)}.")
     if any(segment.u_axis_body_deg is None for segment in run.segments if segment.axis_body is not None):
         said.append("Frame as mounted; mounting uncertainty not included.")
-    return tuple(said) or ("All that the run states of its reference and mounting is covered.",)
+    return tuple(said) or (ALL_COVERED,)
+
+
+def not_covered(run: Run) -> tuple[str, ...]:
+    """What the uncertainties of this run's results do not cover, one sentence each."""
+    if run.reference.kind == "none":
+        return not_stated(run)
+    said = list(not_stated(run))
+    if said == [ALL_COVERED]:
+        said = []
+    if run.reference.place != "dut":
+        said.append("The field's gradient between the reference and the device.")
+    said.append("The reference's temperature, and its drift since its own calibration.")
+    return tuple(said)
 
 
 def _of_the_reference(reference: Reference) -> list[str]:

@@ -1,0 +1,80 @@
+"""What each error that a run declares does to the map that was fitted to it: the shift of the same least squares."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.vector.observations import SCALAR, Observations, observe
+from labcal.fit.vector.solve import Parameterisation, Solution
+from labcal.fit.vector.system import Noise, blocks, evaluate, normal
+from labcal.record import Run
+from labcal.uncertainty import Contribution, DeclaredError, declared_errors
+
+Array = NDArray[np.float64]
+
+
+def declared_contributions(
+    run: Run, seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution
+) -> tuple[Contribution, ...]:
+    """A contribution for each declared error; its shift (12,) is of K row by row, then k, in the DUT's unit.
+
+    Another reference or attitude changes the gradient of the loss by dg; least squares with the same weights then
+    moves by -N^-1 dg, with the phases free and no more of the error in the map than the form can take up.
+    """
+    q, unit = parameterisation.basis.shape[1], np.r_[np.full(9, 1 / seen.scale), np.ones(3)]
+    out = []
+    for error, _, step in _moved(run, seen, noise, parameterisation, found):
+        shift = unit * (parameterisation.basis @ step[:q])
+        out.append(Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift))
+    return tuple(out)
+
+
+def residual_beside_declared(
+    run: Run, seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution
+) -> tuple[Array, Array]:
+    """The weighted residual (n, 3) [nT], and what no declared error, the map fitted beside it, could have left.
+
+    What they left is no noise: it is in the uncertainty as theirs.
+    """
+    q, weight = parameterisation.basis.shape[1], np.sqrt(found.weight)[:, None]
+    here = weight * _residual(seen, noise, found.theta, found.phase)
+    left = [
+        weight * _residual(there, noise, found.theta + parameterisation.basis @ step[:q], found.phase + step[q:]) - here
+        for _, there, step in _moved(run, seen, noise, parameterisation, found)
+    ]
+    if not left:
+        return here, here
+    D = np.stack([part.ravel() for part in left], axis=1)
+    return here, np.asarray(here - (D @ np.linalg.lstsq(D, here.ravel(), rcond=1e-9)[0]).reshape(-1, 3))
+
+
+def _moved(
+    run: Run, seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution
+) -> Iterator[tuple[DeclaredError, Observations, Array]]:
+    """Each declared error, the rows with it, and the step (q + phases,) that the solution takes."""
+    as_scalar, here = bool((seen.kind == SCALAR).all()), _gradient(seen, noise, parameterisation, found)
+    for error in declared_errors(run):
+        there = observe(error.change(run), as_scalar=as_scalar)
+        yield error, there, _solved(found.normal, here - _gradient(there, noise, parameterisation, found))
+
+
+def _residual(seen: Observations, noise: Noise, theta: Array, phase: Array) -> Array:
+    return np.concatenate([evaluate(part, of, theta, phase).residual for _, part, of in blocks(seen, noise)])
+
+
+def _gradient(seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution) -> Array:
+    """Of the loss at `found`, weights as found (q + phases,)."""
+    total = np.zeros(12 + len(found.phase))
+    for rows, part, part_noise in blocks(seen, noise):
+        at = evaluate(part, part_noise, found.theta, found.phase)
+        total += normal(part, at, found.weight[rows])[1]
+    return np.concatenate([parameterisation.basis.T @ total[:12], total[12:]])
+
+
+def _solved(N: Array, g: Array) -> Array:
+    """N^-1 g with all parameters at unit length; directions that nothing determines do not move."""
+    scale = np.sqrt(np.maximum(np.diag(N), 1e-300))
+    return np.asarray(np.linalg.lstsq(N / np.outer(scale, scale), g / scale, rcond=1e-13)[0] / scale)

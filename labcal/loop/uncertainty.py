@@ -1,0 +1,97 @@
+"""The uncertainty of what the loop states: the noise that the residual shows, and all errors that the run declares."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.fit.vector.observations import SCALAR, observe
+from labcal.fit.vector.system import evaluate
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.bounded import bounded_spectrum
+from labcal.loop.noise.coloured import weighted_gram
+from labcal.loop.selection.joint_fit import JointFit, derivatives
+from labcal.model.affine import MAP_PARAMETERS
+from labcal.uncertainty import Contribution, DeclaredError, covariance_of, declared_errors
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Uncertainty:
+    """Of a joint fit's parameters in their order: base's coordinates, phases, betas, searched parameters."""
+
+    of_noise: Array  # (p, p)
+    declared: tuple[Contribution, ...]
+
+    @property
+    def covariance(self) -> Array:
+        """All together (p, p)."""
+        return np.asarray(self.of_noise + covariance_of(self.declared, len(self.of_noise)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OfTheFile:
+    """The joint covariance of what a calibration file ships, and the names of its parameters in their order."""
+
+    covariance: Array  # (p, p) K row by row [nT per DUT unit], k [nT], then effects' parameters
+    names: tuple[str, ...]
+
+
+def of_the_file(found: JointFit, uncertain: Uncertainty, of_the_sensor: Sequence[bool]) -> OfTheFile:
+    """Of the map and of the terms that are the sensor's; of a moment its own uncertainty, as it is no slope."""
+    p = found.problem
+    q, start, shape = p.parameterisation.basis.shape[1], p.T.shape[2], p.T.shape[2] + sum(map(len, found.beta))
+    stated = found.parameters(uncertain.covariance)
+    names, places, moments, number = list(MAP_PARAMETERS), list[int](), dict[int, float](), 0
+    for term, parameters, sensor in zip(found.terms, stated, of_the_sensor, strict=True):
+        u = {one.name: one.u for one in parameters}
+        linear = [(name, start + i) for i, (name, _) in enumerate(term.parameters)]
+        searched = [(s.name, shape + i) for i, s in enumerate(s for s in term.shape if s.grid)]
+        start, shape = start + len(linear), shape + len(searched)
+        if not sensor:
+            continue
+        for name, place in (*linear, *searched):
+            if (moment := term.found_by("changepoints")) is not None and moment.name == name:
+                moments[len(names)] = u[name]
+            names.append(f"{number}:{name}")
+            places.append(place)
+        number += 1
+    B = np.zeros((len(names), len(uncertain.of_noise)))
+    B[:12, :q] = p.parameterisation.basis * np.r_[np.full(9, 1 / p.observations.scale), np.ones(3)][:, None]
+    B[np.arange(12, len(names)), places] = 1.0
+    B[list(moments)] = 0.0
+    C = B @ uncertain.covariance @ B.T
+    C[list(moments), list(moments)] = np.square(list(moments.values()))
+    return OfTheFile(np.asarray((C + C.T) / 2), tuple(names))
+
+
+def uncertainty_of(found: JointFit) -> Uncertainty:
+    """The uncertainty of a fit: coloured noise, and the shift of the same least squares by each declared error."""
+    A, inverse = derivatives(found)
+    errors = declared_errors(found.problem.run)
+    D = np.stack([np.zeros_like(A[:, :, 0]), *(_changed(found, error) for error in errors)], axis=2)[:, :, 1:]
+    shifts = -inverse @ np.einsum("nqp,nqd->pd", A, D)
+    contributions = [
+        Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift)
+        for error, shift in zip(errors, shifts.T, strict=True)
+    ]
+    return Uncertainty(_of_noise(found, A, inverse, D), tuple(contributions))
+
+
+def _changed(found: JointFit, error: DeclaredError) -> Array:
+    """What one standard deviation of an error changes of the whitened residual (n, q) on the rows of the fit."""
+    p = found.problem
+    there = observe(error.change(p.run), as_scalar=bool((p.observations.kind == SCALAR).all()))
+    moved = evaluate(there, p.noise, p.theta, p.phase, found.effects(p.scene)).residual - p.residual_nT
+    return np.asarray(np.einsum("nqj,nj->nq", p.whiten, moved)[found.used])
+
+
+def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> Array:
+    """A^+ S A^+ᵀ with the bounded spectrum S of the residual; what declared errors D left in it is no noise."""
+    moved = cosine_transform(np.concatenate([A, D], axis=2))
+    bands, spectrum = bounded_spectrum(moved, cosine_transform(found.problem.y[found.used]))
+    return np.asarray(inverse @ weighted_gram(moved[:, :, : len(inverse)], bands, spectrum) @ inverse)

@@ -1,0 +1,100 @@
+"""What a run declares moves the fitted parameters as the same fit of the run that it would have been."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from wrong_lab import Declared
+
+from labcal.fit.declared import widen
+from labcal.fit.vector.declared import declared_contributions
+from labcal.fit.vector.ml import estimate
+from labcal.loop.close import prepare
+from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.uncertainty import uncertainty_of
+from labcal.model import AffineMap
+from labcal.model.effects import family
+from labcal.record import Run
+from labcal.uncertainty import declared_errors
+
+DECLARED = Declared(scale_ppm=400.0, zero_nT=30.0, align_deg=0.2, body_deg=0.25)
+
+
+def _parameters(found: JointFit) -> np.ndarray:
+    return np.concatenate(
+        [found.problem.parameterisation.nearest(found.problem.theta), found.problem.phase, *found.beta]
+    )
+
+
+def _fitted(run: Run) -> JointFit:
+    term = family("offset-current").candidates(run)[0]
+    return joint_fit(prepare(run)[0], [term])
+
+
+def test_every_declared_error_moves_the_loop_s_map_and_effect_as_a_fit_of_the_run_it_would_have_been(recorded) -> None:
+    run, _ = recorded(1, DECLARED, coupled=True, rows=24)
+    run = replace(run, reference=replace(run.reference, u_time_s=0.02))
+    found = _fitted(run)
+    contributions = uncertainty_of(found).declared
+    errors = declared_errors(run)
+    assert [c.source for c in contributions] == [e.source for e in errors]
+    assert len(errors) == 1 + 3 + 3 + 3 + 1
+    u = np.sqrt(np.diag(found.covariance))
+    for error, contribution in zip(errors, contributions, strict=True):
+        moved = _parameters(_fitted(error.change(run))) - _parameters(found)
+        away = moved - contribution.shift
+        assert np.abs(away / u).max() < 0.02 * np.abs(moved / u).max() + 0.05, error.source
+
+
+@pytest.mark.parametrize("kind", ["vector", "scalar"])
+def test_every_declared_error_moves_the_fit_as_a_fit_of_the_run_it_would_have_been(recorded, kind: str) -> None:
+    run, _ = recorded(2, replace(DECLARED, kind=kind), rows=24)
+    found = estimate(run, robust=False)
+    parts = found.observations, found.noise, found.parameterisation, found.solution
+    u = np.sqrt(np.diag(found.covariance))
+    contributions = declared_contributions(run, *parts)
+    assert len(contributions) == (10 if kind == "vector" else 5)
+    for error, contribution in zip(declared_errors(run), contributions, strict=True):
+        moved = estimate(error.change(run), robust=False).affine.parameters - found.affine.parameters
+        assert np.abs((moved - contribution.shift) / u).max() < 0.02 * np.abs(moved / u).max() + 0.05, error.source
+
+
+def test_a_turn_in_the_body_and_a_scale_are_what_they_are_in_closed_form(recorded) -> None:
+    run, _ = recorded(3, Declared(scale_ppm=400.0, body_deg=0.25), rows=24)
+    found = estimate(run, robust=False)
+    parts = found.observations, found.noise, found.parameterisation, found.solution
+    new = sum(np.outer(c.shift, c.shift) for c in declared_contributions(run, *parts))
+    old = widen(run, found.affine, np.zeros((12, 12)), frame_known=True)
+    size = np.sqrt(np.diag(old))
+    assert np.allclose(new / np.outer(size, size), old / np.outer(size, size), atol=0.05)
+
+
+def test_a_magnitude_s_zero_is_a_larger_field(recorded) -> None:
+    run, _ = recorded(4, Declared(zero_nT=300.0, kind="scalar"), rows=24)
+    found = estimate(run, robust=False)
+    (contribution,) = declared_contributions(
+        run, found.observations, found.noise, found.parameterisation, found.solution
+    )
+    by_scalars = widen(run, found.affine, np.zeros((12, 12)), frame_known=False)
+    assert np.allclose(by_scalars, np.outer(contribution.shift, contribution.shift), atol=0.1 * by_scalars.max())
+    F, b = run.magnitude_nT, found.affine.apply(run.reading)
+    more = AffineMap.from_parameters(found.affine.parameters + contribution.shift).apply(run.reading)
+    larger = np.linalg.norm(more, axis=1) / np.linalg.norm(b, axis=1) - 1
+    assert larger == pytest.approx(300.0 * F.sum() / (F @ F), rel=0.05)  # what a gain can take up of it
+
+
+@pytest.mark.parametrize("stated", [{"u_scale_ppm": 5000.0}, {"u_offset_nT": 300.0}])
+def test_a_reference_declared_a_hundred_times_worse_is_in_map_and_effect(
+    recorded: Callable[..., tuple[Run, object]], stated: dict[str, float]
+) -> None:
+    run, _ = recorded(5, Declared(scale_ppm=50.0, zero_nT=3.0), coupled=True, rows=24)
+    worse = replace(run, reference=replace(run.reference, **stated))
+    before, after = (_fitted(r) for r in (run, worse))
+    wide = {r: uncertainty_of(fit) for r, fit in (("before", before), ("after", after))}
+    u = {when: np.sqrt(np.diag(of.covariance)) for when, of in wide.items()}
+    map_or_k = [0, 4, 8] if "u_scale_ppm" in stated else [9, 10, 11]
+    assert np.all(u["after"][map_or_k] > 10 * u["before"][map_or_k])
+    assert np.allclose(before.covariance, after.covariance, rtol=1e-6)
