@@ -98,7 +98,7 @@ def test_one_look_at_a_line_that_floods_takes_little(monkeypatch: pytest.MonkeyP
         until(lambda: bool(link.receive(0.0)))
         assert sum(len(data) for _, data in ended(lambda: link.receive(0.0))) < 2 * wired.LOOK_BYTES
         for _ in range(50):
-            link._look()
+            link.look()
         assert link._unread <= most + wired.LOOK_BYTES
         assert sum(len(data) for _, data in link._arrived) == link._unread
 

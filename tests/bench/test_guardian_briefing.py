@@ -85,7 +85,8 @@ def test_off_by_a_file_that_no_guardian_knows_names_the_bench_that_one_drives(la
     other.write_text("half [edited")
     done = off(other)
     assert done.returncode == 2
-    assert f"a guardian drives the bench of {lab.file}" in done.stdout + done.stderr
+    assert "a guardian drives the bench of" in done.stdout + done.stderr  # and perhaps another one, of a test beside
+    assert str(lab.file) in done.stdout + done.stderr
     round_ = lab.file.with_name("round.toml")
     round_.symlink_to(round_)
     done = off(round_)

@@ -32,8 +32,8 @@ def names(monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
             raise socket.gaierror
         return NAMES[name]
 
-    monkeypatch.setattr(hosts, "_resolve", resolve)
-    monkeypatch.setattr(hosts, "_names", hosts._Names())
+    monkeypatch.setattr(hosts, "resolve", resolve)
+    monkeypatch.setattr(hosts, "known_names", hosts.KnownNames())
     yield back
     back.set()
 
@@ -70,7 +70,7 @@ def test_a_port_that_one_link_has_is_no_others_by_another_name() -> None:
 
 
 def test_names_that_nobody_answers_for_cost_a_second_all_together(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(hosts, "_names", names := hosts._Names())
+    monkeypatch.setattr(hosts, "known_names", names := hosts.KnownNames())
     names._left_s = 0.2
     begun = time.monotonic()
     for _ in range(20):
@@ -85,7 +85,7 @@ def test_names_that_nobody_answers_for_cost_a_second_all_together(monkeypatch: p
 def test_a_name_that_has_an_address_later_is_found(monkeypatch: pytest.MonkeyPatch, names: threading.Event) -> None:
     monkeypatch.setattr(hosts, "AGAIN_S", 0.0)
     monkeypatch.setattr(hosts, "PATIENCE_S", 0.05)
-    hosts._names._left_s = 0.05
+    hosts.known_names._left_s = 0.05
     assert hosts.one_of("late.lab") == "late.lab"
     names.set()
     monkeypatch.setitem(NAMES, "late.lab", ["192.0.2.9"])
@@ -100,7 +100,7 @@ def test_a_doubt_stays_where_a_supply_gets_another_address(monkeypatch: pytest.M
     StoredDoubt(links).set(Doubt("2026-01-01 00:00 UTC", "12 nT too much"))
     assert StoredDoubt(["tcp://192.0.2.7:9221", links[1]]).doubt is not None
     monkeypatch.setitem(NAMES, "supply-x.lab", ["192.0.2.99"])
-    monkeypatch.setattr(hosts, "_names", hosts._Names())
+    monkeypatch.setattr(hosts, "known_names", hosts.KnownNames())
     again = StoredDoubt(links)
     assert again.doubt is not None
     again.lift("both agree")

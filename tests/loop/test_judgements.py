@@ -95,7 +95,7 @@ def test_a_second_cause_takes_a_twelfth_of_what_is_left(
 def test_effects_together_take_most_of_the_excess(
     monkeypatch: pytest.MonkeyPatch, name: str, takes: float, enough: bool
 ) -> None:
-    monkeypatch.setattr(heldout_rules, "_follows_a_switch", lambda pool, candidate: candidate == "load")
+    monkeypatch.setattr(heldout_rules, "follows_a_switch", lambda pool, candidate: candidate == "load")
     excess = 99.0 * 100.0**2  # of 1000 nT over a floor of 100 nT
     error: Any = SimpleNamespace(before=1000.0, after=(1000.0**2 - takes * excess) ** 0.5)
     pool: Any = None

@@ -29,6 +29,8 @@ def spawn(bench: Briefing, *options: str) -> subprocess.Popen[bytes]:
     assert child.stdin is not None
     with suppress(OSError):  # it has ended already; that is seen elsewhere
         os.write(child.stdin.fileno(), bench.line())
+    if STANDBY not in options:
+        child.stdin.close()
     _started[:] = [started for started in _started if started.poll() is None] + [child]
     return child
 

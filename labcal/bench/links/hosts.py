@@ -35,11 +35,11 @@ class _Lookup:
 
     def _ask(self, name: str) -> None:
         with suppress(OSError, UnicodeError):
-            self.addresses = tuple(dict.fromkeys(_resolve(name)))
+            self.addresses = tuple(dict.fromkeys(resolve(name)))
         self.answered.set()
 
 
-class _Names:
+class KnownNames:
     """What has been asked, and the patience that is left."""
 
     def __init__(self) -> None:
@@ -63,7 +63,7 @@ class _Names:
         self._lookups.pop(name, None)
 
 
-_names = _Names()
+known_names = KnownNames()
 
 
 def one_of(host: str) -> str:
@@ -78,12 +78,12 @@ def addresses(host: str) -> tuple[str, ...]:
     if name in ANY or name == "localhost" or name.endswith(".localhost"):
         return HERE, HERE_6
     literal = _literal(name)
-    return (literal,) if literal else _names.addresses(name)
+    return (literal,) if literal else known_names.addresses(name)
 
 
 def forget(host: str) -> None:
     """Nobody answered there: look its name up again the next time."""
-    _names.forget(_plain(host))
+    known_names.forget(_plain(host))
 
 
 def _plain(host: str) -> str:
@@ -101,7 +101,8 @@ def _literal(name: str) -> str:
     return ""
 
 
-def _resolve(name: str) -> list[str]:
+def resolve(name: str) -> list[str]:
+    """The addresses of a name, as this computer looks them up. Raises OSError."""
     return [str(found[4][0]) for found in socket.getaddrinfo(name, None, type=socket.SOCK_STREAM)]
 
 

@@ -68,7 +68,7 @@ class WiredLink:
         self._give_back_port: Callable[[], None] = lambda: None
         self._failure: OSError | None = None
         self.reopen()
-        clock.while_waiting(self._look)
+        clock.while_waiting(self.look)
 
     def reopen(self) -> None:
         """Open the port, again where it was lost. Who asks must then ask the instrument who it is."""
@@ -99,7 +99,7 @@ class WiredLink:
     def receive(self, until_s: float) -> list[tuple[float, bytes]]:
         """All that arrives up to `until_s`, in pieces stamped at their first byte."""
         self._clock.wait_until(until_s)
-        self._look()
+        self.look()
         if self._port is None and not self._arrived:
             raise self._lost(self._failure)
         pieces, self._arrived, self._unread = self._arrived, [], 0
@@ -129,7 +129,7 @@ class WiredLink:
         self._give_back_port()
         self._give_back_port = lambda: None
 
-    def _look(self) -> None:
+    def look(self) -> None:
         """Take in what has arrived, or the first of it where that is much: the next look takes the next.
 
         A line that is lost is told to whoever uses it next, not to who waits now.

@@ -118,12 +118,12 @@ def explains_excess(
     weather, but not a load that somebody switches.
     """
     excess = cv_error.before**2 - level.nT**2
-    law, switched = policy.POLICY, all(_follows_a_switch(pool, c) for c in accepted)
+    law, switched = policy.POLICY, all(follows_a_switch(pool, c) for c in accepted)
     share = law.min_explained_by_switches if switched else law.min_explained
     return cv_error.after <= law.floor_ratio * level.nT or cv_error.before**2 - cv_error.after**2 > share * excess
 
 
-def _follows_a_switch(pool: CandidateSet, candidate: Candidate) -> bool:
+def follows_a_switch(pool: CandidateSet, candidate: Candidate) -> bool:
     """Whether the effect follows channels, none of them one that moves slowly by itself."""
     names, run = candidate.term.channels, pool.whole.run
     return bool(names) and all(run.channel(name).quantity not in WEATHER for name in names)
