@@ -101,7 +101,7 @@ def _negated(self: Probe) -> Probe:
     return Probe.of(-float(self), {move: -value for move, value in self.if_moved.items()}, self.note)
 
 
-Probe.__neg__ = _negated  # type: ignore[method-assign]
+Probe.__neg__ = _negated  # type: ignore[method-assign]  # float's own would forget the moves
 for _name in ("lt", "le", "gt", "ge"):
     setattr(Probe, f"__{_name}__", _compared(getattr(operator, _name)))
 for _name in ("add", "sub", "mul", "truediv", "pow"):
@@ -207,6 +207,7 @@ def _key(value: Any) -> Any:
 @cache
 def watch_the_loop() -> tuple[Watch, Kept]:
     """The loop with its policy watched and its results kept; in this process, for good."""
+    # what is ignored below is meant: everything is replaced by itself, watched, and this process does nothing else
     watch = Watch()
     kept = Kept(watch)
     policy.POLICY = watch  # type: ignore[assignment]

@@ -82,10 +82,10 @@ def _apply_to_another_recording(making: Making, closed: Path) -> None:
 
 def test_the_window_draws_it_against_what_it_says(making: Making, tmp_path: Path, iron_core: None) -> None:
     bundle = str(making.written(tmp_path / "run", *_saturating(making)))
-    said = study_commands.loop(_Quiet(), CloseLoop(bundle))  # type: ignore[arg-type]
+    said = study_commands.loop(_Quiet(), CloseLoop(bundle))  # type: ignore[arg-type]  # a channel nobody hears
     assert said.accepted[0].effect == "iron-core"
     assert (said.drawn_against["iron-core"], said.drawn_against["lag"]) == ("time", "angle")
-    alone = study_commands.cause(_Quiet(), TryCause(bundle, "iron-core", ("i_load",)))  # type: ignore[arg-type]
+    alone = study_commands.cause(_Quiet(), TryCause(bundle, "iron-core", ("i_load",)))  # type: ignore[arg-type]  # likewise
     assert np.std(alone.after) < 0.5 * np.std(alone.before)
 
 
@@ -185,7 +185,7 @@ def test_a_parameter_that_could_not_be_searched_is_refused_with_its_name(
 
 def test_a_family_that_names_its_parameters_alone_is_refused() -> None:
     with pytest.raises(InputError, match="something else than a Shape"):
-        _guarded(BARE, ("knee_A",))  # type: ignore[arg-type]
+        _guarded(BARE, ("knee_A",))  # type: ignore[arg-type]  # wrong on purpose
 
 
 def test_its_terms_are_known_as_its_own(making: Making, tmp_path: Path) -> None:
