@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,26 +20,39 @@ SYMMETRIC[9:, 6:] = np.eye(3)
 
 
 def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) -> Array:
-    """`covariance` (12, 12) and the declared uncertainties that the residuals do not show (contract: u_axis_*, u_…).
+    """`covariance` (12, 12) and the declared uncertainties that the residuals do not show."""
+    return np.asarray(covariance + covariance_of(contributions(run, affine, frame_known=frame_known), 12))
+
+
+def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
+    """What each error that `run` declares does to K and k (contract: u_axis_*, u_…), one that it shows in no residual.
 
     A common turn by w changes K by [w]× K and k by [w]× k, a scale of the reference both in proportion, its zero k
     alone. Where the frame is not known a turn says nothing, and magnitudes move the map by least squares. What is not
     declared is not covered. (Where vectors are fitted, `labcal.fit.vector.declared` asks the fit itself.)
     """
-    if not frame_known:
-        return np.asarray(covariance + covariance_of(_of_magnitudes(run, affine), 12))
-    out = covariance.copy()
+    return _of_magnitudes(run, affine) if not frame_known else (*_of_vectors(run, affine), *_of_turns(run, affine))
+
+
+def _of_vectors(run: Run, affine: AffineMap) -> Iterator[Contribution]:
     reference = run.reference
-    if reference.u_scale_ppm:
-        step = 1e-6 * reference.u_scale_ppm * affine.parameters
-        out += np.outer(step, step)
-    if reference.u_offset_nT:
-        out[9:, 9:] += reference.u_offset_nT**2 * np.eye(3)
-    u = np.hypot(mounting_rad(run), np.radians(reference.u_align_deg or 0.0))
-    for turn in skew(u * np.eye(3)):
+    if ppm := reference.u_scale_ppm:
+        yield _known("reference scale", ppm, "ppm", 1e-6 * ppm * affine.parameters)
+    for axis in range(3) if reference.u_offset_nT else ():
+        u = reference.u_offset_nT or 0.0
+        yield _known(f"reference zero {'xyz'[axis]}", u, "nT", -u * np.eye(12)[9 + axis])
+
+
+def _of_turns(run: Run, affine: AffineMap) -> Iterator[Contribution]:
+    """One for each axis: of the rotation axes' mounting and of the reference's alignment together."""
+    u = float(np.hypot(mounting_rad(run), np.radians(run.reference.u_align_deg or 0.0)))
+    for name, turn in zip("xyz", skew(u * np.eye(3)), strict=True) if u else ():
         step = np.concatenate([(turn @ affine.K).ravel(), turn @ affine.k_nT])
-        out += np.outer(step, step)
-    return out
+        yield _known(f"mounting and alignment about {name}", float(np.degrees(u)), "deg", step)
+
+
+def _known(source: str, u: float, unit: str, shift: Array) -> Contribution:
+    return Contribution(source, "B", "normal", u, unit, np.inf, shift)
 
 
 def _of_magnitudes(run: Run, affine: AffineMap) -> tuple[Contribution, ...]:
@@ -51,7 +66,7 @@ def _of_magnitudes(run: Run, affine: AffineMap) -> tuple[Contribution, ...]:
     for error in declared_errors(run):
         moved = np.nan_to_num((error.change(run).magnitude_nT - magnitude)[rows])
         shift = SYMMETRIC @ (np.linalg.lstsq(A / size, moved, rcond=1e-9)[0] / size)
-        found.append(Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift))
+        found.append(_known(error.source, error.u, error.unit, shift))
     return tuple(found)
 
 

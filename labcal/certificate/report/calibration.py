@@ -8,6 +8,7 @@ from hashlib import sha256
 
 import numpy as np
 
+from labcal.certificate.report.budget import budget_blocks
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
 from labcal.certificate.report.style import decimals_for, number, sentence
@@ -46,6 +47,7 @@ def calibration_page(
         facts=_facts(calibration),
         sections=sections(
             section("Parameters", _parameters(calibration)),
+            section("Uncertainty budget", budget_blocks(calibration)),
             section("Effects of the sensor, corrected by this calibration", effect_tables(calibration.effects)),
             section(
                 "Findings about the rig and the data, not part of the correction", effect_tables(calibration.findings)

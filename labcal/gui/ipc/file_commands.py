@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from labcal.gui.ipc.answers import CalibrationFile, Checked, RunLine, Signature, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Checked, RunLine, Signature, Standing
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
@@ -108,12 +108,18 @@ def _calibration(path: Path) -> CalibrationFile:
         k_nT=found.affine.k_nT.tolist(),
         k_means=found.k_means(),
         u=None if covariance is None else np.sqrt(np.diag(covariance)[:12]).tolist(),
+        budget=tuple(map(_budget_line, found.budget)),
         effects=found.effects,
         findings=found.findings,
         operator=found.operator,
         approvers=found.approvers,
         standing=_standing(path, session.verify(path)),
     )
+
+
+def _budget_line(stated: Mapping[str, Any]) -> BudgetLine:
+    shares = sorted(((row["source"], row["share"]) for row in stated["rows"]), key=lambda one: -one[1])
+    return BudgetLine(stated["quantity"], stated["at"], stated["U"], stated["k"], stated["unit"], tuple(shares))
 
 
 def verify(channel: Channel, asked: VerifyFile) -> Standing:
