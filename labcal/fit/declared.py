@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,35 +20,52 @@ SYMMETRIC[9:, 6:] = np.eye(3)
 
 
 def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) -> Array:
-    """`covariance` (12, 12) and the declared uncertainties that the residuals do not show."""
-    return np.asarray(covariance + covariance_of(contributions(run, affine, frame_known=frame_known), 12))
-
-
-def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
-    """What each error that `run` declares does to K and k (contract: u_axis_*, u_…), one that it shows in no residual.
+    """`covariance` (12, 12) and the declared uncertainties that the residuals do not show (contract: u_axis_*, u_…).
 
     A common turn by w changes K by [w]× K and k by [w]× k, a scale of the reference both in proportion, its zero k
     alone. Where the frame is not known a turn says nothing, and magnitudes move the map by least squares. What is not
     declared is not covered. (Where vectors are fitted, `labcal.fit.vector.declared` asks the fit itself.)
     """
-    return _of_magnitudes(run, affine) if not frame_known else (*_of_vectors(run, affine), *_of_turns(run, affine))
+    return np.asarray(covariance + covariance_of(contributions(run, affine, frame_known=frame_known), 12))
 
 
-def _of_vectors(run: Run, affine: AffineMap) -> Iterator[Contribution]:
-    reference = run.reference
+def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
+    """What each error that `run` declares does to K and k (12,), one source each."""
+    return of_vectors(run.reference, affine, mounting_rad(run)) if frame_known else _of_magnitudes(run, affine)
+
+
+class Stated(Protocol):
+    """What is stated of a vector reference; None is unknown."""
+
+    @property
+    def u_scale_ppm(self) -> float | None:
+        """Of one factor common to its axes."""
+        ...
+
+    @property
+    def u_offset_nT(self) -> float | None:
+        """Of the zero of each axis."""
+        ...
+
+    @property
+    def u_align_deg(self) -> float | None:
+        """Of a turn about each axis."""
+        ...
+
+
+def of_vectors(reference: Stated, affine: AffineMap, mounting_rad: float = 0.0) -> tuple[Contribution, ...]:
+    """What each declared error does to K and k (12,), where the fields that are fitted are the reference's vectors."""
+    found = list[Contribution]()
     if ppm := reference.u_scale_ppm:
-        yield _known("reference scale", ppm, "ppm", 1e-6 * ppm * affine.parameters)
-    for axis in range(3) if reference.u_offset_nT else ():
-        u = reference.u_offset_nT or 0.0
-        yield _known(f"reference zero {'xyz'[axis]}", u, "nT", -u * np.eye(12)[9 + axis])
-
-
-def _of_turns(run: Run, affine: AffineMap) -> Iterator[Contribution]:
-    """One for each axis: of the rotation axes' mounting and of the reference's alignment together."""
-    u = float(np.hypot(mounting_rad(run), np.radians(run.reference.u_align_deg or 0.0)))
-    for name, turn in zip("xyz", skew(u * np.eye(3)), strict=True) if u else ():
+        found.append(_known("reference scale", ppm, "ppm", 1e-6 * ppm * affine.parameters))
+    if zero := reference.u_offset_nT:
+        for name, axis in zip("xyz", np.eye(12)[9:], strict=True):
+            found.append(_known(f"reference zero {name}", zero, "nT", zero * axis))
+    u = float(np.hypot(mounting_rad, np.radians(reference.u_align_deg or 0.0)))
+    for name, turn in zip("xyz", skew(u * np.eye(3)) if u else (), strict=False):
         step = np.concatenate([(turn @ affine.K).ravel(), turn @ affine.k_nT])
-        yield _known(f"mounting and alignment about {name}", float(np.degrees(u)), "deg", step)
+        found.append(_known(f"alignment about {name}", float(np.degrees(u)), "deg", step))
+    return tuple(found)
 
 
 def _known(source: str, u: float, unit: str, shift: Array) -> Contribution:
@@ -66,7 +83,7 @@ def _of_magnitudes(run: Run, affine: AffineMap) -> tuple[Contribution, ...]:
     for error in declared_errors(run):
         moved = np.nan_to_num((error.change(run).magnitude_nT - magnitude)[rows])
         shift = SYMMETRIC @ (np.linalg.lstsq(A / size, moved, rcond=1e-9)[0] / size)
-        found.append(_known(error.source, error.u, error.unit, shift))
+        found.append(Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift))
     return tuple(found)
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.model import Calibration
 from labcal.model.apply import misfit_variance, reading_noise
-from labcal.model.sensor_figures import NAMES, figures_jacobian, units
+from labcal.model.sensor_figures import PAIRS, figures_jacobian
 from labcal.record import Run
 from labcal.uncertainty.budget import Budget, Correlation, Row
 from labcal.uncertainty.contribution import Contribution
@@ -18,6 +18,11 @@ from labcal.uncertainty.sources import Sources
 from labcal.uncertainty.working_points import slopes_at, working_points
 
 Array = NDArray[np.float64]
+FIGURES = (
+    *(f"scale {axis}" for axis in "xyz"),
+    *(f"zero reading {axis}" for axis in "xyz"),
+    *(f"off 90° {'xyz'[a]}–{'xyz'[b]}" for a, b in PAIRS),
+)
 CORRELATED = 0.5  # |r| from which two parameters are listed
 NOISE = "noise of the run, through the fit"
 ONE_READING = "noise of one reading"
@@ -44,13 +49,18 @@ def field_budgets(calibration: Calibration, sources: Sources, run: Run) -> list[
 
 def figure_budgets(calibration: Calibration, sources: Sources) -> list[Budget]:
     """Of scale factors, zero readings and the angles between the axes: figures of the map, at k's own conditions."""
-    J = np.zeros((len(NAMES), len(calibration.covariance_of)))
+    J = np.zeros((len(FIGURES), len(calibration.covariance_of)))
     J[:, :12] = figures_jacobian(calibration.affine.parameters)
     at, found = calibration.k_means().removeprefix("at "), list[Budget]()
-    for name, unit, slope in zip(NAMES, units(calibration.dut.unit), J, strict=True):
+    for name, unit, slope in zip(FIGURES, _units(calibration.dut.unit), J, strict=True):
         rows, correlations = rows_of(sources, slope, unit), correlated(calibration, sources, slope)
         found.append(Budget(name, at if name.startswith("zero") else "", unit, tuple(rows), correlations))
     return found
+
+
+def _units(unit: str) -> tuple[str, ...]:
+    """The units of the figures, for readings in `unit`."""
+    return (*("1" if unit == "nT" else f"nT/{unit}",) * 3, *(unit,) * 3, *("deg",) * 3)
 
 
 def rows_of(sources: Sources, slope: Array, unit: str) -> list[Row]:

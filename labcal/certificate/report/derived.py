@@ -1,4 +1,4 @@
-"""The calibration as figures of the sensor: scale factors, zero readings, angles between the axes, each with U."""
+"""What a magnetometer person compares from year to year: scale factors, zero readings, angles between the axes."""
 
 from __future__ import annotations
 
@@ -7,19 +7,16 @@ import numpy as np
 from labcal.certificate.report.page import Table
 from labcal.certificate.report.style import decimals_for, number
 from labcal.model import Calibration
-from labcal.model.sensor_figures import figures_jacobian, figures_of
+from labcal.model.sensor_figures import figures_covariance
+from labcal.model.sensor_figures import sensor_figures as figures_of
 
 
 def sensor_figures(calibration: Calibration, coverage: float) -> Table:
     """Scale factor, zero reading and nonorthogonality of each sensitive axis, with U = `coverage` times u."""
     theta, unit = calibration.affine.parameters, calibration.dut.unit
     values = figures_of(theta).reshape(3, 3)
-    U = np.full((3, 3), np.nan)
-    if calibration.covariance is not None:
-        J = figures_jacobian(theta)
-        U = coverage * np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", J, calibration.covariance[:12, :12], J), 0)).reshape(
-            3, 3
-        )
+    variance = np.diag(figures_covariance(theta, calibration.covariance))
+    U = coverage * np.sqrt(np.maximum(variance, 0)).reshape(3, 3)
     decimals = [decimals_for(row, most) for row, most in zip(U, (7, 3, 4), strict=True)]
     rows = []
     for i, (axis, pair) in enumerate(zip("xyz", ("x–y", "y–z", "z–x"), strict=True)):
