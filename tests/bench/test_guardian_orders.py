@@ -21,7 +21,7 @@ from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError, LimitError
-from labcal.home import home
+from labcal.files.home import home
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 

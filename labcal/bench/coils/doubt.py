@@ -19,8 +19,8 @@ from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import read_config
 from labcal.bench.links.ports import as_spelt, port_of
 from labcal.errors import InputError, InstrumentError
-from labcal.files import write_text
-from labcal.home import home
+from labcal.files.atomic import write_text
+from labcal.files.home import home
 
 
 @dataclass(frozen=True, slots=True)

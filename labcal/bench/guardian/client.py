@@ -19,7 +19,7 @@ from labcal.bench.guardian.briefing import Briefing
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
-from labcal.files import absolute
+from labcal.files.atomic import absolute
 
 if TYPE_CHECKING:
     from labcal.bench.clock import Clock
