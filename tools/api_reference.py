@@ -10,6 +10,7 @@ import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import labcal
 from labcal.files.atomic import write_text
@@ -38,7 +39,7 @@ def page() -> str:
 
 def chapter(name: str) -> str:
     """One name: how it is called, then its docstring."""
-    found = labcal
+    found: Any = labcal
     for part in name.split("."):
         found = getattr(found, part)
     before, *sections = SECTION.split(inspect.getdoc(found) or "")
