@@ -177,10 +177,14 @@ class Bench:
         return merged(arrived) + [_block(*what, rows) for what, rows in polled.items()]
 
     def events(self) -> list[Event]:
-        """What the streams lost since this was asked last: gaps, wrong checksums, broken frames, their line."""
+        """What the streams lost since this was asked last: gaps, wrong checksums, broken frames."""
         told = [event for stream in self._streams for event in stream.events()]
-        told += [event for watch in self._watches for event in watch.events()] + self._look.events()
         return sorted(told, key=lambda event: event.t_s)
+
+    def news(self) -> list[Event]:
+        """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened."""
+        sources = (*self._streams, *self._watches, self._look)
+        return sorted((event for source in sources for event in source.news()), key=lambda event: event.t_s)
 
     def handled(self, prompt: Prompt) -> None:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""
@@ -260,13 +264,17 @@ class Bench:
         dut, reference = (self._read(stream, now, faults) for stream in self._streams)
         readings = dut, [self._into_cage(block) for block in reference]
         self._pending += [*readings[0], *readings[1]]
+        self.cage.check.unheard(self._streams[1].wrong)
         for block in readings[1]:
             if block.values.shape[1] == 3:
                 self.cage.check.see(block.t_s, block.values)
+        for stream, watch, blocks in zip(self._streams, self._watches, readings, strict=True):
+            try:
+                watch.see(blocks, now, stream.wrong)
+            except InstrumentError as fault:
+                faults.append(fault)
         if faults:
             raise faults[0]
-        for watch, blocks in zip(self._watches, readings, strict=True):
-            watch.see(blocks, now)
         for limit in self._limits:
             limit.see(readings[0], now)
         if self._field_limit is not None and self.cage.on:
@@ -341,7 +349,8 @@ class Bench:
     def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: CoilReading | None) -> Heard:
         if coil is not None:
             return Heard(name, coil.read_s, coil.fault)
-        wrong = [self._look.wrong(name), *(watch.wrong(name) for watch in self._watches)]
+        lines = (stream.wrong for stream in self._streams if stream.name == name)
+        wrong = [self._look.wrong(name), *lines, *(watch.wrong(name) for watch in self._watches)]
         return Heard(name, heard_s.get(name), next(filter(None, wrong), ""))
 
     def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:

@@ -21,6 +21,7 @@ from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
+PROMPT_S = 1.0  # what is told later than this says so
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 Tell = Callable[[Item], None]
 Show = Callable[[LabState], None]
@@ -112,14 +113,25 @@ class Drive:
             limits.refuse_mode(str(item.drawing["mode"]))
 
     def _keep(self, item: Item) -> None:
-        item = _later(item, self.offset_s) if self.offset_s else item
-        with self._zero_unless_kept():
-            self.write(item)
-        self.tell(item)
+        self._keep_news()
+        self._keep_one(item)
         for text, data in self.control.notes():
             self._keep(self._event("note", text, **data))
         for event in self.bench.events():
-            self._keep(event)
+            self._keep_one(event)
+
+    def _keep_news(self) -> None:
+        """What was lost or is back, before anything that came later; told late, it says how long ago that was."""
+        now = self.bench.clock.now()
+        for event in self.bench.news():
+            self._keep_one(event, now - event.t_s)
+
+    def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
+        item = _later(item, self.offset_s) if self.offset_s else item
+        with self._zero_unless_kept():
+            self.write(item)
+        late = isinstance(item, Event) and age_s > PROMPT_S
+        self.tell(replace(item, text=f"{age_s:.1f} s ago: {item.text}") if late else item)
         if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
             self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
 
@@ -178,6 +190,7 @@ class Drive:
         """
         with self._zero_unless_kept():
             self.kept()
+        self._keep_news()
         if self.bench.cage.on and not self._told_to_end:
             try:
                 self._check()
@@ -226,6 +239,7 @@ class Drive:
             for axis in sorted(bench.cage.abrupt):
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
             read_back = self._read_back(faults, lost)
+            self._keep_news()
             for event in bench.events():  # what a stream lost on the way: the read-back is the last word
                 self._keep(event)
             self._keep(read_back)

@@ -93,7 +93,7 @@ def streamed_until(bench: Bench, fault: str) -> list[Block]:
     blocks, deadline = list[Block](), bench.clock.now() + PATIENCE_S
     while bench.clock.now() < deadline:
         blocks += [b for b in bench.stream_until(bench.clock.now() + 0.1) if b.stream == "reference"]
-        if fault in [event.data["fault"] for event in bench.events()]:
+        if fault in [event.data["fault"] for event in bench.news()]:
             return blocks
     raise AssertionError(f"{fault} did not come")
 
