@@ -91,7 +91,7 @@ class Bench:
         self.cage = Cage(
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
             guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
-            blind=blind(config.reference), latch=StoredDoubt(config.guarded_links),
+            blind=blind(config.reference), latch=StoredDoubt(config.guarded_links), where=self._where,
         )  # fmt: skip
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
@@ -118,7 +118,7 @@ class Bench:
         coils = {self.cage.supplies[coil.axis].name: coil for coil in self.cage.coils()}
         heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
         alive = None if self._guardian is None else self._guardian.alive
-        return LabState(self.cage.coils(), self.cage.check.witness, alive, tuple(heard))
+        return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard))
 
     def sentence(self) -> str:
         """What may be said of the coils now."""
@@ -127,6 +127,11 @@ class Bench:
     def instruments(self) -> Mapping[str, Instrument]:
         """Every instrument by its name in bench.toml."""
         return self._instruments
+
+    def _where(self, name: str) -> str:
+        """An instrument for a person to find: its name, who answered as it, and at which port."""
+        stated, known = self.config.instruments[name], self._known.get(name)
+        return f"{name} ({f'{known.model} {known.serial}' if known else stated.driver} at {stated.link})"
 
     def identities(self) -> dict[str, Identity]:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
@@ -183,8 +188,9 @@ class Bench:
 
     def news(self) -> list[Event]:
         """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened."""
-        sources = (*self._streams, *self._watches, self._look)
-        return sorted((event for source in sources for event in source.news()), key=lambda event: event.t_s)
+        told = [event for stream in self._streams for event in stream.news()]
+        told += [event for watch in self._watches for event in watch.news()] + self._look.news()
+        return sorted(told, key=lambda event: event.t_s)
 
     def handled(self, prompt: Prompt) -> None:
         """A person does at the DUT's place what `prompt` asks: the ambient field of before is no witness after it."""

@@ -13,7 +13,7 @@ from typing import Any
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.cage import Cage
-from labcal.bench.coils.state import NOT_CONFIRMED, LabState
+from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
@@ -130,8 +130,9 @@ class Drive:
         item = _later(item, self.offset_s) if self.offset_s else item
         with self._zero_unless_kept():
             self.write(item)
-        late = isinstance(item, Event) and age_s > PROMPT_S
-        self.tell(replace(item, text=f"{age_s:.1f} s ago: {item.text}") if late else item)
+        if isinstance(item, Event) and age_s > PROMPT_S:
+            item = replace(item, text=f"{age_s:.1f} s ago: {item.text}")
+        self.tell(item)
         if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
             self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
 
@@ -247,7 +248,7 @@ class Drive:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
         first = next(iter(faults + lost), None)
         if not self._at_zero:
-            return Ending(f"failed: {self._said}: {_sentence(first)}" if first else f"failed: {self._said}", first)
+            return Ending(f"failed: {self._said}{_what_else(first, self._said)}", first)
         return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
 
     def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
@@ -292,6 +293,13 @@ def _measured(cage: Cage, axis: str, lost: list[Exception]) -> float | None:
         cage.supplies[axis].set_current(0.0)
         return cage.read(axis)
     return None
+
+
+def _what_else(fault: Exception | None, said: str) -> str:
+    """What went wrong, where that was not said already."""
+    if fault is None or (NOT_BY_REFERENCE in said and NOT_BY_REFERENCE in str(fault)):
+        return ""
+    return f": {_sentence(fault)}"
 
 
 def _sentence(fault: BaseException) -> str:

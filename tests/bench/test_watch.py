@@ -118,6 +118,18 @@ def test_a_silence_is_told_at_once_and_so_is_its_end() -> None:
         watch.see([], 45.0)
 
 
+def test_while_something_else_is_known_to_keep_it_from_sending_it_is_not_called_silent() -> None:
+    watch = StreamWatch("dut", 60.0, 120.0, 0.0)
+    watch.see([samples_until(5.0)], 5.0)
+    for now in np.arange(5.5, 12.0, 0.5).tolist():
+        watch.see([], now, "link lost")
+    watch.see([], 13.0)
+    assert (watch.news(), watch.wrong("dut")) == ([], "")
+    watch.see([], 14.0)  # it answers, and sends nothing
+    (event,) = watch.news()
+    assert event.text == "dut: no sample for 2.5 s"
+
+
 def test_a_slow_stream_is_given_its_time() -> None:
     watch = StreamWatch("dut", 60.0, 120.0, 0.0)
     watch.see([samples_until(50.0, 10.0)], 50.0)

@@ -82,7 +82,7 @@ class Reconnecting:
                 raise
             return
         self._lost, self.wrong = None, ""
-        self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its link was found lost")
+        self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its link was lost")
 
     def _note(self, t_s: float, fault: str, text: str) -> None:
         self._events.append(Event(t_s, "stream", f"{self._sensor.name}: {text}", {"fault": fault}))
