@@ -131,7 +131,8 @@ class Bench:
     def _where(self, name: str) -> str:
         """An instrument for a person to find: its name, who answered as it, and at which port."""
         stated, known = self.config.instruments[name], self._known.get(name)
-        return f"{name} ({f'{known.model} {known.serial}' if known else stated.driver} at {stated.link})"
+        who = f"{known.model} {known.serial}".strip() if known else stated.driver
+        return f"{name} ({who} at {stated.link})"
 
     def identities(self) -> dict[str, Identity]:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
