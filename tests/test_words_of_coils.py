@@ -45,6 +45,7 @@ NO_CLAIM = {
     "before it is cleared.": ORDER,
     "Ramp it to zero first; or `labcal bench off`.": ORDER,
     "Set coils off.": ORDER,
+    "open the output of {} at its panel, or switch it off at its mains": ORDER,
     "Switch the option 'power-on output' off in its menu.": ORDER,
     "{0}. Press COILS OFF (F12), or switch the supplies off at their mains.": ORDER,
     "record at rest with the coils off, then switch what runs at that period off one by one": ORDER,

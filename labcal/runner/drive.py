@@ -13,7 +13,7 @@ from typing import Any
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.cage import Cage
-from labcal.bench.coils.state import NOT_CONFIRMED, LabState
+from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
@@ -21,6 +21,7 @@ from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
+PROMPT_S = 1.0  # what is told later than this says so
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 Tell = Callable[[Item], None]
 Show = Callable[[LabState], None]
@@ -112,14 +113,26 @@ class Drive:
             limits.refuse_mode(str(item.drawing["mode"]))
 
     def _keep(self, item: Item) -> None:
-        item = _later(item, self.offset_s) if self.offset_s else item
-        with self._zero_unless_kept():
-            self.write(item)
-        self.tell(item)
+        self._keep_news()
+        self._keep_one(item)
         for text, data in self.control.notes():
             self._keep(self._event("note", text, **data))
         for event in self.bench.events():
-            self._keep(event)
+            self._keep_one(event)
+
+    def _keep_news(self) -> None:
+        """What was lost or is back, before anything that came later; told late, it says how long ago that was."""
+        now = self.bench.clock.now()
+        for event in self.bench.news():
+            self._keep_one(event, now - event.t_s)
+
+    def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
+        item = _later(item, self.offset_s) if self.offset_s else item
+        with self._zero_unless_kept():
+            self.write(item)
+        if isinstance(item, Event) and age_s > PROMPT_S:
+            item = replace(item, text=f"{age_s:.1f} s ago: {item.text}")
+        self.tell(item)
         if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
             self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
 
@@ -178,6 +191,7 @@ class Drive:
         """
         with self._zero_unless_kept():
             self.kept()
+        self._keep_news()
         if self.bench.cage.on and not self._told_to_end:
             try:
                 self._check()
@@ -226,6 +240,7 @@ class Drive:
             for axis in sorted(bench.cage.abrupt):
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
             read_back = self._read_back(faults, lost)
+            self._keep_news()
             for event in bench.events():  # what a stream lost on the way: the read-back is the last word
                 self._keep(event)
             self._keep(read_back)
@@ -233,7 +248,7 @@ class Drive:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
         first = next(iter(faults + lost), None)
         if not self._at_zero:
-            return Ending(f"failed: {self._said}: {_sentence(first)}" if first else f"failed: {self._said}", first)
+            return Ending(f"failed: {self._said}{_what_else(first, self._said)}", first)
         return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
 
     def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
@@ -278,6 +293,13 @@ def _measured(cage: Cage, axis: str, lost: list[Exception]) -> float | None:
         cage.supplies[axis].set_current(0.0)
         return cage.read(axis)
     return None
+
+
+def _what_else(fault: Exception | None, said: str) -> str:
+    """What went wrong, where that was not said already."""
+    if fault is None or (NOT_BY_REFERENCE in said and NOT_BY_REFERENCE in str(fault)):
+        return ""
+    return f": {_sentence(fault)}"
 
 
 def _sentence(fault: BaseException) -> str:

@@ -120,7 +120,7 @@ def wait_for_zero(axis: str, supply: CoilSupply, clock: Clock) -> float:
                 f"coil {axis}: {left:.4g} A still flows {ZERO_TIMEOUT_S:g} s after zero was set "
                 f"(zero is below {supply.zero_current_A:g} A).",
                 fault="not zero",
-                remedy="Switch the supply off by hand, then look at its panel.",
+                remedy=f"Switch {supply.name} off by hand, then look at its panel.",
             )
     return left
 
