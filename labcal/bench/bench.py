@@ -200,9 +200,14 @@ class Bench:
     def make_safe(self) -> None:
         """Coils to zero first, then every instrument to rest; a failure of one does not skip another."""
         with ExitStack() as steps:
+            steps.callback(self.rest_instruments)
+            steps.callback(self.cage.zero)
+
+    def rest_instruments(self) -> None:
+        """Every instrument to rest, after the coils; a failure of one does not skip another."""
+        with ExitStack() as steps:
             for instrument in reversed(self._instruments.values()):
                 steps.callback(instrument.make_safe)
-            steps.callback(self.cage.zero)
 
     def close(self) -> None:
         """Let go of every link."""

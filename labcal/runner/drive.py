@@ -12,6 +12,7 @@ from typing import Any
 
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
+from labcal.bench.coils.at_zero import ORDERED, SLOW_S
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
@@ -56,6 +57,7 @@ class Drive:
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
     _told_to_end: bool = field(default=False, init=False)
+    _told_of_order: bool = field(default=False, init=False)  # of zero, which takes long
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -68,6 +70,7 @@ class Drive:
             with closing(procedure):
                 self.bench.start()
                 self.bench.look = self._look
+                self.bench.clock.while_waiting(self._say_what_takes_long)
                 for item in self._items(procedure):
                     self._refuse_mode(item)
                     self._keep(item)
@@ -198,6 +201,16 @@ class Drive:
                 self.bench.cage.zero()
             raise NotKept(fault) from None
 
+    def _say_what_takes_long(self) -> None:
+        """That zero was ordered, once, to whoever watches: a slow line may keep the last word for seconds."""
+        cage = self.bench.cage
+        self._told_of_order &= not cage.on
+        if self._told_of_order or cage.ordered_s is None or time.monotonic() - cage.ordered_s < SLOW_S:
+            return
+        self._told_of_order = True
+        with suppress(Exception):  # the way to zero goes on whoever watches
+            self.tell(_later(self._event("zero-ordered", ORDERED), self.offset_s))
+
     def _listen(self) -> None:
         self._check()
         for block in self.bench.stream_until(self.bench.clock.now() + LISTEN_S):
@@ -214,13 +227,11 @@ class Drive:
 
     def _at_rest(self, ending: Ending) -> Ending:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
-        bench, faults = self.bench, list[Exception]()
+        bench = self.bench
         self._rows_wait = True  # whoever writes the last one tells where that cannot be
-        for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop):
-            try:
-                come_to_rest()
-            except Exception as fault:
-                faults.append(fault)
+        faults = _failed(bench.cage.zero)
+        faults += _failed(bench.make_safe if faults else bench.rest_instruments)  # zero again only where that failed
+        faults += _failed(bench.stop)
         lost = list[Exception]()
         try:
             for axis in sorted(bench.cage.abrupt):
@@ -253,6 +264,14 @@ class Drive:
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)
+
+
+def _failed(act: Callable[[], None]) -> list[Exception]:
+    try:
+        act()
+    except Exception as fault:
+        return [fault]
+    return []
 
 
 def _later(item: Item, by_s: float) -> Item:
