@@ -12,7 +12,6 @@ from typing import Any
 
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.at_zero import ORDERED, SLOW_S
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
@@ -57,7 +56,7 @@ class Drive:
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
     _told_to_end: bool = field(default=False, init=False)
-    _told_of_order: bool = field(default=False, init=False)  # of zero, which takes long
+    _told_of_zero: str = field(default="", init=False)  # which takes long
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -202,14 +201,15 @@ class Drive:
             raise NotKept(fault) from None
 
     def _say_what_takes_long(self) -> None:
-        """That zero was ordered, once, to whoever watches: a slow line may keep the last word for seconds."""
-        cage = self.bench.cage
-        self._told_of_order &= not cage.on
-        if self._told_of_order or cage.ordered_s is None or time.monotonic() - cage.ordered_s < SLOW_S:
+        """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds."""
+        if self.bench.cage.on:
+            self._told_of_zero = ""
+        words = self.bench.slow_zero()
+        if words in ("", self._told_of_zero):
             return
-        self._told_of_order = True
+        self._told_of_zero = words
         with suppress(Exception):  # the way to zero goes on whoever watches
-            self.tell(_later(self._event("zero-ordered", ORDERED), self.offset_s))
+            self.tell(_later(self._event("slow-zero", words), self.offset_s))
 
     def _listen(self) -> None:
         self._check()

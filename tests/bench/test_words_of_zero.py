@@ -50,7 +50,7 @@ def test_what_is_not_asked_again_is_told_as_that_with_its_age(bench: Noted) -> N
     ended = bench.guardian.zero("the session", by_session=True)
     assert not wire.sent
     again = bench.noted[-1]
-    assert re.match(r"NOT confirmed at zero: coil x: not asked this time; \d+ s ago: \S+: no reply", again), again
+    assert re.match(r"NOT confirmed at zero: coil x: not asked this time; \d+\.\d s ago: \S+: no reply", again), again
     assert "read back:" not in again
     assert not any(end.abrupt for end in ended)
 

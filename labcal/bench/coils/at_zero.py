@@ -9,7 +9,8 @@ from labcal.errors import InstrumentError
 
 BY_WORD = "by the supply's word only"  # of who has no reference to ask
 ORDERED = "taking the coils to zero: ordered, and no read-back told yet …"
-SLOW_S = 0.7  # so long after the order that is said
+NOT_ORDERED = "zero is to be ordered: no guardian is reached yet …"
+SLOW_S = 0.7  # so long after it was wanted that is said
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,4 +47,4 @@ class AtZero:
         """Why it was not read back at zero: what was found now, or what is known of the last round and its age."""
         if self.asked_s is None:
             return str(self.fault)
-        return f"not asked this time; {time.monotonic() - self.asked_s:.0f} s ago: {self.fault}"
+        return f"not asked this time; {time.monotonic() - self.asked_s:.1f} s ago: {self.fault}"

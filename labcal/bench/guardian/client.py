@@ -95,6 +95,7 @@ class GuardianClient:
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
         self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
+        self.zero_is_ordered = False  # the last that was sent: nothing was lost since
         self._read = dict[str, str]()  # each axis: what was read last, and when
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet()
@@ -145,6 +146,7 @@ class GuardianClient:
 
     def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
+        self.zero_is_ordered = order == "zero"
         while (reply := connection.reply(number, 0.002)) is None:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
             if order != "zero":
@@ -187,6 +189,7 @@ class GuardianClient:
         if self._connection is not None:
             self._connection.close()
             self._connection, self._lost, self._started = None, True, None
+            self.zero_is_ordered = False
             self._start_after_s = time.monotonic() + STANDBY_S
 
     def _start_another(self) -> None:
@@ -223,7 +226,7 @@ class GuardianClient:
                 if fault.fault != wire.OTHER_BENCH:
                     raise
                 not_met = InstrumentError(fault.what, fault="in use", remedy=fault.remedy)
-            time.sleep(0.02)
+            self._clock.wait_until(self._clock.now() + 0.02)  # whoever watches is told that it takes long
         raise not_met
 
     def _forget(self) -> None:
