@@ -10,6 +10,7 @@ import subprocess
 import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from datetime import timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -131,7 +132,7 @@ class GuardianClient:
         ended = [wire.zero_of(end) for end in self.ask("zero", why=why)]
         for end in ended:
             if end.current_A is not None:
-                self._note_read(end.axis, end.current_A)
+                self._note_read(end.axis, end.current_A, end.read_s)
         return ended
 
     def close(self) -> None:
@@ -157,8 +158,10 @@ class GuardianClient:
             raise wire.fault_of(reply["error"])
         return reply["value"]
 
-    def _note_read(self, axis: str, current_A: float) -> None:
-        self._read[axis] = f"coil {axis} {current_A:+.4f} A at {self._clock.utc():%H:%M:%S}"
+    def _note_read(self, axis: str, current_A: float, read_s: float | None = None) -> None:
+        """`read_s`: on the monotonic clock; None: just now."""
+        age = timedelta(seconds=0.0 if read_s is None else time.monotonic() - read_s)
+        self._read[axis] = f"coil {axis} {current_A:+.4f} A at {self._clock.utc() - age:%H:%M:%S}"
 
     def _gone(self) -> InstrumentError:
         """That nobody answers any more, and what was known then: told later, it is as true."""
