@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.clock import Clock
+from labcal.bench.coils.at_zero import NOT_ORDERED, ORDERED, SLOW_S
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
@@ -211,9 +213,21 @@ class Bench:
     def make_safe(self) -> None:
         """Coils to zero first, then every instrument to rest; a failure of one does not skip another."""
         with ExitStack() as steps:
+            steps.callback(self.rest_instruments)
+            steps.callback(self.cage.zero)
+
+    def slow_zero(self) -> str:
+        """What may be said of a way to zero that takes long, while it does; "" else."""
+        since_s = self.cage.to_zero_since_s
+        if since_s is None or time.monotonic() - since_s < SLOW_S:
+            return ""
+        return ORDERED if self._guardian is None or self._guardian.zero_is_ordered else NOT_ORDERED
+
+    def rest_instruments(self) -> None:
+        """Every instrument to rest, after the coils; a failure of one does not skip another."""
+        with ExitStack() as steps:
             for instrument in reversed(self._instruments.values()):
                 steps.callback(instrument.make_safe)
-            steps.callback(self.cage.zero)
 
     def close(self) -> None:
         """Let go of every link."""

@@ -57,6 +57,7 @@ class Drive:
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
     _told_to_end: bool = field(default=False, init=False)
+    _told_of_zero: str = field(default="", init=False)  # which takes long
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -69,6 +70,7 @@ class Drive:
             with closing(procedure):
                 self.bench.start()
                 self.bench.look = self._look
+                self.bench.clock.while_waiting(self._say_what_takes_long)
                 for item in self._items(procedure):
                     self._refuse_mode(item)
                     self._keep(item)
@@ -212,6 +214,17 @@ class Drive:
                 self.bench.cage.zero()
             raise NotKept(fault) from None
 
+    def _say_what_takes_long(self) -> None:
+        """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds."""
+        if self.bench.cage.on:
+            self._told_of_zero = ""
+        words = self.bench.slow_zero()
+        if words in ("", self._told_of_zero):
+            return
+        self._told_of_zero = words
+        with suppress(Exception):  # the way to zero goes on whoever watches
+            self.tell(_later(self._event("slow-zero", words), self.offset_s))
+
     def _listen(self) -> None:
         self._check()
         for block in self.bench.stream_until(self.bench.clock.now() + LISTEN_S):
@@ -228,13 +241,11 @@ class Drive:
 
     def _at_rest(self, ending: Ending) -> Ending:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
-        bench, faults = self.bench, list[Exception]()
+        bench = self.bench
         self._rows_wait = True  # whoever writes the last one tells where that cannot be
-        for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop):
-            try:
-                come_to_rest()
-            except Exception as fault:
-                faults.append(fault)
+        faults = _failed(bench.cage.zero)
+        faults += _failed(bench.make_safe if faults else bench.rest_instruments)  # zero again only where that failed
+        faults += _failed(bench.stop)
         lost = list[Exception]()
         try:
             for axis in sorted(bench.cage.abrupt):
@@ -268,6 +279,14 @@ class Drive:
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)
+
+
+def _failed(act: Callable[[], None]) -> list[Exception]:
+    try:
+        act()
+    except Exception as fault:
+        return [fault]
+    return []
 
 
 def _later(item: Item, by_s: float) -> Item:

@@ -134,7 +134,7 @@ class LabState:
 
     def _why(self, now_s: float) -> str:
         if self.reference.verdict == "agrees" and self.reference.read_s is not None:
-            return f"the reference agreed {now_s - self.reference.read_s:.0f} s ago"
+            return f"the reference agreed when it was last looked at, {now_s - self.reference.read_s:.0f} s ago"
         return self.reference.why
 
 
