@@ -86,9 +86,9 @@ def _report_of(error: Exception) -> str:
     """Keep the details of a fault of ours in a file, and say what happened and where they are."""
     from traceback import format_exception
 
-    from labcal.files import write_bytes
-    from labcal.home import FILE, home, own_folder
-    from labcal.text_safety import replace_unseen
+    from labcal.files.atomic import write_bytes
+    from labcal.files.home import FILE, home, own_folder
+    from labcal.files.text_safety import replace_unseen
 
     what = f"a fault of labcal's own: {type(error).__name__}: {error}"
     report = home() / "last-fault.txt"

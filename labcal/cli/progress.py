@@ -102,6 +102,8 @@ class Bar(Nothing):
 
         if isinstance(item, Event) and item.kind == "stream" and item.data.get("fault") in AT_ONCE:
             self._progress.console.print(f"! {item.text}", highlight=False, markup=False)
+        if isinstance(item, Event) and item.kind == "slow-zero":
+            self._progress.console.print(item.text, highlight=False, markup=False)
         if isinstance(item, Step):
             left = f"step {item.number} of {item.total} · {clock_face(item.left_s)} left"
             self._progress.update(

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from labcal.errors import InputError, InstrumentError
-from labcal.home import home, own_file, own_folder, tightened
+from labcal.files.home import home, own_file, own_folder, tightened
 from labcal.store import schema
 from labcal.store.place import BESIDE, Files, files_at, require_same
 

@@ -15,7 +15,7 @@ from short_preflight import SHORT
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.errors import InstrumentError
-from labcal.home import home
+from labcal.files.home import home
 from labcal.record.stream import Event, Item, Step
 from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
 from labcal.store import Store, database, writer

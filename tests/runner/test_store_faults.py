@@ -22,7 +22,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import AT_ZERO, BY_WORD
 from labcal.bench.steps import Procedure, energise
 from labcal.errors import InputError, InstrumentError
-from labcal.home import home
+from labcal.files.home import home
 from labcal.record.stream import Block, Event, Item
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
 from labcal.runner.drive import Drive

@@ -10,6 +10,7 @@ import subprocess
 import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from datetime import timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +20,7 @@ from labcal.bench.guardian.briefing import Briefing
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
-from labcal.files import absolute
+from labcal.files.atomic import absolute
 
 if TYPE_CHECKING:
     from labcal.bench.clock import Clock
@@ -31,10 +32,9 @@ STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 CLOSE_S = 5.0
-LOST = InstrumentError(
-    "the guardian was killed, or the connection to it failed; it takes the coils to zero, or its successor does.",
-    fault="guardian lost",
-    remedy="guardian.log says what was read back; start the run again.",
+GONE = (
+    "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "
+    "`labcal bench off` sets zero and reads it back. Then start the run again."
 )
 
 NOT_OURS = InstrumentError(
@@ -96,6 +96,8 @@ class GuardianClient:
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
         self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
+        self.zero_is_ordered = False  # the last that was sent: nothing was lost since
+        self._read = dict[str, str]()  # each axis: what was read last, and when
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet()
         clock.while_waiting(self._beat)
@@ -103,19 +105,22 @@ class GuardianClient:
     def ask(self, order: str, **what: Any) -> Any:
         """Give an order and wait for its reply; everything that waits on the clock goes on meanwhile.
 
-        Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it was killed.
+        Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it is gone.
         """
         if self._lost:
             self._lost = False
-            raise LOST
+            raise self._gone()
         if self._connection is None:
             self._meet()
         try:
-            return self._replied(self._open(), order, what)
+            told = self._replied(self._open(), order, what)
         except OSError as error:
             self._lose()
             self._lost = False
-            raise LOST from error
+            raise self._gone() from error
+        if order == "measure_current":
+            self._note_read(what["axis"], told)
+        return told
 
     @property
     def alive(self) -> bool:
@@ -124,7 +129,11 @@ class GuardianClient:
 
     def zero(self, why: str) -> list[AtZero]:
         """Every coil to zero and open."""
-        return [wire.zero_of(end) for end in self.ask("zero", why=why)]
+        ended = [wire.zero_of(end) for end in self.ask("zero", why=why)]
+        for end in ended:
+            if end.current_A is not None:
+                self._note_read(end.axis, end.current_A, end.read_s)
+        return ended
 
     def close(self) -> None:
         """End the session, and wait until the guardian has let go of the ports, as far as it can."""
@@ -138,6 +147,7 @@ class GuardianClient:
 
     def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
+        self.zero_is_ordered = order == "zero"
         while (reply := connection.reply(number, 0.002)) is None:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
             if order != "zero":
@@ -148,9 +158,20 @@ class GuardianClient:
             raise wire.fault_of(reply["error"])
         return reply["value"]
 
+    def _note_read(self, axis: str, current_A: float, read_s: float | None = None) -> None:
+        """`read_s`: on the monotonic clock; None: just now."""
+        age = timedelta(seconds=0.0 if read_s is None else time.monotonic() - read_s)
+        self._read[axis] = f"coil {axis} {current_A:+.4f} A at {self._clock.utc() - age:%H:%M:%S}"
+
+    def _gone(self) -> InstrumentError:
+        """That nobody answers any more, and what was known then: told later, it is as true."""
+        read = ", ".join(self._read.values())
+        known = f"last read (UTC): {read}" if read else "no current was read through it"
+        return InstrumentError(f"the connection to the guardian is gone; {known}.", fault="guardian lost", remedy=GONE)
+
     def _open(self) -> Connection:
         if self._connection is None:
-            raise LOST
+            raise self._gone()
         return self._connection
 
     def _beat(self) -> None:
@@ -167,10 +188,11 @@ class GuardianClient:
             self._lose()
 
     def _lose(self) -> None:
-        """The guardian was killed. Its standby is at it already; where both were, another one is started soon."""
+        """The guardian is gone. Its standby is at it already; where that is too, another one is started soon."""
         if self._connection is not None:
             self._connection.close()
             self._connection, self._lost, self._started = None, True, None
+            self.zero_is_ordered = False
             self._start_after_s = time.monotonic() + STANDBY_S
 
     def _start_another(self) -> None:
@@ -207,7 +229,7 @@ class GuardianClient:
                 if fault.fault != wire.OTHER_BENCH:
                     raise
                 not_met = InstrumentError(fault.what, fault="in use", remedy=fault.remedy)
-            time.sleep(0.02)
+            self._clock.wait_until(self._clock.now() + 0.02)  # whoever watches is told that it takes long
         raise not_met
 
     def _forget(self) -> None:

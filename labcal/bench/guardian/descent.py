@@ -108,7 +108,9 @@ def _read_back(coil: GuardedCoil) -> AtZero:
         coil.line.identify(coil.name)
         doubts = {coil.axis: coil.doubt}
         clock = coil.line.clock
-        end = to_zero({coil.axis: coil.bare}, {coil.axis: coil.rate_A_per_s}, clock, doubts=doubts)[coil.axis]
+        held = {coil.axis: coil.held_A} if coil.energised and coil.held_A is not None else {}
+        rates = {coil.axis: coil.rate_A_per_s}
+        end = to_zero({coil.axis: coil.bare}, rates, clock, known_A=held, doubts=doubts)[coil.axis]
     except InstrumentError as fault:
         end = AtZero(coil.axis, None, False, fault)
         if fault.fault != "another instrument":

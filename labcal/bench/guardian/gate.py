@@ -28,11 +28,13 @@ class Gate:
     def __init__(self) -> None:
         self._closed = threading.Event()
         self._owner: int | None = None
+        self._why = ""
         self.owed = False  # a question was given up, whose reply may still come
         self.asks_until_s = float("inf")  # on the line's clock: what is asked ends then, answered or not
 
-    def close(self) -> None:
-        """From now on the line belongs to whoever passes."""
+    def close(self, why: str = "") -> None:
+        """From now on the line belongs to whoever passes; `why`, who ordered zero, is told to whoever gives way."""
+        self._why = why or self._why
         self._closed.set()
 
     @contextmanager
@@ -57,8 +59,9 @@ class Gate:
     def check(self, now_s: float) -> None:
         """Raise InstrumentError (taken to zero) where this thread has to leave the line to another."""
         if self._closed.is_set() and self._owner != threading.get_ident():
+            who = f" ({self._why})" if self._why else ""
             raise InstrumentError(
-                "zero was ordered meanwhile; what was asked of this line was given up.", fault="taken to zero"
+                f"zero was ordered{who}; what was being asked of this line was given up.", fault="taken to zero"
             )
         if now_s > self.asks_until_s:
             raise InstrumentError("it did not answer in the time that there is on the way to zero.", fault="silent")

@@ -11,10 +11,10 @@ from typing import Any, Protocol, TypeVar
 from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
 
 from labcal.errors import InputError
+from labcal.files.home import SECRETS
 from labcal.gui.ipc.lines import read_answer, read_event, write_line
 from labcal.gui.ipc.messages import Beat, Command, Done, Event, Failed, Progress, Recorded, Request, StateRead, Word
 from labcal.gui.ipc.wire import Fault
-from labcal.home import SECRETS
 
 R = TypeVar("R")
 OnFault = Callable[[Fault], object]

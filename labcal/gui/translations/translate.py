@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale, QTranslator
 
-from labcal.home import home
+from labcal.files.home import home
 
 FOLDER = Path(__file__).parent
 MORNING, MORNING_CHECKS = "Morning check", ("morning-check", "axes-check")  # the first that is installed

@@ -16,7 +16,8 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench.coils import state
-from labcal.files import absolute
+from labcal.files.atomic import absolute
+from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
@@ -24,7 +25,6 @@ from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.viewmodels.lab import LabViewModel, Light
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
-from labcal.home import file_at_home
 
 R = TypeVar("R")
 SILENT_S = 2.0
