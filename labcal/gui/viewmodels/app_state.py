@@ -20,7 +20,7 @@ from labcal.files import absolute
 from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
-from labcal.gui.ipc.wire import Fault, fault_of
+from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.viewmodels.lab import LabViewModel, Light
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
@@ -194,7 +194,7 @@ class AppState(QObject):
             self.study_vm.add(order.procedure, run_id)
             self.page_requested.emit("Loop")
         fault = self.run.fault
-        if fault is not None and (fault.kind == "crash" or self.run.coils_at_zero is False):
+        if fault is not None and (fault.kind in BROKEN or self.run.coils_at_zero is False):
             self._switch_off()
 
     def _switch_off(self) -> None:
