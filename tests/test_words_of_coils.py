@@ -96,9 +96,6 @@ NO_CLAIM = {
     "not allowed with the output on": REFUSED,
     "{}: it would switch its output on by itself when it gets power.": REFUSED,
     "It closes when every coil is read back at zero; `guardian.log` says which is not.": HELP,
-    "Coils not read back since; another process was asked to switch them off and to read them.": (
-        "claims nothing: the window forgot what it knew, and `SwitchOff` was sent, when it says so"
-    ),
     "coil {}: {} A still flows; its output is not opened under current.": READ,
     "coil {}: {} A still flows after zero was set; the contacts were not moved.": READ,
     "coil {}: {} A still flows {} s after zero was set (zero is below {} A).": READ,

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.ipc.messages import KeepPhoto
-from labcal.gui.ipc.wire import BROKEN, Fault
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
@@ -241,8 +241,6 @@ class Live(QWidget):
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
         words = self._app_state.coil_words()
-        if fault.kind in BROKEN and self._app_state.known is None:
-            return self.tr("Coils not read back since; another process was asked to switch them off and to read them.")
         if self._app_state.lab.state.coils_at_zero is False:
             return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
         return words

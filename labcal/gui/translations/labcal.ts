@@ -862,10 +862,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coils not read back since; another process was asked to switch them off and to read them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
         <translation type="unfinished"></translation>
     </message>
