@@ -23,6 +23,7 @@ ASK_AGAIN_MS = 100  # while another program holds the store
 LATE_S = 15.0  # a row that waits so long for the disk is told; with real coils on, sooner: see `RunWriter.late_s`
 PATIENCE_S = 10.0  # at the end, with nothing energised any more: by then a lock or a full disk may be gone
 SAY_S = 1.0  # so long nobody is told that the end of a run waits for the disk
+TOLD_S = 0.1  # a row that has waited less has not waited
 PASSING = ("store locked", "disk full")  # faults that may go away by themselves
 ROWS_BUFFERED = 5_000
 INSERT_ITEM = "INSERT INTO item (run, kind, t_s, content, stamps, samples, raw) VALUES (?, ?, ?, ?, ?, ?, ?)"
@@ -169,14 +170,19 @@ class RunWriter:
 
     def _with_wait(self, fault: InstrumentError) -> InstrumentError:
         """`fault`, with how long the oldest row has waited for what may come by itself."""
-        if (since_s := self._since_s) is None or fault.fault not in (*PASSING, "store slow"):
+        since_s = self._since_s
+        if since_s is None or fault.fault not in (*PASSING, "store slow") or (waited_s := _ago(since_s)) < TOLD_S:
             return fault
-        what = f"{fault.what.removesuffix('.')}; a row has waited {time.monotonic() - since_s:.1f} s to be kept."
+        what = f"{fault.what.removesuffix('.')}; a row has waited {waited_s:.1f} s to be kept."
         return InstrumentError(what, fault=fault.fault, remedy=fault.remedy)
 
     def _slow(self) -> InstrumentError:
         what = f"{self._path}: the disk did not take in time what was recorded."
         return self._with_wait(InstrumentError(what, fault="store slow", remedy="See what keeps the disk busy."))
+
+
+def _ago(then_s: float) -> float:
+    return time.monotonic() - then_s
 
 
 def _ending(error: BaseException) -> str:
