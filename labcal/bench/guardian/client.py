@@ -142,8 +142,9 @@ class GuardianClient:
             return
         connection.close()
         deadline = time.monotonic() + CLOSE_S
-        while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
-            time.sleep(0.01)
+        with suppress(OSError):  # who cannot look, out of handles, does not wait, and can say how the run ended
+            while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
+                time.sleep(0.01)
 
     def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
