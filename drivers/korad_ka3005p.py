@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from drivers.framing.in_step import MAKER
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import quantity
@@ -17,6 +18,7 @@ from labcal.errors import InstrumentError
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")
 OUTPUT_BIT = 6
 QUIET_S = 0.05  # a reply of unknown length has ended when nothing more came for so long
+OWED_S = 0.3  # after its question an answer that was given up is not waited for any longer
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +37,8 @@ class Settings:
 class KoradSupply(CurrentSource):
     """A unipolar supply that reports no errors and drops what comes while it is busy: every set is read back.
 
-    A question that nothing answers is put once more; a set never is.
+    A question that nothing answers is put once more; a set never is. What is left of the answer to a question that was
+    given up, as zero was ordered, is waited for before the next question, and dropped; a set does not wait for it.
     """
 
     roles = ("coil",)
@@ -59,11 +62,13 @@ class KoradSupply(CurrentSource):
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
-        self._free_s = 0.0
+        self._free_s, self._owed_until_s = 0.0, -1e9
 
     def identify(self) -> Identity:
         """Ask who it is."""
         reply = self._until_quiet(self._first("*IDN?"))
+        if IDENTITY.fullmatch(reply) is None and MAKER.match(reply) is None:  # of an earlier question, or cut off
+            reply = self._until_quiet(self._first("*IDN?"))
         if (found := IDENTITY.fullmatch(reply)) is None:
             raise InstrumentError(
                 f"{self.name}: {quoted(reply)} answered, not a Korad or a clone.", fault="another instrument"
@@ -79,6 +84,7 @@ class KoradSupply(CurrentSource):
         reply = self._first(text)
         if text != "STATUS?":
             reply += self._link.ask(b"", end=4, timeout_s=self.settings.timeout_s)
+        self._owed_until_s = -1e9
         return reply.decode("latin-1")
 
     def trip(self) -> str:
@@ -106,14 +112,26 @@ class KoradSupply(CurrentSource):
         return self._asked(question)
 
     def _asked(self, question: str) -> bytes:
+        self._drop_owed()
         self.write(question)
+        self._owed_until_s = self._clock.now() + OWED_S
         return self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
+
+    def _drop_owed(self) -> None:
+        """Drop the answer to the question before, if that was given up and it comes yet."""
+        came = False
+        while (left_s := self._owed_until_s - self._clock.now()) > 0:
+            pieces = self._link.receive(self._clock.now() + min(left_s, QUIET_S))
+            if came and not pieces:
+                return
+            came = bool(pieces)
 
     def _until_quiet(self, reply: bytes) -> str:
         while pieces := self._link.receive(self._clock.now() + QUIET_S):
             reply += b"".join(piece for _, piece in pieces)
             if len(reply) > LONGEST:
                 raise babbles(self._link.url, reply)
+        self._owed_until_s = -1e9
         return reply.decode("latin-1").strip("\0\r\n ")
 
 

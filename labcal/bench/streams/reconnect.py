@@ -52,7 +52,7 @@ class Reconnecting:
             if fault.fault != "link lost":
                 raise
             self._lost, self._since_s, self._next_s = fault, t_s, t_s + RETRY_S
-            self._note(t_s, "link lost", f"its link is lost: {fault.what}")
+            self._note(t_s, "link lost", fault.what)
             return []
 
     def events(self) -> list[Event]:
@@ -74,7 +74,7 @@ class Reconnecting:
                 raise
             return
         self._lost = None
-        self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its link was lost")
+        self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s later")
 
     def _note(self, t_s: float, fault: str, text: str) -> None:
         self._events.append(Event(t_s, "stream", f"{self._sensor.name}: {text}", {"fault": fault}))
