@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from drivers.framing.in_step import MAKER
 from drivers.framing.supply import CurrentSource
@@ -39,6 +41,7 @@ class KoradSupply(CurrentSource):
 
     A question that nothing answers is put once more; a set never is. What is left of the answer to a question that was
     given up, as zero was ordered, is waited for before the next question, and dropped; a set does not wait for it.
+    Zero and off are told once more where their read-back denies them: it may have been deaf.
     """
 
     roles = ("coil",)
@@ -87,6 +90,14 @@ class KoradSupply(CurrentSource):
         self._owed_until_s = -1e9
         return reply.decode("latin-1")
 
+    def set_current(self, current_A: float) -> None:
+        """Set the current and read the set-point back."""
+        self._tell_rest_twice(super().set_current, current_A)
+
+    def output(self, on: bool) -> None:
+        """Switch the output, confirmed; before it goes on, the compliance voltage is set."""
+        self._tell_rest_twice(super().output, on)
+
     def trip(self) -> str:
         """It says that its output is off, and not by which of its two protections."""
         return "" if self.enabled else "over-voltage or over-current"
@@ -101,6 +112,14 @@ class KoradSupply(CurrentSource):
         self._link.flush()
         self._link.send((text + self.settings.terminator).encode())
         self._free_s = self._clock.now() + self.settings.gap_s
+
+    def _tell_rest_twice(self, tell: Callable[[Any], None], value: float) -> None:
+        try:
+            tell(value)
+        except InstrumentError as fault:
+            if value or fault.fault != "read-back":
+                raise
+            tell(value)
 
     def _first(self, question: str) -> bytes:
         """The first byte of its answer. Raises InstrumentError (silent) where it was asked twice and nothing came."""

@@ -10,7 +10,7 @@ from labcal.bench.links.line import wait_for_quiet
 from labcal.errors import InstrumentError
 
 QUIET_S = 0.1  # of a line that was out of step, before each question: what is late or said twice has come by then
-REMEDY = "See that nothing else talks on its line, then begin this step again."
+REMEDY = "Is it slower than its timeout_s, does another program talk on its line? Begin this step again."
 MAKER = re.compile(r"[A-Za-z][^,]*,")
 
 

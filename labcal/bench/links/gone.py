@@ -32,7 +32,8 @@ def not_open(url: str, error: OSError | None = None) -> InstrumentError:
 def failed(url: str, call: str, error: OSError, there: bool) -> InstrumentError:
     """The error for a line that was closed because `call` (reading, writing) failed; `there`: its port is there yet."""
     if not there or is_gone(error):
-        return InstrumentError(f"{url}: the link is lost ({error}).", fault="link lost")
+        why = "its other end has hung up" if HUNG_UP in str(error) else error
+        return InstrumentError(f"{url}: the link is lost ({why}).", fault="link lost")
     return InstrumentError(f"{url}: {call} failed ({error}); its port is there.", fault="link lost", remedy=NOT_GONE)
 
 
