@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.framing.in_step import MAKER
+from drivers.framing.in_step import MAKER, InStep
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import quantity
@@ -18,7 +18,7 @@ from labcal.bench.links.line import LONGEST, babbles
 from labcal.errors import InstrumentError
 
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")
-OUTPUT_BIT = 6
+OUTPUT_BIT, LENGTH = 6, 5  # of its status; of its numbers
 QUIET_S = 0.05  # a reply of unknown length has ended when nothing more came for so long
 OWED_S = 0.3  # after its question an answer that was given up is not waited for any longer
 
@@ -66,6 +66,8 @@ class KoradSupply(CurrentSource):
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
         self._free_s, self._owed_until_s = 0.0, -1e9
+        self._in_step = InStep(name, link, clock)
+        self.refuse_earlier = self._in_step.refuse_earlier
 
     def identify(self) -> Identity:
         """Ask who it is."""
@@ -76,6 +78,7 @@ class KoradSupply(CurrentSource):
             raise InstrumentError(
                 f"{self.name}: {quoted(reply)} answered, not a Korad or a clone.", fault="another instrument"
             )
+        self._in_step.heard("*IDN?", reply[:LENGTH])
         return Identity(found[1].title(), found[2], found[4] or "", found[3] or "")
 
     def close(self) -> None:
@@ -86,9 +89,9 @@ class KoradSupply(CurrentSource):
         """Ask; one byte of status or five characters are the reply, whatever strays in after them."""
         reply = self._first(text)
         if text != "STATUS?":
-            reply += self._link.ask(b"", end=4, timeout_s=self.settings.timeout_s)
+            reply += self._link.ask(b"", end=LENGTH - 1, timeout_s=self.settings.timeout_s)
         self._owed_until_s = -1e9
-        return reply.decode("latin-1")
+        return self._in_step.heard(text, reply.decode("latin-1"))
 
     def set_current(self, current_A: float) -> None:
         """Set the current and read the set-point back."""
@@ -132,6 +135,7 @@ class KoradSupply(CurrentSource):
 
     def _asked(self, question: str) -> bytes:
         self._drop_owed()
+        self._in_step.settle()
         self.write(question)
         self._owed_until_s = self._clock.now() + OWED_S
         return self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)

@@ -104,3 +104,13 @@ def test_half_a_name_is_not_the_last_word_and_another_name_is() -> None:
     with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError, match="not a Korad") as caught:
         supply.identify()
     assert caught.value.fault == "another instrument"
+
+
+def test_a_name_that_comes_for_a_number_is_an_answer_of_an_earlier_question() -> None:
+    name = b"KORADKA3005PV2.0"
+    wire = [(b"*IDN?", name), (b"ISET1?", name), (b"IOUT1?", b"0.000")]
+    with scripted(KoradSupply, wire) as supply:
+        supply.identify()
+        with pytest.raises(InstrumentError, match=r"an answer of an earlier question came to 'ISET1\?': 'KORAD'"):
+            supply.set_point()
+        assert supply.measure_current() == 0.0
