@@ -54,5 +54,5 @@ class InStep:
 
 
 def _look(reply: str) -> str:
-    """An answer with all its digits alike."""
-    return re.sub(r"\d", "0", reply.strip())
+    """An answer with all its digits alike, whatever its signs."""
+    return re.sub(r"\d", "0", re.sub(r"[+-]", "", reply.strip()))

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from drivers.framing.in_step import InStep
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.links import Link, abridged
+from labcal.bench.links import Link, abridged, quoted
 from labcal.errors import InstrumentError
 
 LONGEST_QUEUE = 64
@@ -51,6 +51,7 @@ class Scpi:
             return
         if not CODE.match(error):
             self.refuse_earlier(self.errors, error)
+            error = f"asked for errors it answered {quoted(error)}"
         raise refused(self.name, text, error)
 
     def send(self, text: str) -> None:

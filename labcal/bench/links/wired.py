@@ -85,7 +85,10 @@ class WiredLink:
             self._port = _open(self.url, self._address, self._options)
         except (OSError, ValueError) as error:
             self.close()
-            raise not_open(self.url, error) if isinstance(error, OSError) else self._wrong(error) from error
+            if not isinstance(error, OSError):
+                raise self._wrong(error) from error
+            self._failure = not_open(self.url, error)
+            raise self._failure from error
 
     def send(self, data: bytes) -> None:
         """Put bytes on the line."""
