@@ -82,7 +82,8 @@ class Bench:
         monkeypatch.setattr("labcal.bench.guardian.duty.later", lambda write: None)
         file = folder / "bench.toml"
         file.write_text(text, encoding="utf-8")
-        self.guardian = Guardian(file, read_config(file), lambda text: None)
+        self.noted = list[str]()
+        self.guardian = Guardian(file, read_config(file), self.noted.append)
         self.guardian.zero("a session begins", by_session=True)
         line = self.guardian.coils["x"].line
         (self._link,) = line.loader.links.values()
