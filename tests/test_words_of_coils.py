@@ -97,8 +97,6 @@ NO_CLAIM = {
     "not allowed with the output on": REFUSED,
     "{}: it would switch its output on by itself when it gets power.": REFUSED,
     "It closes when every coil is read back at zero; `guardian.log` says which is not.": HELP,
-    "What was committed is safe; see what keeps the disk busy, then go on with the run.": "of a store, not of coils",
-    "What was committed is safe; make room on the disk, then go on with the run.": "of a store, not of coils",
     "coil {}: {} A still flows; its output is not opened under current.": READ,
     "coil {}: {} A still flows after zero was set; the contacts were not moved.": READ,
     "coil {}: {} A still flows {} s after zero was set (zero is below {} A).": READ,

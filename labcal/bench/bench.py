@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
@@ -14,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.clock import Clock
-from labcal.bench.coils.at_zero import NOT_ORDERED, ORDERED, SLOW_S
+from labcal.bench.coils.at_zero import words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
@@ -231,10 +230,8 @@ class Bench:
 
     def slow_zero(self) -> str:
         """What may be said of a way to zero that takes long, while it does; "" else."""
-        since_s = self.cage.to_zero_since_s
-        if since_s is None or time.monotonic() - since_s < SLOW_S:
-            return ""
-        return ORDERED if self._guardian is None or self._guardian.zero_is_ordered else NOT_ORDERED
+        ordered = self._guardian is None or self._guardian.zero_is_ordered
+        return words_of_slow_zero(self.cage.to_zero_since_s, ordered)
 
     def rest_instruments(self) -> None:
         """Every instrument to rest, after the coils; a failure of one does not skip another."""

@@ -16,7 +16,7 @@ from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
-from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
+from labcal.record.stream import NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
@@ -29,10 +29,14 @@ Show = Callable[[LabState], None]
 
 @dataclass(frozen=True, slots=True)
 class Ending:
-    """How a run ended. `status` is the contract's word; `fault` what went wrong, None where nothing did."""
+    """How a run ended. `status` is the contract's word; `fault` what went wrong, None where nothing did.
+
+    `by_store`: what went wrong is that the record was not kept.
+    """
 
     status: str
     fault: BaseException | None = None
+    by_store: bool = False
 
 
 @dataclass
@@ -83,7 +87,7 @@ class Drive:
         except Left as fault:
             return Ending("interrupted", fault)
         except NotKept as fault:
-            return Ending("interrupted", fault.fault)
+            return Ending("interrupted", fault.fault, by_store=True)
         except Aborted as fault:
             return Ending(f"failed: {fault}", fault)
         except (Stopped, KeyboardInterrupt) as fault:
@@ -212,6 +216,7 @@ class Drive:
             self._rows_wait = True
             with suppress(Exception):  # tried again, and told, on the way to rest
                 self.bench.cage.zero()
+            self._tell_not_kept(fault)
             raise NotKept(fault) from None
 
     def _say_what_takes_long(self) -> None:
@@ -224,6 +229,13 @@ class Drive:
         self._told_of_zero = words
         with suppress(Exception):  # the way to zero goes on whoever watches
             self.tell(_later(self._event("slow-zero", words), self.offset_s))
+
+    def _tell_not_kept(self, fault: InputError | InstrumentError) -> None:
+        """At once, for the last rows may be waited for; it is in the record where that can be mended."""
+        said = _later(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
+        with suppress(InputError, InstrumentError):
+            self.write(said)
+        self.tell(said)
 
     def _listen(self) -> None:
         self._check()

@@ -16,8 +16,8 @@ from test_latch import Bench, one_tti
 
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.at_zero import ORDERED
-from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.guardian.handover import Handover, Held
+from labcal.bench.guardian.last_read import LastRead
 from labcal.cli import execute
 from labcal.errors import InstrumentError
 
@@ -25,22 +25,13 @@ EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "simulated.toml"
 WAIT_S = 30.0
 
 
-class Noted(Bench):
-    """Three outputs of one supply on one line, and what its guardian notes."""
-
-    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        super().__init__(one_tti(), folder, monkeypatch)
-        self.noted = list[str]()
-        monkeypatch.setattr(self.guardian, "_note", self.noted.append)
-
-
 @pytest.fixture
-def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Noted:
+def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bench:
     """At rest."""
-    return Noted(tmp_path, monkeypatch)
+    return Bench(one_tti(), tmp_path, monkeypatch)
 
 
-def test_what_is_not_asked_again_is_told_as_that_with_its_age(bench: Noted) -> None:
+def test_what_is_not_asked_again_is_told_as_that_with_its_age(bench: Bench) -> None:
     bench.energise({"x": 1.0})
     wire = bench.spoil(["lost"] * 10_000, 0.0)
     bench.guardian.zero("the session", by_session=True)
@@ -55,14 +46,14 @@ def test_what_is_not_asked_again_is_told_as_that_with_its_age(bench: Noted) -> N
     assert not any(end.abrupt for end in ended)
 
 
-def fails_once(bench: Noted, axis: str) -> None:
+def fails_once(bench: Bench, axis: str) -> None:
     """One question to this supply is lost: from then on it is in doubt."""
     bench.spoil(["lost"], 0.0)
     with pytest.raises(InstrumentError, match="no reply"):
         bench.guardian.measure_current(axis)
 
 
-def test_a_fault_of_before_stands_apart_from_what_is_read_now(bench: Noted) -> None:
+def test_a_fault_of_before_stands_apart_from_what_is_read_now(bench: Bench) -> None:
     bench.energise({"x": 1.0})
     fails_once(bench, "x")
     ended = {end.axis: end for end in bench.guardian.zero("the session", by_session=True)}
@@ -72,7 +63,7 @@ def test_a_fault_of_before_stands_apart_from_what_is_read_now(bench: Noted) -> N
     assert ended["x"].from_A == pytest.approx(1.0, abs=0.01)
 
 
-def test_a_coil_in_doubt_that_was_at_zero_came_to_it_by_no_step(bench: Noted) -> None:
+def test_a_coil_in_doubt_that_was_at_zero_came_to_it_by_no_step(bench: Bench) -> None:
     bench.energise({"x": 1.0})
     fails_once(bench, "y")
     ended = {end.axis: end for end in bench.guardian.zero("the session", by_session=True)}
@@ -101,14 +92,11 @@ def test_whoever_gives_way_to_zero_is_told_who_ordered_it() -> None:
 
 
 def test_a_connection_that_is_gone_tells_what_was_read_last_and_when() -> None:
-    client: Any = object.__new__(GuardianClient)
-    client._clock, client._read = VirtualClock(datetime(2026, 1, 1, 7, 8, 9, tzinfo=UTC)), {}
-    assert client._gone().what == "the connection to the guardian is gone; no current was read through it."
-    client._note_read("x", 0.25)
-    assert client._gone().what == (
-        "the connection to the guardian is gone; last read (UTC): coil x +0.2500 A at 07:08:09."
-    )
-    assert "killed" not in str(client._gone())
+    read = LastRead(VirtualClock(datetime(2026, 1, 1, 7, 8, 9, tzinfo=UTC)))
+    assert read.gone().what == "the connection to the guardian is gone; no current was read through it."
+    read.keep("x", 0.25)
+    assert read.gone().what == "the connection to the guardian is gone; last read (UTC): coil x +0.2500 A at 07:08:09."
+    assert "killed" not in str(read.gone())
 
 
 def off(monkeypatch: pytest.MonkeyPatch, slow_s: float) -> threading.Event:

@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -14,7 +13,7 @@ import pytest
 from labcal.bench import open_bench
 from labcal.bench.bench import Bench
 from labcal.bench.clock import Clock, RealClock, VirtualClock
-from labcal.bench.coils.at_zero import NOT_ORDERED, ORDERED
+from labcal.bench.coils.at_zero import NOT_ORDERED, ORDERED, words_of_slow_zero
 from labcal.bench.steps import Procedure
 from labcal.errors import InstrumentError
 from labcal.record.stream import Event, Item
@@ -62,19 +61,13 @@ def test_zero_is_ordered_again_only_where_it_was_not_read_back(bench_file: Bench
 def test_whoever_watches_is_told_once_that_zero_was_ordered_where_it_takes_long(
     bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch, slow_s: float, says: list[str]
 ) -> None:
-    monkeypatch.setattr("labcal.bench.bench.SLOW_S", slow_s)
+    monkeypatch.setattr("labcal.bench.coils.at_zero.SLOW_S", slow_s)
     written, told = driven(bench_file(), RealClock(), lambda bench: None)
     assert [item.text for item in told if isinstance(item, Event) and item.kind == "slow-zero"] == says
     assert not [item for item in written if isinstance(item, Event) and item.kind == "slow-zero"]
 
 
 @pytest.mark.parametrize(("ordered", "says"), [(True, ORDERED), (False, NOT_ORDERED)], ids=["ordered", "not reached"])
-def test_zero_is_called_ordered_once_a_guardian_was_told(
-    bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch, ordered: bool, says: str
-) -> None:
-    with open_bench(bench_file(), clock=VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), seed=1) as bench:
-        assert bench.slow_zero() == ""
-        with monkeypatch.context() as patch:
-            patch.setattr(bench, "_guardian", SimpleNamespace(zero_is_ordered=ordered))
-            patch.setattr(bench.cage, "to_zero_since_s", time.monotonic() - 10.0)
-            assert bench.slow_zero() == says
+def test_zero_is_called_ordered_once_a_guardian_was_told(ordered: bool, says: str) -> None:
+    assert words_of_slow_zero(None, ordered) == words_of_slow_zero(time.monotonic(), ordered) == ""
+    assert words_of_slow_zero(time.monotonic() - 10.0, ordered) == says

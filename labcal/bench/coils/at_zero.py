@@ -48,3 +48,10 @@ class AtZero:
         if self.asked_s is None:
             return str(self.fault)
         return f"not asked this time; {time.monotonic() - self.asked_s:.1f} s ago: {self.fault}"
+
+
+def words_of_slow_zero(since_s: float | None, ordered: bool) -> str:
+    """What may be said of a way to zero wanted at `since_s` (monotonic; None: nobody wants one) that takes long."""
+    if since_s is None or time.monotonic() - since_s < SLOW_S:
+        return ""
+    return ORDERED if ordered else NOT_ORDERED

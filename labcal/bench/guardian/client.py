@@ -10,13 +10,13 @@ import subprocess
 import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
-from datetime import timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.briefing import Briefing
+from labcal.bench.guardian.last_read import LastRead
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
@@ -32,10 +32,6 @@ STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 CLOSE_S = 5.0
-GONE = (
-    "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "
-    "`labcal bench off` sets zero and reads it back. Then start the run again."
-)
 
 NOT_OURS = InstrumentError(
     "another user's process answers as the guardian of this bench; it is not believed.",
@@ -97,7 +93,7 @@ class GuardianClient:
         self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
         self.zero_is_ordered = False  # the last that was sent: nothing was lost since
-        self._read = dict[str, str]()  # each axis: what was read last, and when
+        self._read = LastRead(clock)
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet()
         clock.while_waiting(self._beat)
@@ -109,7 +105,7 @@ class GuardianClient:
         """
         if self._lost:
             self._lost = False
-            raise self._gone()
+            raise self._read.gone()
         if self._connection is None:
             self._meet()
         try:
@@ -117,9 +113,9 @@ class GuardianClient:
         except OSError as error:
             self._lose()
             self._lost = False
-            raise self._gone() from error
+            raise self._read.gone() from error
         if order == "measure_current":
-            self._note_read(what["axis"], told)
+            self._read.keep(what["axis"], told)
         return told
 
     @property
@@ -132,7 +128,7 @@ class GuardianClient:
         ended = [wire.zero_of(end) for end in self.ask("zero", why=why)]
         for end in ended:
             if end.current_A is not None:
-                self._note_read(end.axis, end.current_A, end.read_s)
+                self._read.keep(end.axis, end.current_A, end.read_s)
         return ended
 
     def close(self) -> None:
@@ -142,8 +138,9 @@ class GuardianClient:
             return
         connection.close()
         deadline = time.monotonic() + CLOSE_S
-        while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
-            time.sleep(0.01)
+        with suppress(OSError):  # who cannot look, out of handles, does not wait, and can say how the run ended
+            while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
+                time.sleep(0.01)
 
     def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
@@ -158,20 +155,9 @@ class GuardianClient:
             raise wire.fault_of(reply["error"])
         return reply["value"]
 
-    def _note_read(self, axis: str, current_A: float, read_s: float | None = None) -> None:
-        """`read_s`: on the monotonic clock; None: just now."""
-        age = timedelta(seconds=0.0 if read_s is None else time.monotonic() - read_s)
-        self._read[axis] = f"coil {axis} {current_A:+.4f} A at {self._clock.utc() - age:%H:%M:%S}"
-
-    def _gone(self) -> InstrumentError:
-        """That nobody answers any more, and what was known then: told later, it is as true."""
-        read = ", ".join(self._read.values())
-        known = f"last read (UTC): {read}" if read else "no current was read through it"
-        return InstrumentError(f"the connection to the guardian is gone; {known}.", fault="guardian lost", remedy=GONE)
-
     def _open(self) -> Connection:
         if self._connection is None:
-            raise self._gone()
+            raise self._read.gone()
         return self._connection
 
     def _beat(self) -> None:

@@ -11,6 +11,7 @@ from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.bench.guardian.coil import GuardedCoil
 from labcal.errors import InstrumentError
 
+REOPENED = ("silent", "babbles", "out of step", "link lost")  # faults after which the link is opened anew
 ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what it holds
 
 
@@ -116,7 +117,7 @@ def _read_back(coil: GuardedCoil) -> AtZero:
         if fault.fault != "another instrument":
             with suppress(InstrumentError):
                 coil.bare.write_off()
-    if end.current_A is None and end.fault is not None and end.fault.fault in ("silent", "babbles", "link lost"):
+    if end.current_A is None and end.fault is not None and end.fault.fault in REOPENED:
         with suppress(InstrumentError):
             coil.line.reopen()
     return end

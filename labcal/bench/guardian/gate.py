@@ -2,7 +2,8 @@
 
 A question that nobody answers would keep the line from who brings its coils down. While the gate is closed only that
 thread passes; what others have under way ends within a hundredth of a second, and they can send nothing more. The reply
-to a question that was given up is still on its way: it must not be taken for the answer to the next.
+to a question that was given up is still on its way: it must not be taken for the answer to the next. Where replies have
+an end, they are counted here; a driver that asks for a number of bytes waits for it itself before it asks again.
 """
 
 from __future__ import annotations
@@ -93,7 +94,7 @@ class GatedLink:
         if request:
             self.send(request)
         reply = read_reply(self, self._clock, end=end, timeout_s=timeout_s)
-        return self._newest(reply, end) if self._gate.owed else reply
+        return self._newest(reply, end) if self._gate.owed and isinstance(end, bytes) else reply
 
     def give_back(self, t_s: float, data: bytes) -> None:
         """Put bytes that were read too far back at the head of the line."""
@@ -121,7 +122,7 @@ class GatedLink:
             self._gate.owed = True
             raise
 
-    def _newest(self, reply: bytes, end: bytes | int) -> bytes:
+    def _newest(self, reply: bytes, end: bytes) -> bytes:
         """The reply to what was asked last: the first that came may belong to what was given up."""
         self._gate.owed = False
         until_s = self._clock.now() + OWED_S
