@@ -12,6 +12,8 @@ from labcal.record.stream import Event
 
 NOISE_NT = 100.0  # of one axis, where none is stated; the filter's start finds its own
 
+UNDETERMINED = "offsets so far: not yet determined by the turns made"
+
 
 class SoFar:
     """The offsets of the DUT from the turns that it has made."""
@@ -35,8 +37,11 @@ class SoFar:
         if why := self._filter.diverged():
             return f"offsets so far: {why}"
         if not self._filter.started:
-            return "offsets so far: not yet determined by the turns made"
-        found = self._filter.estimate()
+            return UNDETERMINED
+        try:
+            found = self._filter.estimate()
+        except ArithmeticError:  # no real scale factors belong to where it is
+            return UNDETERMINED
         u = np.sqrt(np.diag(found.covariance)[:3])
         each = (f"{axis} {b:.0f} ± {2 * s:.0f}" for axis, b, s in zip("xyz", found.bias, u, strict=True))
         return f"offsets so far, from magnitudes alone: {', '.join(each)} nT (k = 2)"
