@@ -32,11 +32,19 @@ def normalised(found, true: AffineMap) -> np.ndarray:
     return (found.affine.parameters - true.parameters) / np.sqrt(np.diag(found.covariance))
 
 
-def test_the_rotation_is_known_and_the_error_as_large_as_the_covariance_says(bench) -> None:
+@pytest.mark.parametrize("reference_noise", [0.0, 100.0])
+def test_the_rotation_is_known_and_the_error_as_large_as_the_covariance_says(bench, reference_noise: float) -> None:
     seeds, squares = 20, []
     for seed in range(seeds):
         run, true, _ = bench(offers="axis", seed=seed, rows=60)
-        found = ml(magnitudes_of(run))
+        run = magnitudes_of(run)
+        off = reference_noise * np.random.default_rng([seed, 1]).standard_normal(len(run))
+        run = replace(
+            run,
+            reference=Reference("scalar", noise_nT=reference_noise or None),
+            reference_magnitude=run.reference_magnitude + off,
+        )
+        found = ml(run)
         assert found.frame_known
         error = found.affine.parameters - true.parameters
         squares.append(error @ np.linalg.solve(found.covariance, error))
