@@ -67,6 +67,20 @@ def test_the_normal_equations_are_the_derivative_of_the_cost_by_the_heights_too(
     assert gradient[:12] == pytest.approx(numeric[:12], abs=0.03 * np.abs(gradient[:12]).max())
 
 
+def test_a_row_of_unknown_height_weighs_the_references_noise_on_its_radius_alone(bench) -> None:
+    """Propagated by hand: d radius = |ref| / radius d|ref| at a given height."""
+    run, true, _ = bench(offers="axis", rows=20, noise_nT=0.0)
+    seen, noise = observe_planes(magnitudes_of(run)), Noise(25.0, 40.0)
+    heights = [np.mean(run.reference_vector[run.rows(index), 2]) for index in range(len(seen.loci))]
+    at = evaluate(seen, noise, np.r_[true.K.ravel() * seen.scale, true.k_nT], np.array(heights))
+    axis, height = seen.axis[7], heights[seen.group[7]]
+    across = at.field[7] - (at.field[7] @ axis) * axis
+    known = np.stack([axis, across / np.linalg.norm(across)])
+    by_reference = np.diag([0.0, (40.0 * seen.magnitude[7]) ** 2 / (seen.magnitude[7] ** 2 - height**2)])
+    expected = known @ (25.0**2 * true.K @ true.K.T) @ known.T + by_reference
+    assert np.linalg.inv(known @ at.information[7] @ known.T) == pytest.approx(expected, rel=1e-6)
+
+
 def test_readings_that_are_turned_turn_the_map_back(bench) -> None:
     run, _, _ = bench(offers="axis")
     Q = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
