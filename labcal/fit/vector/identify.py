@@ -19,7 +19,8 @@ CLEAR = 1e4  # … and beyond this much more there is no need to look for a vall
 MOST_NAMED = 5
 FAR = 8.0  # standard uncertainties at which a valley is looked for
 LARGEST_U = 0.05  # of the largest field: beyond it the linear propagation, too, means little
-LEAST_OF_PLANES, LARGEST_U_OF_PLANES = 1.0, 0.15  # where heights are unknown: it still holds (tests/fit/test_planes.py)
+# Where heights are unknown u still is the scatter: models 2 and 5 of Riwanto et al. (tests/papers/test_riwanto.py).
+LEAST_OF_PLANES, LARGEST_U_OF_PLANES = 1.0, 0.15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
