@@ -17,6 +17,7 @@ from labcal.bench.coils.state import LabState
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.identify import Identified, identify_all
 from labcal.bench.opening import open_bench
+from labcal.bench.specification import specification_of
 from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
@@ -84,7 +85,7 @@ def run(
         return run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
-            run_id=run_id, control=control, tell=tell, show=show,
+            specification=specification_of(lab.config, bench), run_id=run_id, control=control, tell=tell, show=show,
         )  # fmt: skip
 
 
