@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -48,6 +49,7 @@ from labcal.store import (
 from labcal.store import check_store as store_check
 from labcal.store.listing import FILE as STORE
 from labcal.toml_file import named_files
+from labcal.uncertainty.conformity import Changes, assess
 
 if TYPE_CHECKING:
     from labcal.bench.look_again import Looked
@@ -55,6 +57,7 @@ if TYPE_CHECKING:
 
 Source = str | Path | Run  # a run id of the local store or a path to a bundle, a path, or the run itself
 THIS_LAB = "this lab's trust list"
+CALIBRATIONS = "calibrations"  # the window's drafts and certificates, in labcal's folder
 
 
 def run(
@@ -311,15 +314,15 @@ def close_loop(
     bundle = run_bundle(run)
     measured = bundle.run()
     closed = with_installed_procedure(loop.close_loop(measured, progress))
+    made = partial(draft_calibration, measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
+    if measured.specification is not None:
+        closed = replace(closed, conformity=assess(made(), measured.specification, measured))
     if report is not None:
         with outputs[report].writing():
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
-        made = draft_calibration(
-            measured, closed.fit(), bundle.sha256, metrics=closed.metrics(), cage_sha256=_cage_sha256(run)
-        )
         with outputs[out].writing():
-            write_bytes(out, certificate.calibration_bytes(made))
+            write_bytes(out, certificate.calibration_bytes(made(cage_sha256=_cage_sha256(run))))
     return closed
 
 
@@ -359,29 +362,41 @@ def apply_calibration(
         return certificate.apply_file(found, source, out)
 
 
-def report(source: str, out: Path, allowed_signers: Path | None = None, *, force: bool = False) -> None:
-    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`."""
-    read = [*paths(source), Path(source), *([allowed_signers] if allowed_signers else [])]
+def report(
+    source: str, out: Path, allowed_signers: Path | None = None, *, before: Path | None = None, force: bool = False
+) -> None:
+    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
+
+    A calibration's page says what changed since that of `before`, else since the lab's own before it, if there is one.
+    """
+    read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
     [output] = claim("report", out, inputs=read, force=force)
     with output.writing():
         if certificate.looks_like_calibration(Path(source)):
-            return _report_calibration(Path(source), out, allowed_signers)
+            return _report_calibration(Path(source), out, allowed_signers, before)
         bundle = run_bundle(source)
         run = bundle.run()
         return write_report(run_page(run, bundle.sha256, fit(run, holdout=False)), out)
 
 
-def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
+def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, before: Path | None) -> None:
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
-    run = _run_of(calibration)
+    run = run_of(calibration)
     if out.suffix.lower() == ".xml":
         return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out)
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
-    return write_report(calibration_page(calibration, verification, checked, run), out)
+    changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
+    return write_report(calibration_page(calibration, verification, checked, run, changed), out)
 
 
-def _run_of(calibration: Calibration) -> Run | None:
+def changed_since(calibration: Calibration) -> Changes | None:
+    """What changed since the calibration before this one of the same DUT in this lab's folder; None where none is."""
+    started = {run.run_id: run.started_utc for run in runs()}
+    return certificate.changed_since(calibration, home() / CALIBRATIONS, started)
+
+
+def run_of(calibration: Calibration) -> Run | None:
     """The run a calibration came from, where this store has it unchanged."""
     try:
         bundle = run_bundle(calibration.run_id)

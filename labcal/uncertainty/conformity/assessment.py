@@ -11,6 +11,7 @@ from labcal.uncertainty.conformity.decision import Judged, Measured, finite, jud
 from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 from labcal.uncertainty.conformity.of_the_run import figures_of_the_run
 
+LEFT_OPEN = "Of the specification: "
 ORDER = ("pass", "conditional-pass", "conditional-fail", "fail")  # the best first
 
 
@@ -35,7 +36,7 @@ def assess(calibration: Calibration, specification: Specification, run: Run | No
         known = [one for one in measured if one.figure == name and finite(one)]
         lines += [judge(one, limit, specification) for one in known]
         if not known:
-            left_open.append(f"Of the specification: {name.replace('_', '-')}, which {_why_open(measured, name, run)}.")
+            left_open.append(f"{LEFT_OPEN}{name.replace('_', '-')}, which {_why_open(measured, name, run)}.")
     return Assessment(tuple(lines), tuple(left_open))
 
 

@@ -100,7 +100,7 @@ BOTH_WAYS = ((1.0, "+"), (-1.0, "-"))
 
 
 def _magnitude(new: Calibration, old: Calibration, field_nT: Array, quantity: str) -> Change:
-    reading: Array = np.linalg.solve(new.affine.K, field_nT + new.affine.k_nT)[None, :]
+    reading = np.asarray(np.linalg.solve(new.affine.K, field_nT + new.affine.k_nT)[None, :], dtype=np.float64)
     (found, u_found), (left, u_left) = (_size(calibration, reading) for calibration in (old, new))
     return _change(quantity, found, left, float(np.hypot(u_found, u_left)), "nT")
 

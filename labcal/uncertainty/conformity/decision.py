@@ -109,3 +109,18 @@ def largest_risk(specification: Specification) -> float:
 def finite(measured: Measured) -> bool:
     """Whether the figure and its uncertainty are known, so that it can be judged."""
     return bool(np.isfinite([measured.value, measured.u]).all())
+
+
+WORDS: dict[Result, str] = {
+    "pass": "PASS",
+    "conditional-pass": "conditional pass",
+    "conditional-fail": "conditional fail",
+    "fail": "FAIL",
+}
+
+
+def risk_in_words(risk: float) -> str:
+    """A risk in per cent, two figures; one that is all but nought or certain as such."""
+    if risk < 1e-4:
+        return "< 0.01 %"
+    return f"{100 * risk:.2g} %" if risk < 0.995 else "> 99 %"

@@ -1,8 +1,8 @@
 """The sensor's figures that only a run shows: noise, linearity, and what the calibration leaves.
 
 All three are read off the magnitude residual |b| - |ref|, which every kind of run with a reference has. An error e of b
-moves it by b̂ · e. The reference's own noise and nonlinearity are in it; its scale, zero and attitude are not in noise
-and linearity.
+moves it by b̂ · e. The reference's own nonlinearity is in it, and its noise where none is stated; its scale, zero and
+attitude are not in noise and linearity.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def figures_of_the_run(calibration: Calibration, run: Run) -> tuple[Measured, ..
     corrected, raw = _seen(calibration, run), _seen(_not_straightened(calibration), run)
     if len(corrected.residual_nT) < FEW:
         return ()
-    return (*_noise(corrected), *_linearity(raw), *_residual(calibration, corrected))
+    return (*_noise(corrected, run.reference.noise_nT or 0.0), *_linearity(raw), *_residual(calibration, corrected))
 
 
 def _seen(calibration: Calibration, run: Run) -> _Seen:
@@ -63,15 +63,21 @@ def _of_the_field_alone(effect: EffectRecord) -> bool:
     return family is not None and family.of_field and not effect.channels
 
 
-def _noise(seen: _Seen) -> list[Measured]:
+def _noise(seen: _Seen, of_reference_nT: float) -> list[Measured]:
     """From the differences d of neighbours: σ² = Σ d² / 2N, with 2N/3 degrees of freedom (von Neumann et al. 1941).
 
-    Neighbouring differences share a reading: their squares correlate by 1/4, which leaves two thirds of the N.
+    Neighbouring differences share a reading: their squares correlate by 1/4, which leaves two thirds of the N. Of the
+    reference's own variance somewhere between none and all is in it, as it is brought to the rows: half is taken off,
+    and the rest is a rectangular distribution's (GUM, 4.3.7).
     """
     inside = np.diff(seen.segment) == 0
     d = np.diff(seen.residual_nT)[inside]
-    sigma = float(np.sqrt(np.mean(d**2) / 2))
-    return [Measured("noise", "noise", sigma, sigma / np.sqrt(2 * 2 * len(d) / 3), signed=False)]
+    variance = float(np.mean(d**2) / 2)
+    ours = variance - of_reference_nT**2 / 2
+    if ours <= 0:
+        return []
+    u_variance = np.hypot(variance * np.sqrt(2 / (2 * len(d) / 3)), of_reference_nT**2 / np.sqrt(12))
+    return [Measured("noise", "noise", float(np.sqrt(ours)), float(u_variance / (2 * np.sqrt(ours))), signed=False)]
 
 
 def _residual(calibration: Calibration, seen: _Seen) -> list[Measured]:

@@ -92,6 +92,25 @@ def test_noise_and_linearity_miss_by_as_much_as_they_state():
     assert 0.7 < rms(linearity) < 1.4, rms(linearity)
 
 
+def test_the_reference_s_own_noise_is_not_the_sensor_s():
+    """Both draws are independent from row to row here: all of the reference's variance is in the differences."""
+    made = made_up_run(seed=5, offers="scalar", noise_nT=20.0, rows=400)
+    draw = np.random.default_rng(6).normal(0.0, 8.0, len(made.run))
+    noisy = replace(
+        made.run,
+        reference=replace(made.run.reference, noise_nT=8.0),
+        reference_magnitude=made.run.reference_magnitude + draw,
+    )
+    [told] = [one for one in of_the_truth(made, noisy) if one.figure == "noise"]
+    assert abs(told.value - 20.0) < 2 * told.u
+    [unstated] = [
+        one for one in of_the_truth(made, replace(noisy, reference=made.run.reference)) if one.figure == "noise"
+    ]
+    assert unstated.value - 20.0 > 3 * unstated.u
+    louder = replace(noisy, reference=replace(noisy.reference, noise_nT=60.0))
+    assert not [one for one in of_the_truth(made, louder) if one.figure == "noise"]
+
+
 def test_a_straight_sensor_is_straight_within_its_uncertainty():
     over = []
     for seed in range(RUNS):
