@@ -81,9 +81,9 @@ def show_conformity(found: Assessment) -> None:
 
     screen = console()
     if found.lines:
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+        table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
         table.add_column("Specification", no_wrap=True)
-        for name in ("Value", "U", "Limit ±", "Unit", "Result", "Risk", "TUR"):
+        for name in ("Value", "U", "Limit", "Unit", "Result", "Risk", "TUR"):
             table.add_column(name, no_wrap=True, justify="left" if name in ("Unit", "Result") else "right")
         for line in found.lines:
             decimals = decimals_for([line.U])
@@ -104,7 +104,7 @@ def _show_changes(found: Changes) -> None:
     from labcal.certificate.report.style import decimals_for
 
     screen = console()
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("Figure", no_wrap=True)
     for name in ("As found", "As left", "Change", "U", "Unit", "E_n", ""):
         table.add_column(name, no_wrap=True, justify="left" if name in ("Unit", "") else "right")
