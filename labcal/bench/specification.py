@@ -10,8 +10,8 @@ from pydantic import TypeAdapter, ValidationError
 
 from labcal.bench.config import BenchConfig, line_of, sentence
 from labcal.errors import InputError
+from labcal.files.toml_file import read_toml
 from labcal.record.specification import Specification
-from labcal.toml_file import read_toml
 
 KEY = ("dut", "specification")
 UNKNOWN = "unexpected_keyword_argument"

@@ -16,12 +16,12 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from labcal import files
 from labcal.certificate.dcc_conformity import conformity_results
 from labcal.errors import InputError
+from labcal.files import atomic
+from labcal.files.toml_file import read_toml
 from labcal.model import Calibration, EffectRecord
 from labcal.record import Run
-from labcal.toml_file import read_toml
 from labcal.uncertainty.conformity import stated_lines
 from labcal.version import __version__
 
@@ -88,7 +88,7 @@ def write_dcc(
     if run is None:
         told = f"a certificate states when it was measured; run {calibration.run_id} is not in this lab's store"
         raise InputError(f"{told} (`labcal import` takes its bundle in)")
-    files.write_bytes(out, dcc_xml(calibration, content, name, run, read_laboratory(laboratory)))
+    atomic.write_bytes(out, dcc_xml(calibration, content, name, run, read_laboratory(laboratory)))
 
 
 def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, laboratory: Laboratory) -> bytes:

@@ -11,7 +11,7 @@ import typer
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console
-from labcal.outputs import claim
+from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
     from labcal.uncertainty.conformity import Assessment, Changes
@@ -37,7 +37,7 @@ def conformity(
 ) -> int:
     """Show whether a calibration is in specification. Exit code 1: a line is not, or nothing determined it."""
     from labcal import session
-    from labcal.conformity import conformity as judged
+    from labcal.session.conformity import conformity as judged
 
     read = [calibration, *([specification] if specification else []), *(session.paths(run) if run else [])]
     claim("conformity", json_path(json_file), inputs=read, force=force)  # before the work, not after it
@@ -61,7 +61,7 @@ def compare(
     force: bool = FORCE,
 ) -> int:
     """Show what changed between two calibrations of one DUT. Exit code 1: more than the uncertainty explains."""
-    from labcal.conformity import compare as compared
+    from labcal.session.conformity import compare as compared
 
     claim("compare", json_path(json_file), inputs=[calibration, before], force=force)
     found = compared(calibration, before)

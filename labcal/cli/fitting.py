@@ -11,7 +11,7 @@ from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.conformity import show_conformity
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console, say
-from labcal.outputs import claim
+from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
     from labcal.certificate import AppliedFile
@@ -34,8 +34,8 @@ def fit(
 ) -> int:
     """Estimate a calibration from a run. Exit code 1: the run does not determine one."""
     from labcal import session
-    from labcal.conformity import fit_conformity
     from labcal.fit.document import document
+    from labcal.session.conformity import fit_conformity
 
     claim("fit", out, json_path(json_file), inputs=session.paths(run), force=force)  # before the work, not after it
     names = tuple(name.strip() for name in channels.split(",") if name.strip()) if channels is not None else None
