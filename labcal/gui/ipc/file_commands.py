@@ -18,6 +18,7 @@ from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
     ApplyCalibration,
     Approve,
+    ChangedSince,
     CorrectSerial,
     ExportRun,
     FindSimulatedBench,
@@ -38,6 +39,7 @@ from labcal.gui.ipc.messages import (
 if TYPE_CHECKING:
     from labcal.certificate import Verification
     from labcal.store import RunSummary
+    from labcal.uncertainty.conformity import Changes
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 LOOKED_BACK = 8  # runs, for the last closing check
@@ -97,6 +99,7 @@ def calibrations(channel: Channel, asked: ListCalibrations) -> tuple[Calibration
 def _calibration(path: Path) -> CalibrationFile:
     """What a calibration file says, and how its signatures stand."""
     from labcal import session
+    from labcal.uncertainty.conformity import LEFT_OPEN, stated_lines
 
     found = session.load_calibration(path)
     covariance = found.covariance
@@ -113,6 +116,8 @@ def _calibration(path: Path) -> CalibrationFile:
         operator=found.operator,
         approvers=found.approvers,
         standing=_standing(path, session.verify(path)),
+        specification=stated_lines(found),
+        left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
     )
 
 
@@ -227,6 +232,13 @@ def apply(channel: Channel, asked: ApplyCalibration) -> str:
     return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {asked.out}"
 
 
+def changed_since(channel: Channel, asked: ChangedSince) -> Changes | None:
+    """What changed since the calibration before it in this lab's folder."""
+    from labcal import session
+
+    return session.changed_since(session.load_calibration(Path(asked.path)))
+
+
 def hand_out(channel: Channel, asked: HandOut) -> str:
     """Copy a calibration, its signatures and the keys they are checked against to a folder."""
     from labcal import session
@@ -262,6 +274,7 @@ HANDLERS = (
     handles(KeepPhoto, photo),
     handles(CorrectSerial, correct_serial),
     handles(ApplyCalibration, apply),
+    handles(ChangedSince, changed_since),
     handles(HandOut, hand_out),
     handles(FindSimulatedBench, simulated_bench),
 )
