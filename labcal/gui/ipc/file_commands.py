@@ -35,11 +35,11 @@ from labcal.gui.ipc.messages import (
     VerifyFile,
     WriteReport,
 )
+from labcal.uncertainty.conformity import LEFT_OPEN, Changes, stated_lines
 
 if TYPE_CHECKING:
     from labcal.certificate import Verification
     from labcal.store import RunSummary
-    from labcal.uncertainty.conformity import Changes
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 LOOKED_BACK = 8  # runs, for the last closing check
@@ -99,7 +99,6 @@ def calibrations(channel: Channel, asked: ListCalibrations) -> tuple[Calibration
 def _calibration(path: Path) -> CalibrationFile:
     """What a calibration file says, and how its signatures stand."""
     from labcal import session
-    from labcal.uncertainty.conformity import LEFT_OPEN, stated_lines
 
     found = session.load_calibration(path)
     covariance = found.covariance

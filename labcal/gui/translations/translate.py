@@ -84,6 +84,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "unit"),
     QT_TRANSLATE_NOOP("Words", "limit"),
     QT_TRANSLATE_NOOP("Words", "limit ±"),
+    QT_TRANSLATE_NOOP("Words", "parameter"),
     QT_TRANSLATE_NOOP("Words", "figure"),
     QT_TRANSLATE_NOOP("Words", "result"),
     QT_TRANSLATE_NOOP("Words", "risk"),

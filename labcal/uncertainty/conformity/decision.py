@@ -7,10 +7,8 @@ limit is exact. U is the expanded uncertainty, k = 2.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import erfc, isfinite, sqrt
 from typing import Literal
-
-import numpy as np
-from scipy.special import ndtr
 
 from labcal.record.specification import RATIO_UNITS, UNITS, Limit, Specification
 
@@ -90,8 +88,13 @@ def risk_of_accepting(value: float, u: float, limit: float, *, signed: bool = Tr
     """
     if u == 0:
         return float(abs(value) > limit)
-    below = float(ndtr((-limit - value) / u)) if signed else 0.0
-    return min(1.0, float(ndtr((value - limit) / u)) + below)
+    below = _normal((-limit - value) / u) if signed else 0.0
+    return min(1.0, _normal((value - limit) / u) + below)
+
+
+def _normal(z: float) -> float:
+    """Φ(z), the standard normal distribution; far in its lower tail too."""
+    return erfc(-z / sqrt(2)) / 2
 
 
 def rule_in_words(specification: Specification) -> str:
@@ -103,12 +106,12 @@ def rule_in_words(specification: Specification) -> str:
 
 def largest_risk(specification: Specification) -> float:
     """The largest specific risk of a PASS, at the acceptance limit: Φ(−2 r) (ILAC G8:09/2019, table 1)."""
-    return float(ndtr(-COVERAGE * specification.guard))
+    return _normal(-COVERAGE * specification.guard)
 
 
 def finite(measured: Measured) -> bool:
     """Whether the figure and its uncertainty are known, so that it can be judged."""
-    return bool(np.isfinite([measured.value, measured.u]).all())
+    return isfinite(measured.value) and isfinite(measured.u)
 
 
 WORDS: dict[Result, str] = {
