@@ -104,11 +104,6 @@ def rule_in_words(specification: Specification) -> str:
     return f"guard band w = {specification.guard:g} U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)"
 
 
-def largest_risk(specification: Specification) -> float:
-    """The largest specific risk of a PASS, at the acceptance limit: Φ(−2 r) (ILAC G8:09/2019, table 1)."""
-    return _normal(-COVERAGE * specification.guard)
-
-
 def finite(measured: Measured) -> bool:
     """Whether the figure and its uncertainty are known, so that it can be judged."""
     return isfinite(measured.value) and isfinite(measured.u)
