@@ -167,7 +167,7 @@ def recorded(tmp_path: Path) -> Path:
     return tmp_path / "bundle"
 
 
-def test_fit_and_close_loop_write_and_print_the_lines(
+def test_fit_prints_the_lines_and_writes_them(
     recorded: Path, tmp_path: Path, home_of_its_own: Path, capsys: pytest.CaptureFixture[str]
 ):
     made = tmp_path / "cal.json"

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from labcal import session
+from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.record import Limit, Specification
 from labcal.store import Store, bundle_of, read_bundle
@@ -40,7 +41,9 @@ def test_a_limit_that_cannot_be_judged_is_refused_with_its_line(bundle, asked: o
     assert says in str(caught.value)
 
 
-def test_it_is_in_the_record_before_the_first_sample(tmp_path: Path, home_of_its_own: Path) -> None:
+def test_it_is_in_the_record_before_the_first_sample(
+    tmp_path: Path, home_of_its_own: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = tmp_path / "bench.toml"
     path.write_text(f'{EXAMPLE}\n[dut.specification]\noffset = {{ limit = 250.0, unit = "nT" }}\nr = 1.5\n')
     seen = []
@@ -58,3 +61,5 @@ def test_it_is_in_the_record_before_the_first_sample(tmp_path: Path, home_of_its
     assert session.load_run("R").specification == asked
     assert json.loads(session.run_bundle("R").run_json)["specification"] == ASKED
     assert session.describe_run("R")["specification"] == ASKED
+    assert execute(["show", "R"]) == 0
+    assert "offset 250 nT; guard-band, r = 1.5" in capsys.readouterr().out
