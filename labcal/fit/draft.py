@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from labcal.model.effects import of_temperature
 from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
 from labcal.uncertainty.conformity import with_conformity
+from labcal.uncertainty.of_calibration import as_json, budgets
 from labcal.uncertainty.unstated import not_covered
 from labcal.version import __version__
 
@@ -57,7 +59,8 @@ def draft_calibration(
         },
         not_covered=not_covered(run),
     )
-    return with_conformity(made, run)
+    judged = with_conformity(made, run)
+    return judged if found.sources is None else replace(judged, budget=as_json(budgets(made, found.sources, run)))
 
 
 def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:

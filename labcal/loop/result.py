@@ -14,6 +14,7 @@ from labcal.model import AffineMap, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Owner
 from labcal.model.effects import Confounded
+from labcal.uncertainty import Sources
 from labcal.uncertainty.conformity import Assessment
 
 Array = NDArray[np.float64]
@@ -135,6 +136,7 @@ class ClosedLoop:
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
     covariance_of: tuple[str, ...] = MAP_PARAMETERS
     conformity: Assessment | None = None  # of what is shipped, where the run has a specification
+    sources: Sources | None = None  # what `covariance` is made of
 
     @property
     def done(self) -> bool:
@@ -149,6 +151,7 @@ class ClosedLoop:
             affine=self.affine,
             covariance=self.covariance,
             covariance_of=self.covariance_of,
+            sources=self.sources,
             frame_known=self.frame_known,
             effects=tuple(e for i, e in enumerate(self.accepted) if i not in self.unsupported),
             noise_nT=self.noise_nT,

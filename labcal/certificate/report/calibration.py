@@ -8,6 +8,7 @@ from hashlib import sha256
 
 import numpy as np
 
+from labcal.certificate.report.budget import budget_blocks
 from labcal.certificate.report.conformity import change_blocks, conformity_blocks, conformity_marks
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
@@ -55,6 +56,7 @@ def calibration_page(
             section("Is it in specification?", conformity_blocks(lines)),
             section("As found, as left", change_blocks(changed)),
             section("Parameters", _parameters(calibration)),
+            section("Uncertainty budget", budget_blocks(calibration)),
             section("Effects of the sensor, corrected by this calibration", effect_tables(calibration.effects)),
             section(
                 "Findings about the rig and the data, not part of the correction", effect_tables(calibration.findings)

@@ -267,6 +267,18 @@ class Standing:
 
 
 @dataclass(frozen=True, slots=True)
+class BudgetLine:
+    """One quantity of a calibration's budget: its U, and its sources with their shares, the largest first."""
+
+    quantity: str
+    at: str
+    U: float
+    k: float
+    unit: str
+    sources: tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class CalibrationFile:
     """What a calibration file says, and how its signatures stand. `u` (12,) of K row by row, then k."""
 
@@ -277,6 +289,7 @@ class CalibrationFile:
     k_nT: tuple[float, ...]
     k_means: str  # what k belongs to, as "at i_eps = 0.0532 A"
     u: tuple[float, ...] | None
+    budget: tuple[BudgetLine, ...]
     effects: tuple[EffectRecord, ...]
     findings: tuple[EffectRecord, ...]
     operator: str

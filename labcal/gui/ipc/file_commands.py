@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from labcal.files.home import home
-from labcal.gui.ipc.answers import CalibrationFile, Checked, RunLine, Signature, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Checked, RunLine, Signature, Standing
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
@@ -110,6 +110,7 @@ def _calibration(path: Path) -> CalibrationFile:
         k_nT=found.affine.k_nT.tolist(),
         k_means=found.k_means(),
         u=None if covariance is None else np.sqrt(np.diag(covariance)[:12]).tolist(),
+        budget=tuple(map(_budget_line, found.budget)),
         effects=found.effects,
         findings=found.findings,
         operator=found.operator,
@@ -118,6 +119,11 @@ def _calibration(path: Path) -> CalibrationFile:
         specification=stated_lines(found),
         left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
     )
+
+
+def _budget_line(stated: Mapping[str, Any]) -> BudgetLine:
+    shares = sorted(((row["source"], row["share"]) for row in stated["rows"]), key=lambda one: -one[1])
+    return BudgetLine(stated["quantity"], stated["at"], stated["U"], stated["k"], stated["unit"], tuple(shares))
 
 
 def verify(channel: Channel, asked: VerifyFile) -> Standing:

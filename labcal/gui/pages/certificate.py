@@ -10,7 +10,7 @@ from typing import TypeVar
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.answers import CalibrationFile, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Standing
 from labcal.gui.ipc.messages import (
     ApplyCalibration,
     Approve,
@@ -268,6 +268,20 @@ class CertificatePage(QWidget):
             self.table.set_cell(row, 1, format_number(value, decimals), right=True)
             self.table.set_cell(row, 2, "–" if s is None else format_number(2 * s, decimals, signed=False), right=True)
             self.table.set_cell(row, 3, unit)
+        self._show_budget(one.budget)
+
+    def _show_budget(self, budget: tuple[BudgetLine, ...]) -> None:
+        """A row each quantity below the parameters: what makes most of its U; all of it where one points at it."""
+        first = self.table.rowCount()
+        self.table.setRowCount(first + len(budget))
+        for row, line in enumerate(budget, first):
+            shares = [f"{source} {100 * share:.1f} %" for source, share in line.sources]
+            tip = "\n".join([f"{line.quantity} {line.at}".rstrip(), f"k = {line.k:.2f}", *shares])
+            decimals = decimals_for(line.U, line.U)
+            self.table.set_cell(row, 0, f"{line.quantity} · {line.at}" if line.at else line.quantity, tip=tip)
+            self.table.set_cell(row, 1, shares[0] if shares else "–", right=True, tip=tip)
+            self.table.set_cell(row, 2, format_number(line.U, decimals, signed=False), right=True, tip=tip)
+            self.table.set_cell(row, 3, line.unit)
 
     def _enable(self) -> None:
         one, name = self.chosen(), self.signer.currentText().strip()
