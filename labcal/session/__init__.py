@@ -297,8 +297,14 @@ def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, bef
 
 
 def changed_since(calibration: Calibration) -> Changes | None:
-    """What changed since the calibration before this one of the same DUT in this lab's folder; None where none is."""
-    started = {run.run_id: run.started_utc for run in runs()}
+    """What changed since the calibration before this one of the same DUT in this lab's folder; None where none is.
+
+    None too where this lab's store cannot be read: nothing tells then which was before.
+    """
+    try:
+        started = {run.run_id: run.started_utc for run in runs()}
+    except InputError:
+        return None
     return certificate.changed_since(calibration, home() / CALIBRATIONS, started)
 
 

@@ -231,3 +231,24 @@ def test_a_report_compares_with_the_file_that_it_is_told(
         (tmp_path / f"{name}.json").write_bytes(calibration_bytes(moved(calibration, by)))
     session.report(str(tmp_path / "now.json"), tmp_path / "now.html", before=tmp_path / "then.json")
     assert "As found, as left" in (tmp_path / "now.html").read_text()
+
+
+def test_a_report_is_written_where_the_store_cannot_be_read(
+    calibration: Calibration, tmp_path: Path, home_of_its_own: Path
+):
+    (home_of_its_own / "store.sqlite").write_bytes(b"no store at all, but longer than nothing" * 40)
+    (tmp_path / "now.json").write_bytes(calibration_bytes(calibration))
+    session.report(str(tmp_path / "now.json"), tmp_path / "now.html")
+    assert "As found" not in (tmp_path / "now.html").read_text()
+
+
+def test_the_lab_s_own_folder_is_looked_through(calibration: Calibration, tmp_path: Path, home_of_its_own: Path):
+    folder = home_of_its_own / "calibrations"
+    folder.mkdir(parents=True)
+    for name, day, by in (("then", "2025-11-21", 300.0), ("now", "2026-11-21", 0.0)):
+        save_bundle(bundle_of(replace(run_at(f"{day}T08:00:00Z"), run_id=name)), tmp_path / name)
+        session.import_bundle(tmp_path / name)
+        (folder / f"{name}.json").write_bytes(calibration_bytes(replace(moved(calibration, by), run_id=name)))
+    session.report(str(folder / "now.json"), tmp_path / "now.html")
+    assert "As found by the calibration of run then" in (tmp_path / "now.html").read_text()
+    assert session.changed_since(read_calibration(folder / "then.json")) is None
