@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.autocorrelation import variance_inflation
-from labcal.fit.declared import widen
+from labcal.fit.declared import contributions
 from labcal.fit.result import Fit
 from labcal.fit.scalar import scalar_check
 from labcal.fit.scalar.scalar_check import COLUMN, MISSING, ROW, Estimate
 from labcal.geometry import unit
 from labcal.model import AffineMap
 from labcal.record import Run
+from labcal.uncertainty import FitNoise, Sources
 
 Array = NDArray[np.float64]
 LARGEST_U = 0.05  # of the field: an estimate less certain than this anywhere in the field is refused
@@ -104,11 +105,14 @@ def as_fit(run: Run, method: str, seen: Scalars, found: Estimate, *, widened: bo
         uncertain = worst_uncertainty(found, float(seen.magnitude.max()))
         return Fit(method, ok=False, why_not=f"the field would be uncertain by {uncertain:.0f} nT: {MISSING}")
     affine = AffineMap(gain * (np.eye(3) + found.D), found.bias)
+    noise = FitNoise.single(slope @ found.covariance @ slope.T, len(seen.reading) - 9.0)
+    sources = Sources(noise, contributions(run, affine, frame_known=False))
     return Fit(
         method,
         ok=True,
         affine=affine,
-        covariance=widen(run, affine, slope @ found.covariance @ slope.T, frame_known=False),
+        covariance=sources.covariance,
+        sources=sources,
         bias_nT=found.bias,
         D=found.D,
         noise_nT=float(np.sqrt(np.trace(seen.noise) / 3)),

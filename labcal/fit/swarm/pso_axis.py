@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.fit.declared import widen
+from labcal.fit.declared import contributions
 from labcal.fit.result import Fit
 from labcal.fit.swarm.loci import Loci, loci_of, reading_noise_nT
 from labcal.fit.swarm.polish import Polished, noise_bias_in_sigma, polish, singular_values, worst_uncertainty_nT
@@ -17,6 +17,7 @@ from labcal.fit.swarm.search import PUBLISHED, Options, search, u_normal
 from labcal.fit.vector.planes import CLEAR, sense
 from labcal.model import AffineMap
 from labcal.record import Run
+from labcal.uncertainty import FitNoise, Sources
 
 __all__ = ["PUBLISHED", "Options", "pso_axis"]
 
@@ -70,15 +71,16 @@ def polished_fit(method: str, run: Run, loci: Loci, theta: Array, basis: Array |
     if why_not := _vague(found, loci):
         return refused(method, why_not)
     unit = np.concatenate([np.full(9, run.dut.nominal_nT_per_unit), np.ones(3)])
-    unbiased = noise_bias_in_sigma(loci, found) < LARGEST_BIAS
     affine, frame_known = map_of(run, found.theta), basis is None
+    noise = FitNoise.single(found.covariance * np.outer(unit, unit), float(len(loci) + np.sum(loci.locus >= 0)) - 12)
+    sources = Sources(noise, contributions(run, affine, frame_known=frame_known))
+    unbiased = noise_bias_in_sigma(loci, found) < LARGEST_BIAS
     return Fit(
         method,
         ok=True,
         affine=affine,
-        covariance=widen(run, affine, found.covariance * np.outer(unit, unit), frame_known=frame_known)
-        if unbiased
-        else None,
+        covariance=sources.covariance if unbiased else None,
+        sources=sources if unbiased else None,
         frame_known=frame_known,
         noise_nT=found.noise_nT,
     )

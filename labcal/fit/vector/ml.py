@@ -28,7 +28,7 @@ from labcal.fit.vector.start import starts
 from labcal.fit.vector.system import Noise, WhiteIn, map_of
 from labcal.model import AffineMap
 from labcal.record import Run
-from labcal.uncertainty import Contribution, covariance_of
+from labcal.uncertainty import Contribution, FitNoise, Sources
 
 Array = NDArray[np.float64]
 MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
@@ -83,11 +83,15 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
     if found.identified.why_not:
         return _refused(found.identified.why_not)
     frame_known = found.parameterisation.name != "symmetric"
+    wider = _inflation(run, found)
+    noise = FitNoise.single(found.covariance * wider, _free(found) / max(wider, 1.0))
+    sources = Sources(noise, _declared(run, found))
     return Fit(
         method="ml",
         ok=True,
         affine=found.affine,
-        covariance=found.covariance * _inflation(run, found) + covariance_of(_declared(run, found), 12),
+        covariance=sources.covariance,
+        sources=sources,
         frame_known=frame_known,
         phase_rad=found.solution.phase[: len(found.observations.phase_names)],
         noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
@@ -136,6 +140,12 @@ def _on_planes(run: Run, *, robust: bool, white_in: WhiteIn) -> Estimate | None:
 
 def _declared(run: Run, found: Estimate) -> tuple[Contribution, ...]:
     return declared_contributions(run, found.observations, found.noise, found.parameterisation, found.solution)
+
+
+def _free(found: Estimate) -> float:
+    """Residual components, as they weigh, less the parameters fitted to them."""
+    weighed = float(np.sum(found.solution.weight * found.observations.kind))
+    return float(weighed - found.parameterisation.basis.shape[1] - len(found.solution.phase))
 
 
 def _inflation(run: Run, found: Estimate) -> float:
