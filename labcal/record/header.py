@@ -31,6 +31,7 @@ class RunHeader:
     dut: Dut
     reference: Reference
     channels: tuple[ChannelSpec, ...] = ()
+    environment: Mapping[str, float] | None = None
     procedure: str = ""
     parameters: Mapping[str, Any] = field(default_factory=dict)
     source_sha256: str = ""  # of the procedure's own file
