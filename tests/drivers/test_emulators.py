@@ -14,7 +14,7 @@ from labcal.bench.links import EmulatedLink
 from labcal.twin import open_twin
 
 ROLES = {
-    "zaber": "platform", "oriental-az": "platform", "hmr2300": "reference", "metrolab": "reference",
+    "zaber": "platform", "oriental-az": "platform", "newport-esp301": "platform", "newport-smc100": "platform", "hmr2300": "reference", "metrolab": "reference",
     "waveshare-relay": "polarity",
 }  # fmt: skip
 WIRING: dict[str, dict[str, Any]] = {"waveshare-relay": {"x": 0}, "riden-rd60xx": {"address": 1}}
@@ -26,12 +26,17 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"/home\r\n", b"@01 0 OK IDLE -- 0:8D\r\n"),
         (b"/1 0 move abs 10000:41\r\n", b"@01 0 OK BUSY -- 0:68\r\n"),
         (b"/1 0 move abs 10000:42\r\n/2 get pos\n", b""),
+        (b"/1 get system.axiscount\n", b"@01 0 OK IDLE -- 1:8C\r\n"),
+        (b"/1 1 07 move abs 384000 83886\n/1 1 08 stop\n/1 1 09 warnings\n",
+         b"@01 1 07 OK BUSY -- 0:E0\r\n@01 1 08 OK BUSY NI 0:A2\r\n@01 1 09 OK IDLE NI 01 NI:DE\r\n"),
+        (b"/1 1 move vel 9000\n", b"@01 1 OK BUSY -- 0:67\r\n"),
     ]),
     ("hmr2300", [
         (b"*00q\r", b"ASCII POLLED S/R ON ZERO OFF AVG OFF R ON ID= 00 20 sps\r"),
-        (b"*99ID=\r", b"ID= 00\r"),
-        (b"*00T\r", b"WE_OFF\r"),
-        (b"*00WE\r*00T\r", b"OK\rS/R_OFF\r"),
+        (b"*99ID=\r*99ID\r", b"ID= 00\rID= 00\r"),
+        (b"*00T\r", b"WE OFF\r"),
+        (b"*00WE\r*00T\r", b"OK\rS/R OFF\r"),
+        (b"*00WE\r*00B\r", b"OK\rBINARY ON\r"),
         (b"*00WE\r*00R=21\r", b"OK\rRe-enter\r"),
         (b"*00]S\r", b"SET\r"),
     ]),
@@ -92,6 +97,17 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"APPLY 2.5,0.25,(@1)\nINST:SEL OUTPUT1\nOUTP ON\nOUTP?\nCURR?\n", b"1\n+2.50000000E-01\n"),
         (b"INST:SEL CH2\nSYST:ERR?\nAPPL 99,1\nSYST:ERR?\n", b'-222,"Data out of range"\n' * 2),
         (b"SYST:LOC\nSYST:ERR?\n", b'+0,"No error"\n'),
+    ]),
+    ("newport-esp301", [
+        (b"1MO?\r1SL?\r1SR?\r", b"0\r\n-720\r\n720\r\n"),
+        (b"1MO;1VA10;1PA1;1WS200;1TP;1MD?\r", b""),
+        (b"", b"1.0000\r\n1\r\n"),  # 1.1 s later
+    ]),
+    ("newport-smc100", [
+        (b"1AC?\r\n1PW?\r\n", b"1AC80\r\n1PW0\r\n"),
+        (b"1PR5\r\n1TE\r\n", b"1TEH\r\n"),
+        (b"1OR\r\n1PR0.01\r\n1TE\r\n", b"1TE@\r\n"),
+        (b"1TP\r\n", b"1TP0.01000\r\n"),
     ]),
     ("metrolab", [
         (b":FETC:TIM?;:FETC:TEMP?;*STB?\n", b"0x0;8123;0\n"),

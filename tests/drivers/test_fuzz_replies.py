@@ -17,6 +17,7 @@ from frames import rtu
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from drivers.framing.zaber import checksum
 from drivers.kepco_bop import KepcoBop
 from drivers.keysight_e36300 import KeysightSupply
 from drivers.korad_ka3005p import KoradSupply
@@ -25,7 +26,7 @@ from drivers.newport_esp301 import Esp301Stage
 from drivers.newport_smc100 import Smc100Stage
 from drivers.rigol_dp800 import RigolSupply
 from drivers.tti_pl import TtiSupply
-from drivers.zaber import ZaberStage, checksum
+from drivers.zaber import ZaberStage
 from labcal.bench.clock import VirtualClock
 from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
@@ -90,7 +91,7 @@ def zaber(k: int) -> bytes:
 
 
 def zaber_stage(driver: Any) -> float:
-    driver._steps_per_turn, driver._summed = 360, True
+    driver._steps_per_turn, driver._stage.summed = 360, True
     return float(driver.angle_deg())
 
 
