@@ -70,8 +70,8 @@ class KepcoEmulator(Answers):
             self._values[set_[1]] = float(set_[2])
         elif words[0] == "OUTP" and words[-1] in ("0", "1", "ON", "OFF"):
             self._on = words[-1] in ("1", "ON")
-        elif words[0] == "FUNC" and words[-1] in ("CURR", "VOLT"):
-            self._current_mode = words[-1] == "CURR"
+        elif words[0] == "FUNC" and words[-1][:4] in ("CURR", "VOLT"):
+            self._current_mode = words[-1].startswith("CURR")
         else:
             return self._scpi.fault(RANGE)
         return ""

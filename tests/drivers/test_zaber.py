@@ -75,7 +75,8 @@ def test_idle_off_the_target_is_not_arrived() -> None:
 
 def test_of_a_move_that_was_cut_short_its_place_tells_and_its_own_stop_is_no_fault() -> None:
     wire = [TURN, VERSION, (MOVE, said(3, "OK BUSY -- 0")), (b"/1 1 04 get pos\r\n", said(4, "OK IDLE NI 200000")),
-            (b"/1 1 05 stop\r\n", said(5, "OK BUSY NI 0")), (b"/1 1 06 get pos\r\n", said(6, "OK IDLE NI 200500"))]  # fmt: skip
+            (b"/1 1 05 stop\r\n", said(5, "OK BUSY NI 0")),
+            (b"/1 1 06 get pos\r\n", said(6, "OK IDLE NI 200500"))]  # fmt: skip
     with scripted(ZaberStage, wire) as stage:
         stage.move_to(90.0, 6.0)
         with pytest.raises(InstrumentError, match="from its target"):
