@@ -60,6 +60,7 @@ class KepcoBop(CurrentSource):
         self.name, self.settings, self._link = name, settings, link
         self._scpi = Scpi(name, link, clock, settings.timeout_s, settings.gap_s, may_echo=True)
         self.query, self._remote = self._scpi.query, not settings.remote
+        self.refuse_earlier = self._scpi.refuse_earlier
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
 
     def identify(self) -> Identity:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.clock import Clock
+from labcal.bench.coils.at_zero import words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
@@ -211,9 +212,19 @@ class Bench:
     def make_safe(self) -> None:
         """Coils to zero first, then every instrument to rest; a failure of one does not skip another."""
         with ExitStack() as steps:
+            steps.callback(self.rest_instruments)
+            steps.callback(self.cage.zero)
+
+    def slow_zero(self) -> str:
+        """What may be said of a way to zero that takes long, while it does; "" else."""
+        ordered = self._guardian is None or self._guardian.zero_is_ordered
+        return words_of_slow_zero(self.cage.to_zero_since_s, ordered)
+
+    def rest_instruments(self) -> None:
+        """Every instrument to rest, after the coils; a failure of one does not skip another."""
+        with ExitStack() as steps:
             for instrument in reversed(self._instruments.values()):
                 steps.callback(instrument.make_safe)
-            steps.callback(self.cage.zero)
 
     def close(self) -> None:
         """Let go of every link."""

@@ -16,7 +16,7 @@ from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
-from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
+from labcal.record.stream import NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
@@ -29,10 +29,14 @@ Show = Callable[[LabState], None]
 
 @dataclass(frozen=True, slots=True)
 class Ending:
-    """How a run ended. `status` is the contract's word; `fault` what went wrong, None where nothing did."""
+    """How a run ended. `status` is the contract's word; `fault` what went wrong, None where nothing did.
+
+    `by_store`: what went wrong is that the record was not kept.
+    """
 
     status: str
     fault: BaseException | None = None
+    by_store: bool = False
 
 
 @dataclass
@@ -57,6 +61,7 @@ class Drive:
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
     _told_to_end: bool = field(default=False, init=False)
+    _told_of_zero: str = field(default="", init=False)  # which takes long
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -69,6 +74,7 @@ class Drive:
             with closing(procedure):
                 self.bench.start()
                 self.bench.look = self._look
+                self.bench.clock.while_waiting(self._say_what_takes_long)
                 for item in self._items(procedure):
                     self._refuse_mode(item)
                     self._keep(item)
@@ -81,7 +87,7 @@ class Drive:
         except Left as fault:
             return Ending("interrupted", fault)
         except NotKept as fault:
-            return Ending("interrupted", fault.fault)
+            return Ending("interrupted", fault.fault, by_store=True)
         except Aborted as fault:
             return Ending(f"failed: {fault}", fault)
         except (Stopped, KeyboardInterrupt) as fault:
@@ -210,7 +216,26 @@ class Drive:
             self._rows_wait = True
             with suppress(Exception):  # tried again, and told, on the way to rest
                 self.bench.cage.zero()
+            self._tell_not_kept(fault)
             raise NotKept(fault) from None
+
+    def _say_what_takes_long(self) -> None:
+        """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds."""
+        if self.bench.cage.on:
+            self._told_of_zero = ""
+        words = self.bench.slow_zero()
+        if words in ("", self._told_of_zero):
+            return
+        self._told_of_zero = words
+        with suppress(Exception):  # the way to zero goes on whoever watches
+            self.tell(_later(self._event("slow-zero", words), self.offset_s))
+
+    def _tell_not_kept(self, fault: InputError | InstrumentError) -> None:
+        """At once, for the last rows may be waited for; it is in the record where that can be mended."""
+        said = _later(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
+        with suppress(InputError, InstrumentError):
+            self.write(said)
+        self.tell(said)
 
     def _listen(self) -> None:
         self._check()
@@ -228,13 +253,11 @@ class Drive:
 
     def _at_rest(self, ending: Ending) -> Ending:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
-        bench, faults = self.bench, list[Exception]()
+        bench = self.bench
         self._rows_wait = True  # whoever writes the last one tells where that cannot be
-        for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop):
-            try:
-                come_to_rest()
-            except Exception as fault:
-                faults.append(fault)
+        faults = _failed(bench.cage.zero)
+        faults += _failed(bench.make_safe if faults else bench.rest_instruments)  # zero again only where that failed
+        faults += _failed(bench.stop)
         lost = list[Exception]()
         try:
             for axis in sorted(bench.cage.abrupt):
@@ -268,6 +291,14 @@ class Drive:
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)
+
+
+def _failed(act: Callable[[], None]) -> list[Exception]:
+    try:
+        act()
+    except Exception as fault:
+        return [fault]
+    return []
 
 
 def _later(item: Item, by_s: float) -> Item:

@@ -120,9 +120,10 @@ def test_only_this_user_reaches_the_socket() -> None:
 
 
 def test_what_goes_over_the_socket_comes_back_the_same() -> None:
-    end = AtZero("x", 0.1, False, LimitError("too much", fault="limit reached", remedy="less"))
+    end = AtZero("x", 0.1, False, LimitError("too much", fault="limit reached", remedy="less"), 1.0, 0.5, 2.0)
     back = wire.zero_of(json.loads(wire.packed(wire.zero_message(end))))
     assert (back.axis, back.current_A, back.opened, back.abrupt) == ("x", 0.1, False, True)
+    assert (back.read_s, back.from_A, back.asked_s) == (1.0, 0.5, 2.0)
     assert isinstance(back.fault, LimitError)
     assert (back.fault.fault, str(back.fault)) == ("limit reached", "too much less")
 

@@ -70,6 +70,7 @@ class Cage:
         self.flowing_A: Array = np.zeros(3)  # signed, as last read
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self.on = False  # outputs closed
+        self.to_zero_since_s: float | None = None  # when zero was wanted (monotonic clock), until that has ended
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
         self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
@@ -231,12 +232,15 @@ class Cage:
             self.latch.lift(f"supplies and reference agree again, {utc}: {found.words}")
 
     def _all_to_zero(self) -> list[AtZero]:
+        self.to_zero_since_s = time.monotonic()
         try:
             return self._guardian(f"session {os.getpid()} orders it") if self._guardian else self._to_zero()
         except InstrumentError as fault:  # the guardian is lost: nobody knows what flows
             for axis in AXES:
                 self._known(axis, current_A=None, zero=False, read_s=None, fault=str(fault))
             raise
+        finally:
+            self.to_zero_since_s = None
 
     def _to_zero(self) -> list[AtZero]:
         return list(to_zero(self.supplies, self._rates(), self._clock, self._wait_whatever_fails).values())

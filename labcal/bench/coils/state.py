@@ -19,6 +19,7 @@ BY_WORD = "zero by the supply's word only"
 NOT_CONFIRMED = "coils NOT confirmed at zero"
 NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
+NOT_SINCE = "coils not read back since another process was asked to switch them off"
 NOT_ASKED = "no reference was asked"
 OPEN_THEM = "Open the outputs that can open, or switch the supplies off at their mains"
 Verdict = Literal["agrees", "disagrees", "not known"]
@@ -134,7 +135,7 @@ class LabState:
 
     def _why(self, now_s: float) -> str:
         if self.reference.verdict == "agrees" and self.reference.read_s is not None:
-            return f"the reference agreed {now_s - self.reference.read_s:.0f} s ago"
+            return f"the reference agreed when it was last looked at, {now_s - self.reference.read_s:.0f} s ago"
         return self.reference.why
 
 
