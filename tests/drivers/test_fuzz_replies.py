@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any, get_type_hints
 
@@ -68,6 +68,7 @@ class Target:
     ask: Callable[[Any], float]
     sent: Callable[[int], float]
     read: Callable[[bytes], set[float]] | None
+    settings: dict[str, Any] = field(default_factory=dict)
 
 
 def numbers(form: str) -> Callable[[bytes], set[float]]:
@@ -135,6 +136,7 @@ TARGETS = {
         lambda d: d.angle_deg(),
         lambda k: k / 4,
         numbers("1TP *NUMBER"),
+        {"tries": 1},
     ),
     "zaber": Target(ZaberStage, zaber, zaber_stage, lambda k: 1000.0 * k, None),
     "metrolab": Target(
@@ -161,7 +163,7 @@ def survives(target: Target, damages: list[Damage]) -> None:
     replies, hurt = damaged(target, damages), {number for number, *_ in damages}
     clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
     link, hints = EmulatedLink("emulated://fuzz", Replier(list(replies)), clock), get_type_hints(target.driver.__init__)
-    driver = target.driver("fuzz", link, clock, hints["settings"]())
+    driver = target.driver("fuzz", link, clock, hints["settings"](**target.settings))
     after = False  # a reply cut short may cost the one after it
     for k in range(FRAMES):
         try:
