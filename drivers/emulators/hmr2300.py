@@ -28,7 +28,7 @@ class Hmr2300Emulator(Answers):
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, end=b"\r", delay_s=0.004)
-        self._lab, self._id = lab, settings.id
+        self._lab, self._id, self.baud = lab, settings.id, getattr(settings, "baud", 9600)
         self._format, self._rate, self._may_write = "A", 20, False
         self._on = {"T": True, "Z": False, "V": False}
         self._beat: Beat | None = None

@@ -20,6 +20,8 @@ class KepcoEmulator(Answers):
     `echoes`: it sends every message back before anything else, as a BIT 802E does on its network port.
     """
 
+    baud = 9600
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._line, delay_s=0.01)
         (role,) = roles

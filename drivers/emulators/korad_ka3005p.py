@@ -16,6 +16,8 @@ SET = re.compile(r"([VI])SET1:(\d+\.?\d*)")
 class KoradEmulator(Replies):
     """Each arrival is one command; what comes within 80 ms of the last one is dropped without a word."""
 
+    baud = 9600
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__()
         (role,) = roles

@@ -26,6 +26,8 @@ class Esp301Emulator(Answers):
     WS: what comes after it is worked off when it has stopped, and so many milliseconds later.
     """
 
+    baud = 19200
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, end=b"\r", delay_s=0.004)
         self._platform, self._on = lab.platform, False

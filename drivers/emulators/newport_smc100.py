@@ -16,6 +16,8 @@ MAX_RATE = HOME_RATE = 20.0
 class Smc100Emulator(Answers):
     """Replies repeat address and command; the letter of the last error is asked for with TE."""
 
+    baud = 57600
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, end=b"\r\n", delay_s=0.005)
         self._platform, self._address, self._rate = lab.platform, settings.address, 20.0
