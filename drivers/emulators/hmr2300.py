@@ -90,10 +90,10 @@ class Hmr2300Emulator(Answers):
         counts = self._lab.reference_nT(times)
         if self._format == "B":
             return [row.tobytes() + b"\r" for row in counts.astype(">i2")]
-        return ["  ".join(map(_column, row)).encode() + b"  \r" for row in counts.astype(int).tolist()]
+        return ["  ".join(map(column, row)).encode() + b"  \r" for row in counts.astype(int).tolist()]
 
 
 @cache  # there are 40 000 counts
-def _column(count: int) -> str:
+def column(count: int) -> str:
     """`- 1,234` or `-   123`: the sign, and six places with blanks for what is not there."""
     return f"{'-' if count < 0 else ' '}{abs(count):6,d}"

@@ -114,7 +114,11 @@ class ZaberEmulator(Answers):
         """A move states its own speed from firmware 7.25 on."""
         if len(speed) > (self._firmware >= (7, 25)):
             return "RJ", "BADCOMMAND"
-        if "WR" in self._flags or not all(map(STEPS.fullmatch, (steps, *speed))) or not int((*speed, 1)[0]) > 0:
+        if (
+            "WR" in self._flags
+            or not all(map(STEPS.fullmatch, (steps, *speed)))
+            or int(speed[0] if speed else "1") <= 0
+        ):
             return "RJ", "BADDATA"
         self._begin(t_s, (origin + int(steps)) * 360 / STEPS_PER_TURN, *map(int, speed))
         return "OK", "0"

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.emulators.hmr2300 import _column
+from drivers.emulators.hmr2300 import column
 from drivers.framing.hmr2300 import BinaryFrames, TextFrames
 from drivers.hmr2300 import NT_PER_COUNT, Hmr2300, Settings
 from labcal.bench.driver_kit.testing import scripted
@@ -72,7 +72,7 @@ def test_its_words_may_have_blanks_where_the_data_sheet_prints_lines() -> None:
 
 @pytest.mark.parametrize("count", [0, 7, -67, 999, 1000, -1234, 15000, -30000])
 def test_what_the_emulated_one_sends_is_read_as_it_was(count: int) -> None:
-    frame = "  ".join(_column(k) for k in (count, -count, 1)).encode() + b"  \r"
+    frame = "  ".join(column(k) for k in (count, -count, 1)).encode() + b"  \r"
     assert len(frame) == 28
     assert TextFrames().feed([(0.0, frame)])[0][1] == [count, -count, 1]
 
