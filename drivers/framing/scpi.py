@@ -46,8 +46,9 @@ class Scpi:
         self._in_step.settle()
         self.send(text)
         reply = self._line()
-        while self.may_echo and reply in self._told:
-            reply = self._line()
+        for _ in range(MOST_ECHOES * self.may_echo):
+            if reply in self._told:
+                reply = self._line()
         self._free_s = self.clock.now() + self.gap_s
         if NAK in reply:
             raise InstrumentError(f"{self.name}: it lost {text!r}: its input queue overran.", fault="refused")
