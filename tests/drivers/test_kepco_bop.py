@@ -169,7 +169,7 @@ def test_zero_is_reported_as_not_open() -> None:
 
 
 def test_a_current_that_comes_where_errors_were_asked_for_is_no_refusal() -> None:
-    wire = [(b"MEAS:CURR?\n", b"0.0013\n"), (b"OUTP 0\n", SILENT), (b"SYST:ERR?\n", b"-0.0004\n")]
+    wire = [(b"MEAS:CURR?\n", b"0.0013\n"), *REMOTE, (b"OUTP 0\n", SILENT), (b"SYST:ERR?\n", b"-0.0004\n")]
     with scripted(KepcoBop, wire) as supply:
         supply.measure_current()
         with pytest.raises(InstrumentError, match=r"an answer of an earlier question came to 'SYST:ERR\?': '-0\.0004'"):
