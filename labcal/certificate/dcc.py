@@ -18,11 +18,13 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from labcal.certificate.dcc_conformity import conformity_results
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.toml_file import read_toml
 from labcal.model import Calibration, EffectRecord
 from labcal.record import Run
+from labcal.uncertainty.conformity import stated_lines
 from labcal.version import __version__
 
 DCC, SI = "https://ptb.de/dcc", "https://ptb.de/si"
@@ -39,6 +41,14 @@ SI_NAMES = {
     "W": r"\watt",
     "m": r"\metre",
     "rad": r"\radian",
+    "%": r"\percent",
+    "ppm": r"\ppm",
+    "pT": r"\pico\tesla",
+    "uT": r"\micro\tesla",
+    "µT": r"\micro\tesla",
+    "arcmin": r"\arcminute",
+    "arcsec": r"\arcsecond",
+    "mrad": r"\milli\radian",
 }
 WANTED = 'name = "…", city = "…", country = "DE", and under [customer] the same three'
 
@@ -144,6 +154,7 @@ def _results(d: Any, si: Any, c: Calibration) -> Any:
         ),
         _result(d, si, f"k {c.k_means()}".rstrip(), c.affine.k_nT, u[9:], ["nT"] * 3),
         *(_effect(d, si, effect) for effect in c.effects if effect.parameters),
+        *conformity_results(d, si, stated_lines(c), si_unit),
         *(_budget(d, si, budget) for budget in c.budget if budget["rows"]),
     ]
     told = "b = K m - k - sum of effects: field in the sensor's own axes from its reading m."

@@ -13,6 +13,7 @@ from labcal.model import Calibration, EffectRecord, Validity
 from labcal.model.effects import of_temperature
 from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
+from labcal.uncertainty.conformity import with_conformity
 from labcal.uncertainty.of_calibration import as_json, budgets
 from labcal.uncertainty.unstated import not_covered
 from labcal.version import __version__
@@ -58,7 +59,8 @@ def draft_calibration(
         },
         not_covered=not_covered(run),
     )
-    return made if found.sources is None else replace(made, budget=as_json(budgets(made, found.sources, run)))
+    judged = with_conformity(made, run)
+    return judged if found.sources is None else replace(judged, budget=as_json(budgets(made, found.sources, run)))
 
 
 def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:

@@ -15,6 +15,7 @@ from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Owner
 from labcal.model.effects import Confounded
 from labcal.uncertainty import Sources
+from labcal.uncertainty.conformity import Assessment
 
 Array = NDArray[np.float64]
 Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexplained"]
@@ -134,6 +135,7 @@ class ClosedLoop:
     rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
     covariance_of: tuple[str, ...] = MAP_PARAMETERS
+    conformity: Assessment | None = None  # of what is shipped, where the run has a specification
     sources: Sources | None = None  # what `covariance` is made of
 
     @property
@@ -182,6 +184,7 @@ class ClosedLoop:
             "shape": None if self.shape is None else asdict(self.shape),
             "twins": [asdict(pair) for pair in self.twins],
             "rounds": [asdict(one) for one in self.rounds],
+            "specification": [asdict(line) for line in self.conformity.lines] if self.conformity else [],
         }
 
 

@@ -62,6 +62,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         row_mode=_modes(t, items),
         environment=header.environment,
         channels=_channels(header, t, items),
+        specification=header.specification,
     )
 
 

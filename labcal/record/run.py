@@ -9,6 +9,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.record.specification import Specification
+
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
@@ -110,6 +112,7 @@ class Run:
     row_mode: NDArray[np.str_] | None = None  # (n,) where rows state it, "" where not
     environment: Mapping[str, float] | None = None  # temperature_C, gradient_nT_per_m, gradient_ppm_per_m
     channels: tuple[Channel, ...] = ()
+    specification: Specification | None = None  # of the DUT, chosen before the run began
 
     def __post_init__(self) -> None:
         for value in (getattr(self, f.name) for f in fields(self)):

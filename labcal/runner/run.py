@@ -19,7 +19,7 @@ from labcal.bench.parameters import settings
 from labcal.bench.stated import stated_environment, stated_reference
 from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
-from labcal.record import Dut, RunHeader
+from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.stream import NOT_KEPT, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
@@ -78,6 +78,7 @@ def run_procedure(
     dut_serial: str | None = None,
     bench_file: str = "",
     cage_sha256: str | None = None,
+    specification: Specification | None = None,
     run_id: str | None = None,
     filled: Mapping[str, Any] | None = None,
     control: Control | None = None,
@@ -109,6 +110,7 @@ def run_procedure(
         instruments=_named(identities),
         software=f"labcal {__version__}",
         cage_sha256=cage_sha256,
+        specification=specification,
     )
     writer = store.begin(header)
     _tell_lifted(bench, writer, bench.clock.now())

@@ -14,6 +14,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.model.calibration import EffectRecord
 from labcal.record.run import Dut
 from labcal.record.stream import Measurement
+from labcal.uncertainty.conformity import Judged
 
 Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
@@ -294,3 +295,5 @@ class CalibrationFile:
     operator: str
     approvers: tuple[str, ...]
     standing: Standing
+    specification: tuple[Judged, ...] = ()
+    left_open: tuple[str, ...] = ()  # what the specification limits and nothing determined

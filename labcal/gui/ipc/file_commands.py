@@ -18,6 +18,7 @@ from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
     ApplyCalibration,
     Approve,
+    ChangedSince,
     CorrectSerial,
     ExportRun,
     FindSimulatedBench,
@@ -34,6 +35,7 @@ from labcal.gui.ipc.messages import (
     VerifyFile,
     WriteReport,
 )
+from labcal.uncertainty.conformity import LEFT_OPEN, Changes, stated_lines
 
 if TYPE_CHECKING:
     from labcal.certificate import Verification
@@ -114,6 +116,8 @@ def _calibration(path: Path) -> CalibrationFile:
         operator=found.operator,
         approvers=found.approvers,
         standing=_standing(path, session.verify(path)),
+        specification=stated_lines(found),
+        left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
     )
 
 
@@ -233,6 +237,13 @@ def apply(channel: Channel, asked: ApplyCalibration) -> str:
     return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {asked.out}"
 
 
+def changed_since(channel: Channel, asked: ChangedSince) -> Changes | None:
+    """What changed since the calibration before it in this lab's folder."""
+    from labcal import session
+
+    return session.changed_since(session.load_calibration(Path(asked.path)))
+
+
 def hand_out(channel: Channel, asked: HandOut) -> str:
     """Copy a calibration, its signatures and the keys they are checked against to a folder."""
     from labcal import session
@@ -268,6 +279,7 @@ HANDLERS = (
     handles(KeepPhoto, photo),
     handles(CorrectSerial, correct_serial),
     handles(ApplyCalibration, apply),
+    handles(ChangedSince, changed_since),
     handles(HandOut, hand_out),
     handles(FindSimulatedBench, simulated_bench),
 )
