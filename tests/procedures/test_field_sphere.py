@@ -61,7 +61,7 @@ def test_errors_over_fifty_labs_in_units_of_their_uncertainty(ran: Run, dut_resp
 @pytest.mark.slow
 def test_a_hundred_and_forty_four_fields_take_twelve_minutes_and_the_loop_reads_them(ran: Run) -> None:
     effect = 'effects = { "offset-current" = { channel = "i_eps" } }'
-    found = ran("field-sphere", effect)
+    found = ran("field-sphere", effect, 5)
     times = [item.t_s for item in found.items if isinstance(getattr(item, "t_s", None), float)]
     assert max(times) < 12 * 60
     run = session.load_run(found.outcome.run_id)
