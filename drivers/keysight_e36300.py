@@ -72,6 +72,7 @@ class KeysightSupply(CurrentSource):
         self.name, self.settings, self._link = name, settings, link
         self._scpi = Scpi(name, link, clock, settings.timeout_s)
         self.query, self.command, self.write = self._scpi.query, self._scpi.command, self._scpi.send
+        self.refuse_earlier = self._scpi.refuse_earlier
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
         self.watchdog_s, self._armed = float(settings.watchdog_s), False
 

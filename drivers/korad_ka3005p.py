@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
+from drivers.framing.in_step import MAKER, InStep
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import quantity
@@ -15,8 +18,9 @@ from labcal.bench.links.line import LONGEST, babbles
 from labcal.errors import InstrumentError
 
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")
-OUTPUT_BIT = 6
+OUTPUT_BIT, LENGTH = 6, 5  # of its status; of its numbers
 QUIET_S = 0.05  # a reply of unknown length has ended when nothing more came for so long
+OWED_S = 0.3  # after its question an answer that was given up is not waited for any longer
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +39,9 @@ class Settings:
 class KoradSupply(CurrentSource):
     """A unipolar supply that reports no errors and drops what comes while it is busy: every set is read back.
 
-    A question that nothing answers is put once more; a set never is.
+    A question that nothing answers is put once more; a set never is. What is left of the answer to a question that was
+    given up, as zero was ordered, is waited for before the next question, and dropped; a set does not wait for it.
+    Zero and off are told once more where their read-back denies them: it may have been deaf.
     """
 
     roles = ("coil",)
@@ -59,15 +65,20 @@ class KoradSupply(CurrentSource):
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link, self._clock = name, settings, link, clock
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
-        self._free_s = 0.0
+        self._free_s, self._owed_until_s = 0.0, -1e9
+        self._in_step = InStep(name, link, clock)
+        self.refuse_earlier = self._in_step.refuse_earlier
 
     def identify(self) -> Identity:
         """Ask who it is."""
         reply = self._until_quiet(self._first("*IDN?"))
+        if IDENTITY.fullmatch(reply) is None and MAKER.match(reply) is None:  # of an earlier question, or cut off
+            reply = self._until_quiet(self._first("*IDN?"))
         if (found := IDENTITY.fullmatch(reply)) is None:
             raise InstrumentError(
                 f"{self.name}: {quoted(reply)} answered, not a Korad or a clone.", fault="another instrument"
             )
+        self._in_step.heard("*IDN?", reply[:LENGTH])
         return Identity(found[1].title(), found[2], found[4] or "", found[3] or "")
 
     def close(self) -> None:
@@ -78,8 +89,17 @@ class KoradSupply(CurrentSource):
         """Ask; one byte of status or five characters are the reply, whatever strays in after them."""
         reply = self._first(text)
         if text != "STATUS?":
-            reply += self._link.ask(b"", end=4, timeout_s=self.settings.timeout_s)
-        return reply.decode("latin-1")
+            reply += self._link.ask(b"", end=LENGTH - 1, timeout_s=self.settings.timeout_s)
+        self._owed_until_s = -1e9
+        return self._in_step.heard(text, reply.decode("latin-1"))
+
+    def set_current(self, current_A: float) -> None:
+        """Set the current and read the set-point back."""
+        self._tell_rest_twice(super().set_current, current_A)
+
+    def output(self, on: bool) -> None:
+        """Switch the output, confirmed; before it goes on, the compliance voltage is set."""
+        self._tell_rest_twice(super().output, on)
 
     def trip(self) -> str:
         """It says that its output is off, and not by which of its two protections."""
@@ -96,6 +116,14 @@ class KoradSupply(CurrentSource):
         self._link.send((text + self.settings.terminator).encode())
         self._free_s = self._clock.now() + self.settings.gap_s
 
+    def _tell_rest_twice(self, tell: Callable[[Any], None], value: float) -> None:
+        try:
+            tell(value)
+        except InstrumentError as fault:
+            if value or fault.fault != "read-back":
+                raise
+            tell(value)
+
     def _first(self, question: str) -> bytes:
         """The first byte of its answer. Raises InstrumentError (silent) where it was asked twice and nothing came."""
         try:
@@ -106,14 +134,27 @@ class KoradSupply(CurrentSource):
         return self._asked(question)
 
     def _asked(self, question: str) -> bytes:
+        self._drop_owed()
+        self._in_step.settle()
         self.write(question)
+        self._owed_until_s = self._clock.now() + OWED_S
         return self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
+
+    def _drop_owed(self) -> None:
+        """Drop the answer to the question before, if that was given up and it comes yet."""
+        came = False
+        while (left_s := self._owed_until_s - self._clock.now()) > 0:
+            pieces = self._link.receive(self._clock.now() + min(left_s, QUIET_S))
+            if came and not pieces:
+                return
+            came = bool(pieces)
 
     def _until_quiet(self, reply: bytes) -> str:
         while pieces := self._link.receive(self._clock.now() + QUIET_S):
             reply += b"".join(piece for _, piece in pieces)
             if len(reply) > LONGEST:
                 raise babbles(self._link.url, reply)
+        self._owed_until_s = -1e9
         return reply.decode("latin-1").strip("\0\r\n ")
 
 

@@ -67,7 +67,7 @@ class TtiSupply(CurrentSource):
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
         self._scpi = Scpi(name, link, clock, settings.timeout_s)
-        self.query, self.write = self._scpi.query, self._scpi.send
+        self.query, self.write, self.refuse_earlier = self._scpi.query, self._scpi.send, self._scpi.refuse_earlier
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
 
     def identify(self) -> Identity:
@@ -103,6 +103,8 @@ class TtiSupply(CurrentSource):
         """Tell, then look at the event register. Raises InstrumentError with what the supply says."""
         self._scpi.send(text)
         events = self.query("*ESR?")
+        if not events.isdigit():
+            self.refuse_earlier("*ESR?", events)
         if not events.isdigit() or int(events) & ~1:
             raise InstrumentError(
                 f"{self.name}: {text!r} failed: {self._why(events)}.",

@@ -9,7 +9,7 @@ import zipfile
 import pytest
 
 from labcal import cli
-from labcal.demo_folder import make_room
+from labcal.demo.folder import make_room
 from labcal.errors import InputError
 from labcal.record.stream import Measurement
 from labcal.store import Store

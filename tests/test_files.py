@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from labcal.errors import InputError
-from labcal.files import replacing, write_text
-from labcal.text_safety import checked_text, replace_control
+from labcal.files.atomic import replacing, write_text
+from labcal.files.text_safety import checked_text, replace_control
 
 
 def test_a_file_is_whole_or_absent_and_leaves_nothing_beside_it(tmp_path: Path) -> None:

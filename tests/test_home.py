@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from labcal.home import home
+from labcal.files.home import home
 
 
 def test_home_is_where_the_environment_says(home_of_its_own: Path):

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from labcal import cli, measuring, session
+from labcal import cli, session
 from labcal.demo import simulated_bench
 from labcal.errors import InputError
-from labcal.measuring import Talk, close_by_measuring
 from labcal.runner import find
 from labcal.runner.rehearsal import Rehearsal, rehearsed
+from labcal.session import measuring
+from labcal.session.measuring import Talk, close_by_measuring
 
 SEED = 3
 

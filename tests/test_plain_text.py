@@ -11,12 +11,12 @@ import pytest
 from labcal import cli
 from labcal.cli.screen import console, say
 from labcal.errors import InputError
+from labcal.files.spreadsheet import first_formula, is_formula, shielded_row
+from labcal.files.text_safety import escape_unseen, one_line, replace_unseen
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Event
-from labcal.spreadsheet import first_formula, is_formula, shielded_row
 from labcal.store import Bundle, Store
 from labcal.store.export import csv_table
-from labcal.text_safety import escape_unseen, one_line, replace_unseen
 
 CLI = Path(cli.__file__).parent
 ACTS = [

@@ -45,6 +45,7 @@ NO_CLAIM = {
     "before it is cleared.": ORDER,
     "Ramp it to zero first; or `labcal bench off`.": ORDER,
     "Set coils off.": ORDER,
+    "open the output of {} at its panel, or switch it off at its mains": ORDER,
     "Switch the option 'power-on output' off in its menu.": ORDER,
     "{0}. Press COILS OFF (F12), or switch the supplies off at their mains.": ORDER,
     "record at rest with the coils off, then switch what runs at that period off one by one": ORDER,
@@ -69,12 +70,11 @@ NO_CLAIM = {
     "Each coil goes to ±{} µT. Hands off?": ASKED,
     "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
     "The coils go to {} µT and the platform turns. Hands off?": ASKED,
-    "the guardian was killed, or the connection to it failed; it takes the coils to zero, or its successor does.": (
-        REFUSED
-    ),
+    "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "
+    "`labcal bench off` sets zero and reads it back. Then start the run again.": HELP,
+    "taking the coils to zero: ordered, and no read-back told yet …": REFUSED,
     "to zero: {}": REFUSED,
     "taken to zero": REFUSED,
-    "coil {} was taken to zero: {}.": REFUSED,
     "{} was to be made safe": REFUSED,
     "a field of {} nT of the coils alone is beyond the limit of {} nT, Earth's {} nT taken off; nothing was set.": (
         REFUSED
@@ -85,7 +85,8 @@ NO_CLAIM = {
     "file, or switch the supplies off by hand": REFUSED,
     "{}: the coils may be energised again. {}": REFUSED,
     "Coils off: reading them back …": REFUSED,
-    "coil {}: a guardian was killed while it brought this coil to zero.": REFUSED,
+    "coil {}: the guardian before is gone; it had ordered zero and told of no read-back.": REFUSED,
+    "zero of coil {} is not confirmed, and tried again": REFUSED,
     "coil {}: zero has not been read back.": REFUSED,
     "NOT confirmed at zero: {}": READ,
     "it did not answer in the time that there is on the way to zero.": REFUSED,
@@ -96,8 +97,6 @@ NO_CLAIM = {
     "not allowed with the output on": REFUSED,
     "{}: it would switch its output on by itself when it gets power.": REFUSED,
     "It closes when every coil is read back at zero; `guardian.log` says which is not.": HELP,
-    "What was committed is safe; see what keeps the disk busy, then go on with the run.": "of a store, not of coils",
-    "What was committed is safe; make room on the disk, then go on with the run.": "of a store, not of coils",
     "coil {}: {} A still flows; its output is not opened under current.": READ,
     "coil {}: {} A still flows after zero was set; the contacts were not moved.": READ,
     "coil {}: {} A still flows {} s after zero was set (zero is below {} A).": READ,
@@ -191,6 +190,11 @@ def test_whoever_asks_no_reference_has_the_supplys_word_only() -> None:
     lost = [*ended[:2], AtZero("z", None, False, InstrumentError("supply_z: silent."))]
     assert of_ends(lost).sentence(101.0) == "coils NOT confirmed at zero"
     assert of_ends(ended, "it saw 99").sentence(101.0).startswith(f"{NOT_BY_REFERENCE}: it saw 99. Open")
+
+
+def test_the_supplys_word_now_and_a_reference_that_agreed_before_are_told_apart() -> None:
+    said = state((0.0, 0.0, 0.0), True, "agrees", 3.0).sentence(0.0)
+    assert said == f"{BY_WORD}: the reference agreed when it was last looked at, 3 s ago"
 
 
 def test_the_value_goes_to_another_process_with_its_age() -> None:

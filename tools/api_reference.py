@@ -10,14 +10,15 @@ import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import labcal
-from labcal.files import write_text
+from labcal.files.atomic import write_text
 
 HEAD = """# The public face
 
 `import labcal` gives what a notebook or a script needs. It is light: the rooms behind a name are loaded when it is
-first asked for. Everything else in the package is a room that may change; [labcal/session.py](../labcal/session.py) is
+first asked for. Everything else in the package is a room that may change; [labcal/session](../labcal/session.py) is
 where to read on. [examples/notebook.py](../examples/notebook.py) uses all of it.
 
 Runs are named as on the command line, by a run id of the local store or the path of a bundle, or given as the run
@@ -38,7 +39,7 @@ def page() -> str:
 
 def chapter(name: str) -> str:
     """One name: how it is called, then its docstring."""
-    found = labcal
+    found: Any = labcal
     for part in name.split("."):
         found = getattr(found, part)
     before, *sections = SECTION.split(inspect.getdoc(found) or "")

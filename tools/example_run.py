@@ -13,7 +13,7 @@ from labcal import session
 from labcal.bench.clock import VirtualClock
 from labcal.certificate import sign_simulated
 from labcal.demo import START, simulated_bench
-from labcal.demo_folder import CALIBRATION, RUN, STORE, TRUST
+from labcal.demo.folder import CALIBRATION, RUN, STORE, TRUST
 from labcal.store import Store, write_bundle
 
 SHORT = {"modes": "nominal", "reverse": "no", "timing_nT": "1000", "zero_s": "2"}

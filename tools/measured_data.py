@@ -35,12 +35,11 @@ def main(folder: str, picture: Path | None, seeds: range) -> None:
 
 
 def _drawn(found: Evidence, seed: int) -> tuple[float, float]:
-    search = found.search.among(found.search.candidates)
-    blocks = block_folds(search.problem, found.blocks.guard_s, BLOCK_S, seed)
-    honest = against_own_base(
-        found.bare, search, blocks, cross_validate(search, blocks, nested_selection(found.level, blocks))
-    )
-    return honest.before, honest.after
+    pool = found.pool.restricted_to(found.pool.candidates)
+    blocks = block_folds(pool.problem, found.blocks.guard_s, BLOCK_S, seed)
+    errors = cross_validate(pool, blocks, nested_selection(found.level, blocks))
+    own_base = against_own_base(found.base_set, pool, blocks, errors)
+    return own_base.before, own_base.after
 
 
 def _draw(folder: str, picture: Path) -> None:

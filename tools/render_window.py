@@ -117,7 +117,7 @@ class Studio:
             self.wait(lambda: run.state in ("asking", "ended") or self.in_the_middle_of("z"))
             if run.state == "ended":
                 return run.run_id
-            if run.state == "asking":
+            if run.prompt is not None and run.state == "asking":
                 if run.prompt.key == "mount-y":
                     self.shoot("run-prompt", "Run")
                     self.window.toggle_wall()
@@ -133,7 +133,7 @@ class Studio:
     def in_the_middle_of(self, axis: str) -> bool:
         """Whether a turn about this body axis is more than half done."""
         run = self.app_state.run
-        return bool(run.segment) and run.segment.startswith(axis) and run.coverage() > 0.6
+        return run.segment is not None and run.segment.startswith(axis) and run.coverage() > 0.6
 
     def study(self, run: str) -> None:
         """Fits and the loop, drawn."""
@@ -160,8 +160,10 @@ class Studio:
         assert isinstance(files, tuple)
         if files and not files[0].standing.signatures:
             path = files[0].path
-            for command in (NewKey("jdoe@lab", "render"), Approve(path, "A. Smith"), Sign(path, "jdoe@lab", "render")):
-                self.app_state.quick_worker.request(command, done.append, done.append)
+            worker = self.app_state.quick_worker
+            worker.request(NewKey("jdoe@lab", "render"), done.append, done.append)
+            worker.request(Approve(path, "A. Smith"), done.append, done.append)
+            worker.request(Sign(path, "jdoe@lab", "render"), done.append, done.append)
             self.wait(lambda: len(done) == 4)
 
 
@@ -187,11 +189,14 @@ def render(studio: Studio) -> None:
     from labcal.gui.ipc.answers import RunLine
     from labcal.gui.ipc.messages import ListRuns
     from labcal.gui.ipc.wire import Fault
+    from labcal.gui.pages.bench import BenchPage
 
     app_state = studio.app_state
     studio.shoot("run-choose", "Run")
     if studio.wants("bench"):
-        studio.window.page("Bench").check_all()
+        bench = studio.window.page("Bench")
+        assert isinstance(bench, BenchPage)
+        bench.check_all()
         studio.live(8)
     runs: list[tuple[RunLine, ...]] = []
     app_state.request(ListRuns(), runs.append)

@@ -37,5 +37,5 @@ class Mishaps:
 
 def overloaded(source: str) -> InstrumentError:
     """The error for a reading at the end of a sensor's range: a fault, not a value."""
-    remedy = "Lower the field, or widen its range where it has another."
+    remedy = "Lower the field, take away what adds to it, or widen its range where it has another."
     return InstrumentError(f"{source}: a reading at full scale.", fault="overloaded", remedy=remedy)

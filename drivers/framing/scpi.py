@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from drivers.framing.in_step import InStep
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.links import Link, abridged
+from labcal.bench.links import Link, abridged, quoted
 from labcal.errors import InstrumentError
 
 LONGEST_QUEUE = 64
 FLOW = b"\x11\x13"  # XON, XOFF that an adapter let through
 NAK = b"\x15"  # of a Kepco whose input queue overran
+CODE = re.compile(r"[+-]?\d+,")  # with which an answer to "which errors?" begins
 
 
 @dataclass
@@ -27,20 +30,29 @@ class Scpi:
     errors: str = "SYST:ERR?"
     _free_s: float = field(default=float("-inf"), init=False)
 
+    def __post_init__(self) -> None:
+        self._in_step = InStep(self.name, self.link, self.clock)
+        self.refuse_earlier = self._in_step.refuse_earlier
+
     def query(self, text: str) -> str:
         """Ask and return the reply. Raises InstrumentError: silent, or refused where the question was lost."""
+        self._in_step.settle()
         self.send(text)
         reply = self.link.ask(b"", end=b"\n", timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
         self._free_s = self.clock.now() + self.gap_s
         if NAK in reply:
             raise InstrumentError(f"{self.name}: it lost {text!r}: its input queue overran.", fault="refused")
-        return reply.decode("utf-8", "replace")
+        return self._in_step.heard(text, reply.decode("utf-8", "replace"))
 
     def command(self, text: str) -> None:
         """Tell, then ask for errors. Raises InstrumentError with what the supply says."""
         self.send(text)
-        if not _none(error := self.query(self.errors)):
-            raise refused(self.name, text, error)
+        if _none(error := self.query(self.errors)):
+            return
+        if not CODE.match(error):
+            self.refuse_earlier(self.errors, error)
+            error = f"asked for errors it answered {quoted(error)}"
+        raise refused(self.name, text, error)
 
     def send(self, text: str) -> None:
         """Tell, once it is ready to hear; what was left on the line is dropped."""
@@ -50,9 +62,16 @@ class Scpi:
         self._free_s = self.clock.now() + self.gap_s
 
     def identify(self, fits: Callable[[str, str], bool], kind: str) -> Identity:
-        """Who it says it is. Raises InstrumentError where maker and model do not fit: it is no `kind`."""
-        maker, model, serial, firmware = (*map(str.strip, self.query("*IDN?").split(",")), "", "", "")[:4]
+        """Who it says it is. Raises InstrumentError where maker and model do not fit: it is no `kind`.
+
+        An answer that names nobody is not the last word: it may be late, or said twice.
+        """
+        said = self.query("*IDN?")
+        if self._in_step.ask_again(said):
+            said = self.query("*IDN?")
+        maker, model, serial, firmware = (*map(str.strip, said.split(",")), "", "", "")[:4]
         if not fits(maker.upper(), model):
+            self.refuse_earlier("*IDN?", said)
             raise InstrumentError(
                 f"{self.name}: {abridged(f'{maker} {model}')} answered, not {kind}.", fault="another instrument"
             )

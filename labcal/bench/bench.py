@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.clock import Clock
+from labcal.bench.coils.at_zero import words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
@@ -91,7 +92,7 @@ class Bench:
         self.cage = Cage(
             config.cage, supplies, clock, dut_limits=config.dut.limits, wait=self._wait_until,
             guardian=guardian.zero if guardian else None, contacts=contacts, see=self._field_seen,
-            blind=blind(config.reference), latch=StoredDoubt(config.guarded_links),
+            blind=blind(config.reference), latch=StoredDoubt(config.guarded_links), where=self._where,
         )  # fmt: skip
         self._instruments, self.simulated_operator, self.carry = dict(instruments), simulated_operator, carry
         self._links, self._known = links or {}, dict[str, Identity]()
@@ -118,7 +119,7 @@ class Bench:
         coils = {self.cage.supplies[coil.axis].name: coil for coil in self.cage.coils()}
         heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
         alive = None if self._guardian is None else self._guardian.alive
-        return LabState(self.cage.coils(), self.cage.check.witness, alive, tuple(heard))
+        return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard))
 
     def sentence(self) -> str:
         """What may be said of the coils now."""
@@ -127,6 +128,12 @@ class Bench:
     def instruments(self) -> Mapping[str, Instrument]:
         """Every instrument by its name in bench.toml."""
         return self._instruments
+
+    def _where(self, name: str) -> str:
+        """An instrument for a person to find: its name, who answered as it, and at which port."""
+        stated, known = self.config.instruments[name], self._known.get(name)
+        who = f"{known.model} {known.serial}".strip() if known else stated.driver
+        return f"{name} ({who} at {stated.link})"
 
     def identities(self) -> dict[str, Identity]:
         """Ask every instrument who it is. Raises InstrumentError naming the first that is silent or another.
@@ -190,9 +197,14 @@ class Bench:
         return merged(arrived) + [_block(*what, rows) for what, rows in polled.items()]
 
     def events(self) -> list[Event]:
-        """What the streams lost since this was asked last: gaps, wrong checksums, broken frames, their line."""
+        """What the streams lost since this was asked last: gaps, wrong checksums, broken frames."""
         told = [event for stream in self._streams for event in stream.events()]
-        told += [event for watch in self._watches for event in watch.events()] + self._look.events()
+        return sorted(told, key=lambda event: event.t_s)
+
+    def news(self) -> list[Event]:
+        """What has fallen silent, or was lost, or is back, since this was asked last; in the order that it happened."""
+        told = [event for stream in self._streams for event in stream.news()]
+        told += [event for watch in self._watches for event in watch.news()] + self._look.news()
         return sorted(told, key=lambda event: event.t_s)
 
     def handled(self, prompt: Prompt) -> None:
@@ -213,9 +225,19 @@ class Bench:
     def make_safe(self) -> None:
         """Coils to zero first, then every instrument to rest; a failure of one does not skip another."""
         with ExitStack() as steps:
+            steps.callback(self.rest_instruments)
+            steps.callback(self.cage.zero)
+
+    def slow_zero(self) -> str:
+        """What may be said of a way to zero that takes long, while it does; "" else."""
+        ordered = self._guardian is None or self._guardian.zero_is_ordered
+        return words_of_slow_zero(self.cage.to_zero_since_s, ordered)
+
+    def rest_instruments(self) -> None:
+        """Every instrument to rest, after the coils; a failure of one does not skip another."""
+        with ExitStack() as steps:
             for instrument in reversed(self._instruments.values()):
                 steps.callback(instrument.make_safe)
-            steps.callback(self.cage.zero)
 
     def close(self) -> None:
         """Let go of every link."""
@@ -273,13 +295,17 @@ class Bench:
         dut, reference = (self._read(stream, now, faults) for stream in self._streams)
         readings = dut, [self._into_cage(block) for block in reference]
         self._pending += [*readings[0], *readings[1]]
+        self.cage.check.unheard(self._streams[1].wrong)
         for block in readings[1]:
             if block.values.shape[1] == 3:
                 self.cage.check.see(block.t_s, block.values)
+        for stream, watch, blocks in zip(self._streams, self._watches, readings, strict=True):
+            try:
+                watch.see(blocks, now, stream.wrong)
+            except InstrumentError as fault:
+                faults.append(fault)
         if faults:
             raise faults[0]
-        for watch, blocks in zip(self._watches, readings, strict=True):
-            watch.see(blocks, now)
         for limit in self._limits:
             limit.see(readings[0], now)
         if self._field_limit is not None and self.cage.on:
@@ -354,7 +380,8 @@ class Bench:
     def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: CoilReading | None) -> Heard:
         if coil is not None:
             return Heard(name, coil.read_s, coil.fault)
-        wrong = [self._look.wrong(name), *(watch.wrong(name) for watch in self._watches)]
+        lines = (stream.wrong for stream in self._streams if stream.name == name)
+        wrong = [self._look.wrong(name), *lines, *(watch.wrong(name) for watch in self._watches)]
         return Heard(name, heard_s.get(name), next(filter(None, wrong), ""))
 
     def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
+from labcal.files.toml_file import read_toml
 from labcal.record.physical import LARGEST_CURRENT_A, LARGEST_FIELD_nT
-from labcal.toml_file import read_toml
 
 AXES = ("x", "y", "z")
 RUNTIME_LONGEST = 60  # of the 107 bytes that the name of a socket may have

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, cast, get_type_hints
 
 from pydantic import TypeAdapter, ValidationError
 
-from labcal import outside
+from labcal import plugin_loading
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import AXES, BenchConfig, InstrumentConfig, line_of, sentence
 from labcal.bench.driver_kit.roles import Instrument
@@ -231,7 +231,7 @@ class Loader:
             what = "driver" if group == DRIVERS else "emulator" if group == EMULATORS else "twin"
             self.refuse(f"there is no {what} {name!r}; there are {', '.join(sorted(found))}", keys)
         try:
-            return outside.load(found[name])
+            return plugin_loading.load(found[name])
         except InputError as error:
             self.refuse(str(error), keys)
 

@@ -14,7 +14,7 @@ from labcal.bench.bench import into_cage
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.coils.agreement import LIMIT_NT
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
-from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Vector
+from labcal.bench.coils.state import NOT_BY_REFERENCE, Vector
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.driver_kit.roles import Magnetometer
@@ -53,7 +53,7 @@ def look_again(path: Path, clear_as: str = "", clock: Clock | None = None) -> Lo
         by = "supplies and reference agree again" if agree else f"{clear_as.strip()} answers for it"
         latch.lift(f"{by}, {reading}")
         return Looked(f"{by}: the coils may be energised again. {reading}", True)
-    return Looked(f"{NOT_BY_REFERENCE}, {reading}. {OPEN_THEM}, then look again.", False)
+    return Looked(f"{NOT_BY_REFERENCE}, {reading}. {doubt.advice}, then look again.", False)
 
 
 def _agree(ended: list[AtZero], seen_nT: Vector | None, doubt: Doubt) -> bool:

@@ -16,7 +16,7 @@ from labcal.bench.clock import Clock, RealClock
 from labcal.bench.config import read_config
 from labcal.bench.links.emulated import Emulator, Foresees
 from labcal.bench.loading import Loader, speaks_modbus
-from labcal.files import write_text
+from labcal.files.atomic import write_text
 
 STEP_S = 0.002  # how often an emulator is looked at that does not foresee its next bytes
 UNHEARD_S = 1.0  # and one whose line is full, as nobody reads it

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import time
-from contextlib import closing, suppress
+from collections.abc import Callable
+from contextlib import AbstractContextManager, closing, nullcontext, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from labcal.errors import InputError, InstrumentError
 if TYPE_CHECKING:
     from labcal.bench.config import BenchConfig
 
+Meanwhile = Callable[[], AbstractContextManager[object]]
 FREE_S = 5.0
 UNTOUCHED = (
     "no guardian drives this bench and no coil was touched. Correct the file and say off again, or switch the supplies "
@@ -28,8 +30,8 @@ OTHERS = (
 )
 
 
-def coils_off(path: Path) -> list[AtZero]:
-    """Bring every coil of `path` to zero and open it; one report an axis, faults included.
+def coils_off(path: Path, meanwhile: Meanwhile = nullcontext) -> list[AtZero]:
+    """Bring every coil of `path` to zero and open it, `meanwhile` beside it; one report an axis, faults included.
 
     The guardian does it where one lives, also while the file cannot be read or names other ports than before; else the
     ports are opened here, and held against everybody meanwhile. Raises InputError where no guardian lives and the file
@@ -39,26 +41,26 @@ def coils_off(path: Path) -> list[AtZero]:
     while time.monotonic() < deadline:
         with suppress(OSError):
             if (guardian := guarding(path)) is not None:
-                return _asked(guardian)
+                return _asked(guardian, meanwhile)
         config = _readable(path)
         with suppress(InputError):  # the group's folder is not there: it goes on without
             ports.meet(config.safety.group, config.safety.runtime)
         real = config.guarded_links
         with suppress(OSError):
             if (guardian := found(real)) is not None:
-                return _asked(guardian)
+                return _asked(guardian, meanwhile)
             if ports.hold(real):
                 ports.announce({"pid": os.getpid()})
                 try:
-                    return _with_own_hands(path, config)
+                    return _with_own_hands(path, config, meanwhile)
                 finally:
                     ports.let_go()
         time.sleep(0.02)  # a guardian that comes or goes
     raise InstrumentError("a guardian holds the ports and does not answer.", fault="guardian lost")
 
 
-def _asked(guardian: Connection) -> list[AtZero]:
-    with closing(guardian):
+def _asked(guardian: Connection, meanwhile: Meanwhile) -> list[AtZero]:
+    with closing(guardian), meanwhile():
         return [zero_of(end) for end in ask_once(guardian, "zero", why=f"labcal bench off, process {os.getpid()}")]
 
 
@@ -79,14 +81,15 @@ def _untouched() -> str:
     return OTHERS.format(" and of ".join(benches)) if benches else UNTOUCHED
 
 
-def _with_own_hands(path: Path, config: BenchConfig) -> list[AtZero]:
+def _with_own_hands(path: Path, config: BenchConfig, meanwhile: Meanwhile) -> list[AtZero]:
     """A guardian within this process, for one zero."""
     from labcal.bench.guardian.controller import Guardian  # half a second that is not lost where one lives already
     from labcal.bench.guardian.logbook import note, written
 
     guardian = Guardian(path, config, note)
     try:
-        return guardian.zero(f"labcal bench off, process {os.getpid()}")
+        with meanwhile():
+            return guardian.zero(f"labcal bench off, process {os.getpid()}")
     finally:
         guardian.close()
         written(at_most_s=2.0)

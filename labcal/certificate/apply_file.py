@@ -1,7 +1,7 @@
 """A calibration applied to a recording on disk: every column and row stays, five columns are added.
 
 The file is read twice, some rows at a time: its numbers, then its rows as they stand. A text that a spreadsheet would
-work out as a formula gets an apostrophe before it (`labcal.spreadsheet`).
+work out as a formula gets an apostrophe before it (`labcal.files.spreadsheet`).
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.files import replacing
+from labcal.files.atomic import replacing
+from labcal.files.spreadsheet import shielded_row
 from labcal.model import Calibration
 from labcal.model.apply import apply_in_pieces, needed_columns, temperature_channel
 from labcal.model.effects import load_shipped
 from labcal.model.readings import Applied, Readings
-from labcal.spreadsheet import shielded_row
 from labcal.store.limits import MOST_WORDS, MiB
 from labcal.store.table import Piece, TableReader, line_blocks, require_increasing
 

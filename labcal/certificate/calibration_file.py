@@ -20,11 +20,11 @@ from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
+from labcal.files.text_safety import checked_text
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Rival
 from labcal.record import Dut
-from labcal.text_safety import checked_text
 
 LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
 WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other

@@ -16,11 +16,11 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from labcal import files
 from labcal.errors import InputError
+from labcal.files import atomic
+from labcal.files.toml_file import read_toml
 from labcal.model import Calibration, EffectRecord
 from labcal.record import Run
-from labcal.toml_file import read_toml
 from labcal.version import __version__
 
 DCC, SI = "https://ptb.de/dcc", "https://ptb.de/si"
@@ -78,7 +78,7 @@ def write_dcc(
     if run is None:
         told = f"a certificate states when it was measured; run {calibration.run_id} is not in this lab's store"
         raise InputError(f"{told} (`labcal import` takes its bundle in)")
-    files.write_bytes(out, dcc_xml(calibration, content, name, run, read_laboratory(laboratory)))
+    atomic.write_bytes(out, dcc_xml(calibration, content, name, run, read_laboratory(laboratory)))
 
 
 def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, laboratory: Laboratory) -> bytes:

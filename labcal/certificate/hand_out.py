@@ -8,8 +8,8 @@ from pathlib import Path
 from labcal.certificate.allowed_signers import Signer
 from labcal.certificate.signing import signature_files
 from labcal.errors import InputError
-from labcal.files import replaceable, write_bytes, write_text
-from labcal.outputs import claim
+from labcal.files.atomic import replaceable, write_bytes, write_text
+from labcal.files.outputs import claim
 
 
 def hand_out(calibration: Path, folder: Path, signers: Sequence[Signer]) -> None:

@@ -15,7 +15,6 @@ from pathlib import Path
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
-from labcal import files
 from labcal.certificate import pkcs8
 from labcal.certificate.allowed_signers import (
     Signer,
@@ -28,7 +27,8 @@ from labcal.certificate.allowed_signers import (
 from labcal.certificate.calibration_file import read_limited
 from labcal.certificate.sshsig import KEY_TYPE, public_key_blob
 from labcal.errors import InputError
-from labcal.home import own_folder
+from labcal.files import atomic
+from labcal.files.home import own_folder
 
 SIMULATED = "simulated"  # the principal of keys made in memory: good for files that say simulated, and for no other
 
@@ -179,4 +179,4 @@ def _append(path: Path, lines: list[str]) -> None:
 
 def _keep(path: Path, content: bytes) -> None:
     own_folder(own_folder(path.parent.parent) / path.parent.name)
-    files.write_bytes(path, content, mode=0o600)
+    atomic.write_bytes(path, content, mode=0o600)

@@ -14,13 +14,13 @@ from pathlib import Path
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
-from labcal import files
 from labcal.certificate import sshsig
 from labcal.certificate.allowed_signers import Signer, own_line, same_person
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
 from labcal.errors import InputError
+from labcal.files import atomic
 from labcal.model import Calibration
 
 LARGEST_SIGNATURE_BYTES = 2**14
@@ -100,7 +100,7 @@ def approve(path: Path, name: str) -> Calibration:
     if any(same_person(name, other) for other in draft.approvers):
         raise InputError(f"{name} has approved it already", file=path)
     approved = replace(draft, approvers=(*draft.approvers, name))
-    files.write_bytes(path.resolve(), calibration_bytes(approved))
+    atomic.write_bytes(path.resolve(), calibration_bytes(approved))
     return approved
 
 
@@ -120,7 +120,7 @@ def sign(path: Path, name: str, key: Ed25519PrivateKey, signers: Sequence[Signer
         if earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
     target = _signature_path(path, len(there) + 1)
-    files.write_text(target, sshsig.sign(content, key))
+    atomic.write_text(target, sshsig.sign(content, key))
     return target
 
 
@@ -132,7 +132,7 @@ def sign_simulated(path: Path, allowed_signers: Path) -> Path:
     if not parse_calibration(read_limited(path, LARGEST_BYTES), path).simulated:
         raise InputError("is not simulated; a key kept in memory signs nothing real", file=path)
     key = Ed25519PrivateKey.generate()
-    files.write_text(allowed_signers, own_line(SIMULATED, public_key_blob(key.public_key())).line() + "\n")
+    atomic.write_text(allowed_signers, own_line(SIMULATED, public_key_blob(key.public_key())).line() + "\n")
     return sign(path, SIMULATED, key)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import gc
 import os
 import sys
@@ -15,6 +16,8 @@ from labcal.cli.screen import say
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
+
+TOO_LITTLE = (errno.EMFILE, errno.ENFILE, errno.ENOMEM)  # handles, of this process or of all, and memory
 
 # What typer raises for a wrong word on the command line; it comes from click, or from typer's own copy of it.
 UsageFault = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
@@ -76,6 +79,8 @@ def execute(arguments: list[str]) -> int:
     except UnicodeError as error:
         return _say(f"a text here is no UTF-8 ({error.reason if hasattr(error, 'reason') else error})", WRONG_INPUT)
     except OSError as error:
+        if error.errno in TOO_LITTLE:  # whatever was opened just then is not to blame
+            return _say(f"the system gives labcal no more: {error.strerror}", WRONG_INPUT)
         place = f"{error.filename}: " if error.filename else ""
         return _say(f"{place}{error.strerror or error}", WRONG_INPUT)
     except Exception as error:
@@ -86,9 +91,9 @@ def _report_of(error: Exception) -> str:
     """Keep the details of a fault of ours in a file, and say what happened and where they are."""
     from traceback import format_exception
 
-    from labcal.files import write_bytes
-    from labcal.home import FILE, home, own_folder
-    from labcal.text_safety import replace_unseen
+    from labcal.files.atomic import write_bytes
+    from labcal.files.home import FILE, home, own_folder
+    from labcal.files.text_safety import replace_unseen
 
     what = f"a fault of labcal's own: {type(error).__name__}: {error}"
     report = home() / "last-fault.txt"

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import typer
@@ -58,16 +61,30 @@ def serve(
 @bench.command()
 def off(file: Path = FILE) -> None:
     """All coils to zero, outputs open where the supply can open, with read-back."""
+    from labcal.bench.coils.at_zero import BY_WORD, ORDERED, SLOW_S
     from labcal.bench.shutdown import coils_off  # not by way of the session, which loads for a second
 
-    ended = coils_off(file)
+    ended = coils_off(file, lambda: _said_after(SLOW_S, ORDERED))
     from labcal.bench.coils.doubt import left_so  # when it is done: this takes a moment to load
 
     for end in ended:
-        current = "unknown" if end.current_A is None else f"{end.current_A:+.4f} A"
-        say(f"coil {end.axis}: {current}  {end.words}")
+        current = "unknown " if end.current_A is None else f"{end.current_A:+.4f} A  {BY_WORD}:"
+        say(f"coil {end.axis}: {current} {end.words}")
     say(left_so(file, ended))
     raise typer.Exit(INSTRUMENT_FAILED if any(end.fault for end in ended) else DONE)
+
+
+@contextmanager
+def _said_after(seconds: float, words: str) -> Iterator[None]:
+    """`words` on stderr so much later, unless all within is done by then."""
+    later = threading.Timer(seconds, say, (words,), {"err": True})
+    later.daemon = True
+    with suppress(RuntimeError):  # no memory for it
+        later.start()
+    try:
+        yield
+    finally:
+        later.cancel()
 
 
 @bench.command()

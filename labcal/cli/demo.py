@@ -30,7 +30,7 @@ def demo(
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     from labcal.demo import demo as run_demo
-    from labcal.demo_folder import make_room
+    from labcal.demo.folder import make_room
 
     make_room(out, force=force)
     began = time.monotonic()

@@ -10,7 +10,7 @@ import typer
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console, say
-from labcal.outputs import claim
+from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
     from labcal.certificate import AppliedFile

@@ -9,7 +9,7 @@ from pathlib import Path
 import typer
 
 from labcal.cli import app
-from labcal.home import for_children
+from labcal.files.home import for_children
 
 
 @app.command("gui", rich_help_panel="Begin")

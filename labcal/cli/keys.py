@@ -13,7 +13,7 @@ import typer
 from labcal.cli import app
 from labcal.cli.screen import console, say, say_lines
 from labcal.errors import InputError
-from labcal.home import PASSPHRASE
+from labcal.files.home import PASSPHRASE
 
 if TYPE_CHECKING:
     from labcal.certificate import Entry

@@ -13,8 +13,8 @@ from labcal.cli.progress import shown
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console, say, say_lines
 from labcal.errors import InputError
-from labcal.outputs import claim
-from labcal.toml_file import named_files
+from labcal.files.outputs import claim
+from labcal.files.toml_file import named_files
 
 if TYPE_CHECKING:
     from labcal.loop import ClosedLoop
@@ -59,7 +59,7 @@ def _measuring(
     run: str, bench: Path, out: Path | None, report: Path | None, seed: int | None, *, sure: bool, force: bool
 ) -> ClosedLoop:
     """Plans and progress go to stderr, for stdout belongs to the result."""
-    from labcal.measuring import Talk, close_by_measuring
+    from labcal.session.measuring import Talk, close_by_measuring
 
     def consent(plan: Rehearsal) -> bool:
         with display.aside():

@@ -14,9 +14,9 @@ NONE = (
 @app.command(rich_help_panel="Extensions")
 def plugins() -> int:
     """List what other packages bring and whether it loads. Exit code 1: something does not."""
-    from labcal import outside
+    from labcal import plugin_loading
 
-    found = outside.parts()
+    found = plugin_loading.parts()
     for part in found:
         say("  ".join((f"{part.kind:<9}", f"{part.name:<20}", f"{part.package:<20}", part.value)))
     for part in found:

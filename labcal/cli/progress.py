@@ -15,7 +15,7 @@ from labcal.errors import InputError
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-    from labcal.record.stream import Item, Prompt
+    from labcal.record.stream import Event, Item, Prompt
 
 
 AT_ONCE = ("silent", "link lost", "heard again", "reconnected")  # of an instrument, while the run still goes on
@@ -98,10 +98,12 @@ class Bar(Nothing):
 
     def tell(self, item: Item) -> None:
         """Move the bar at a step, print a measurement that has a limit."""
-        from labcal.record.stream import Event, Measurement, Step
+        from labcal.record.stream import NOT_KEPT, Event, Measurement, Step
 
-        if isinstance(item, Event) and item.kind == "stream" and item.data.get("fault") in AT_ONCE:
+        if isinstance(item, Event) and (item.kind == NOT_KEPT or _of_a_stream_at_once(item)):
             self._progress.console.print(f"! {item.text}", highlight=False, markup=False)
+        if isinstance(item, Event) and item.kind == "slow-zero":
+            self._progress.console.print(item.text, highlight=False, markup=False)
         if isinstance(item, Step):
             left = f"step {item.number} of {item.total} · {clock_face(item.left_s)} left"
             self._progress.update(
@@ -128,6 +130,10 @@ class Bar(Nothing):
             yield
         finally:
             self._progress.start()
+
+
+def _of_a_stream_at_once(event: Event) -> bool:
+    return event.kind == "stream" and event.data.get("fault") in AT_ONCE
 
 
 def clock_face(seconds: float) -> str:

@@ -10,9 +10,9 @@ from typing import Any
 
 import typer
 
-from labcal.files import write_text
-from labcal.outputs import claim
-from labcal.text_safety import escape_unseen
+from labcal.files.atomic import write_text
+from labcal.files.outputs import claim
+from labcal.files.text_safety import escape_unseen
 
 JSON = typer.Option(None, "--json", metavar="FILE", help="Write the result as JSON to FILE; - is standard output.")
 FORCE = typer.Option(
@@ -23,7 +23,7 @@ FORCE = typer.Option(
 def write_json(result: Any, where: str, command: str, *, inputs: Iterable[Path] = (), force: bool = False) -> None:
     """Write `result` to the file `where`, whole or not at all, or to standard output where that is `-`.
 
-    Raises InputError where `command`, which read `inputs`, may not write there (`labcal.outputs`).
+    Raises InputError where `command`, which read `inputs`, may not write there (`labcal.files.outputs`).
     """
     text = escape_unseen(json.dumps(result, indent=1, ensure_ascii=False, allow_nan=False)) + "\n"
     if where == "-":

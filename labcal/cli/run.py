@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import signal
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -70,7 +71,9 @@ def run(
             outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, **options)
         else:
             return _list()
-    said = f"{outcome.status.removesuffix('.')}; {outcome.at_rest}"
+    said = f"{outcome.told}; {outcome.at_rest}"
+    if outcome.resumable:
+        said = f"{said}; `{_goes_on(procedure, outcome.run_id, _bench(bench))}` goes on with it"
     as_json = progress is ProgressChoice.json
     say(json.dumps({"item": "end", "text": said}) if as_json else said, err=True)
     say(outcome.run_id)
@@ -111,6 +114,12 @@ def _bench(given: Path | None) -> Path:
     if given is None:
         raise InputError("which bench? say --bench FILE")
     return given
+
+
+def _goes_on(procedure: str | None, run_id: str, bench: Path) -> str:
+    """The command that goes on with a run."""
+    words = ["labcal", "run", *([procedure] if procedure else []), "--resume", run_id, "--bench", str(bench)]
+    return shlex.join(words)
 
 
 def _clock(choice: ClockChoice | None) -> Clock | None:

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from labcal.text_safety import one_line, replace_unseen
+from labcal.files.text_safety import one_line, replace_unseen
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from labcal import outside
+from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.fit.metrics import axis_errors_deg, folds, reading_bias_nT, scalar_residual
 from labcal.fit.result import Fit
@@ -89,10 +89,10 @@ def _others() -> dict[str, EntryPoint]:
 
 def _guarded(entry: EntryPoint) -> Estimator:
     """Another package's estimator; its faults are said with its name, and only a `Fit` passes."""
-    estimator, named = outside.load(entry), outside.named(entry)
+    estimator, named = plugin_loading.load(entry), plugin_loading.named(entry)
 
     def answer(run: Run, **options: Any) -> Fit:
-        with outside.blamed(named, f"on run {run.run_id}"):
+        with plugin_loading.blamed(named, f"on run {run.run_id}"):
             try:
                 found = estimator(run, **options)
             except (np.linalg.LinAlgError, ArithmeticError) as error:

@@ -11,9 +11,9 @@ from importlib.metadata import version
 from io import BytesIO
 from pathlib import Path
 
-from labcal.files import write_bytes
+from labcal.files.atomic import write_bytes
+from labcal.files.outputs import claim
 from labcal.gui.ipc.wire import Fault
-from labcal.outputs import claim
 
 PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from labcal import outside
+from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.gui.frame import Frame
 from labcal.gui.ipc.wire import Fault
@@ -38,7 +38,7 @@ def import_pages() -> None:
 
     for entry in pages().values():
         with suppress(InputError):  # its card says so
-            outside.load(entry)
+            plugin_loading.load(entry)
     prepare()
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from labcal import outside
+from labcal import plugin_loading
 from labcal.bench.parameters import ParameterSpec, parameters_of
 from labcal.bench.steps import Procedure
 from labcal.errors import InputError
@@ -95,8 +95,8 @@ def find(procedure: str) -> Found:
 
 
 def _installed(entry: EntryPoint) -> Found:
-    function = outside.load(entry)
-    with outside.blamed(outside.named(entry), "as it is looked at"):
+    function = plugin_loading.load(entry)
+    with plugin_loading.blamed(plugin_loading.named(entry), "as it is looked at"):
         source = Path(inspect.getsourcefile(function) or "")
         found = Found(entry.name, function, parameters_of(function), source)
         _ = found.title, found.needs, float(found.lasts_min or 0.0), found.separates  # as a list of them asks for
@@ -123,8 +123,8 @@ def _imported(path: Path) -> ModuleType:
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # it may even exit
-        told = f"cannot be loaded: {outside.said(error)}"
-        raise InputError(told, file=path, line=outside.line_in(error, path)) from error
+        told = f"cannot be loaded: {plugin_loading.said(error)}"
+        raise InputError(told, file=path, line=plugin_loading.line_in(error, path)) from error
     return module
 
 

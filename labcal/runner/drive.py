@@ -13,14 +13,15 @@ from typing import Any
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.cage import Cage
-from labcal.bench.coils.state import NOT_CONFIRMED, LabState
+from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED, LabState
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
-from labcal.record.stream import Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
+from labcal.record.stream import NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.control import Aborted, Control, Left, NotKept
 from labcal.runner.prompts import Answer, checked
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
+PROMPT_S = 1.0  # what is told later than this says so
 CLOCK_BACK_S = 1.0  # the wall clock may be slewed by this much against the bench's own
 Tell = Callable[[Item], None]
 Show = Callable[[LabState], None]
@@ -28,10 +29,14 @@ Show = Callable[[LabState], None]
 
 @dataclass(frozen=True, slots=True)
 class Ending:
-    """How a run ended. `status` is the contract's word; `fault` what went wrong, None where nothing did."""
+    """How a run ended. `status` is the contract's word; `fault` what went wrong, None where nothing did.
+
+    `by_store`: what went wrong is that the record was not kept.
+    """
 
     status: str
     fault: BaseException | None = None
+    by_store: bool = False
 
 
 @dataclass
@@ -56,6 +61,7 @@ class Drive:
     _said: str = field(default="", init=False)
     _rows_wait: bool = field(default=False, init=False)
     _told_to_end: bool = field(default=False, init=False)
+    _told_of_zero: str = field(default="", init=False)  # which takes long
 
     def run(self, procedure: Procedure) -> Ending:
         """Drive `procedure` to its end, whatever that is, and the bench to rest."""
@@ -68,6 +74,7 @@ class Drive:
             with closing(procedure):
                 self.bench.start()
                 self.bench.look = self._look
+                self.bench.clock.while_waiting(self._say_what_takes_long)
                 for item in self._items(procedure):
                     self._refuse_mode(item)
                     self._keep(item)
@@ -80,7 +87,7 @@ class Drive:
         except Left as fault:
             return Ending("interrupted", fault)
         except NotKept as fault:
-            return Ending("interrupted", fault.fault)
+            return Ending("interrupted", fault.fault, by_store=True)
         except Aborted as fault:
             return Ending(f"failed: {fault}", fault)
         except (Stopped, KeyboardInterrupt) as fault:
@@ -112,14 +119,26 @@ class Drive:
             limits.refuse_mode(str(item.drawing["mode"]))
 
     def _keep(self, item: Item) -> None:
-        item = _later(item, self.offset_s) if self.offset_s else item
-        with self._zero_unless_kept():
-            self.write(item)
-        self.tell(item)
+        self._keep_news()
+        self._keep_one(item)
         for text, data in self.control.notes():
             self._keep(self._event("note", text, **data))
         for event in self.bench.events():
-            self._keep(event)
+            self._keep_one(event)
+
+    def _keep_news(self) -> None:
+        """What was lost or is back, before anything that came later; told late, it says how long ago that was."""
+        now = self.bench.clock.now()
+        for event in self.bench.news():
+            self._keep_one(event, now - event.t_s)
+
+    def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
+        item = _later(item, self.offset_s) if self.offset_s else item
+        with self._zero_unless_kept():
+            self.write(item)
+        if isinstance(item, Event) and age_s > PROMPT_S:
+            item = replace(item, text=f"{age_s:.1f} s ago: {item.text}")
+        self.tell(item)
         if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
             self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
 
@@ -178,6 +197,7 @@ class Drive:
         """
         with self._zero_unless_kept():
             self.kept()
+        self._keep_news()
         if self.bench.cage.on and not self._told_to_end:
             try:
                 self._check()
@@ -196,7 +216,26 @@ class Drive:
             self._rows_wait = True
             with suppress(Exception):  # tried again, and told, on the way to rest
                 self.bench.cage.zero()
+            self._tell_not_kept(fault)
             raise NotKept(fault) from None
+
+    def _say_what_takes_long(self) -> None:
+        """Of a way to zero, once, to whoever watches: a slow line may keep the last word for seconds."""
+        if self.bench.cage.on:
+            self._told_of_zero = ""
+        words = self.bench.slow_zero()
+        if words in ("", self._told_of_zero):
+            return
+        self._told_of_zero = words
+        with suppress(Exception):  # the way to zero goes on whoever watches
+            self.tell(_later(self._event("slow-zero", words), self.offset_s))
+
+    def _tell_not_kept(self, fault: InputError | InstrumentError) -> None:
+        """At once, for the last rows may be waited for; it is in the record where that can be mended."""
+        said = _later(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
+        with suppress(InputError, InstrumentError):
+            self.write(said)
+        self.tell(said)
 
     def _listen(self) -> None:
         self._check()
@@ -214,18 +253,17 @@ class Drive:
 
     def _at_rest(self, ending: Ending) -> Ending:
         """Coils to zero, every instrument to rest, and what was read back into the record."""
-        bench, faults = self.bench, list[Exception]()
+        bench = self.bench
         self._rows_wait = True  # whoever writes the last one tells where that cannot be
-        for come_to_rest in (bench.cage.zero, bench.make_safe, bench.stop):
-            try:
-                come_to_rest()
-            except Exception as fault:
-                faults.append(fault)
+        faults = _failed(bench.cage.zero)
+        faults += _failed(bench.make_safe if faults else bench.rest_instruments)  # zero again only where that failed
+        faults += _failed(bench.stop)
         lost = list[Exception]()
         try:
             for axis in sorted(bench.cage.abrupt):
                 self._keep(self._event("abrupt-zero", f"coil {axis} came to zero without a ramp", axis=axis))
             read_back = self._read_back(faults, lost)
+            self._keep_news()
             for event in bench.events():  # what a stream lost on the way: the read-back is the last word
                 self._keep(event)
             self._keep(read_back)
@@ -233,7 +271,7 @@ class Drive:
             return ending if ending.fault else Ending(f"failed: {_sentence(fault)}", fault)
         first = next(iter(faults + lost), None)
         if not self._at_zero:
-            return Ending(f"failed: {self._said}: {_sentence(first)}" if first else f"failed: {self._said}", first)
+            return Ending(f"failed: {self._said}{_what_else(first, self._said)}", first)
         return Ending(f"failed: {_sentence(lost[0])}", lost[0]) if lost and ending.fault is None else ending
 
     def _read_back(self, faults: list[Exception], lost: list[Exception]) -> Event:
@@ -253,6 +291,14 @@ class Drive:
 
     def _event(self, kind: str, text: str, **data: Any) -> Event:
         return Event(self.bench.clock.now(), kind, text, data)
+
+
+def _failed(act: Callable[[], None]) -> list[Exception]:
+    try:
+        act()
+    except Exception as fault:
+        return [fault]
+    return []
 
 
 def _later(item: Item, by_s: float) -> Item:
@@ -278,6 +324,13 @@ def _measured(cage: Cage, axis: str, lost: list[Exception]) -> float | None:
         cage.supplies[axis].set_current(0.0)
         return cage.read(axis)
     return None
+
+
+def _what_else(fault: Exception | None, said: str) -> str:
+    """What went wrong, where that was not said already."""
+    if fault is None or (NOT_BY_REFERENCE in said and NOT_BY_REFERENCE in str(fault)):
+        return ""
+    return f": {_sentence(fault)}"
 
 
 def _sentence(fault: BaseException) -> str:

@@ -20,7 +20,7 @@ from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.header import ChannelSpec
-from labcal.record.stream import Event, Item, Measurement, Step
+from labcal.record.stream import NOT_KEPT, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
 from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
@@ -29,8 +29,10 @@ from labcal.store import RunWriter, Store
 from labcal.version import __version__
 
 RESUMED, INTERRUPTED = "resumed", "interrupted"
+BY_STORE = "interrupted by its store"
 KNOWN = (InputError, InstrumentError, LimitNotMet, Stopped)  # faults that say themselves what is wrong
 LATE_S = 0.6  # a row that is not on the disk by then takes true coils to zero
+LONG_S = 2.0  # that a run waited so long for its end to be kept is said
 GAP_S = 1.0  # at least so much time lies between what was recorded before an interruption and after
 
 
@@ -38,7 +40,8 @@ GAP_S = 1.0  # at least so much time lies between what was recorded before an in
 class Outcome:
     """A run that has ended: its id, its true final status, what went wrong, and the limits that were not met.
 
-    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far.
+    `lab` is the lab as the run left it, by the computer's monotonic clock; None where it never came so far. `told` says
+    how it ended and what the store had to do with it; `resumable`, whether it can be gone on with.
     """
 
     run_id: str
@@ -46,6 +49,8 @@ class Outcome:
     fault: BaseException | None
     failed: tuple[Measurement, ...] = ()
     lab: LabState | None = None
+    told: str = ""
+    resumable: bool = False
 
     @property
     def at_rest(self) -> str:
@@ -174,7 +179,13 @@ def _drive(
     if "resume" in values and ending.fault is not None and not seen.energised:
         ending = Ending(INTERRUPTED, ending.fault)
     lab = drive.state and drive.state.shifted(time.monotonic() - drive.read_at_s)
-    return Outcome(writer.run_id, *_written(writer, ending), tuple(seen.failed.values()), lab)
+    writer.waits = lambda fault: seen.not_kept(bench.clock.now() + offset_s, fault)
+    status, fault, told = _written(writer, ending)
+    lost = getattr(fault, "fault", "") == "store gone"
+    resumable = status == INTERRUPTED and procedure.resumable and not lost
+    if status == INTERRUPTED and not procedure.resumable:
+        told = f"{told}; {procedure.name} cannot be gone on with: start it anew"
+    return Outcome(writer.run_id, status, fault, tuple(seen.failed.values()), lab, told, resumable)
 
 
 def _in_whose_file(procedure: Found, ending: Ending) -> Ending:
@@ -196,6 +207,12 @@ class _Seen:
     tell: Tell
     failed: dict[str, Measurement] = field(default_factory=dict)
     energised: bool = False
+    store_told: bool = False
+
+    def not_kept(self, t_s: float, fault: InstrumentError) -> None:
+        """Tell that the end of the run waits for the store, unless it was told that the store ended it."""
+        if not self.store_told:
+            self.notice(Event(t_s, NOT_KEPT, f"the end of the run waits: {fault.what}"))
 
     def notice(self, item: Item) -> None:
         if isinstance(item, Measurement):
@@ -204,16 +221,40 @@ class _Seen:
                 self.failed[item.name] = item
         if isinstance(item, Event):
             self.energised |= item.kind == "set-point"
+            self.store_told |= item.kind == NOT_KEPT
         self.tell(item)
 
 
-def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | None]:
-    """The status as it stands in the store; where it could not be written the run shows as interrupted."""
+def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | None, str]:
+    """The status as it stands in the store, the fault, and how it ended in words.
+
+    Where the status could not be written the run shows as interrupted, and the store's fault counts for more than that
+    the operator had stopped it.
+    """
+    said, begun_s = _said(ending), time.monotonic()
     try:
         writer.finish(ending.status)
     except Exception as fault:
-        return INTERRUPTED, ending.fault or fault
-    return ending.status, ending.fault
+        what = fault.what if isinstance(fault, InputError | InstrumentError) else str(fault)
+        first = ending.fault is None or ending.by_store or isinstance(ending.fault, Stopped | KeyboardInterrupt)
+        missing = f"{what.removesuffix('.')}; what was not committed is lost"
+        if ending.by_store:
+            return INTERRUPTED, fault, f"{BY_STORE}: {missing}"
+        told = f"{said}, but the store has not kept its end and shows it as interrupted: {missing}"
+        return INTERRUPTED, fault if first else ending.fault, told
+    waited_s = time.monotonic() - begun_s
+    late = f", kept by the store {waited_s:.0f} s later" if waited_s > LONG_S and not ending.by_store else ""
+    return ending.status, ending.fault, f"{said}{late}"
+
+
+def _said(ending: Ending) -> str:
+    """The status, and where that is `interrupted` by what."""
+    if ending.status != INTERRUPTED:
+        return ending.status.removesuffix(".")
+    why = ending.fault.what if isinstance(ending.fault, InputError | InstrumentError) else str(ending.fault)
+    if ending.by_store:
+        return f"{BY_STORE}: {why.removesuffix('.')}; every row is kept by now"
+    return f"{INTERRUPTED}: {why.removesuffix('.')}"
 
 
 def so_far(items: Iterable[Item]) -> Resume:

@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 from typing import IO
 
 from labcal.errors import InputError
-from labcal.files import replacing, write_bytes
+from labcal.files.atomic import replacing, write_bytes
 from labcal.record import Run
 from labcal.store.limits import FREELY, INFLATED, LARGEST, MOST_FILES, RUN_JSON, SAMPLES_CSV, MiB
 from labcal.store.run_json import read_run_json, write_run_json

@@ -10,13 +10,17 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from labcal.errors import InputError, InstrumentError
-from labcal.home import home, own_file, own_folder, tightened
+from labcal.files.home import home, own_file, own_folder, tightened
 from labcal.store import schema
+from labcal.store.holder import holder
 from labcal.store.place import BESIDE, Files, files_at, require_same
 
 PATIENCE_S = 5.0  # how long another program may hold the file
 CHECKED_BYTES = 32 << 20  # a store up to this size is looked through whenever it is opened (15 ms)
 CHECKED_BEFORE_A_RUN_BYTES = 512 << 20  # and up to this one before a run is recorded into it (0.3 s)
+MAKE_ROOM = "Make room on the disk."
+SEE_THE_DISK = "See whether the disk is full or fails."
+CLOSE_IT = "Close the program that holds it, if it still does, and try again."
 DAMAGED = "`labcal check-store` looks through all of it; set the file aside and go on with a copy, or with a new store"
 
 
@@ -81,12 +85,14 @@ def named_faults(path: Path) -> Iterator[None]:
 
 def _named(error: sqlite3.Error, path: Path) -> InputError | InstrumentError:
     name = getattr(error, "sqlite_errorname", "")
-    if name.startswith(("SQLITE_FULL", "SQLITE_IOERR")):
-        remedy = "What was committed is safe; make room on the disk, then go on with the run."
-        return InstrumentError(f"{path}: the disk is full or fails ({error}).", fault="disk full", remedy=remedy)
+    if name.startswith("SQLITE_FULL"):
+        return InstrumentError(f"{path}: there was no room on the disk ({error}).", fault="disk full", remedy=MAKE_ROOM)
+    if name.startswith("SQLITE_IOERR"):
+        refused = f"{path}: the system refused to read or write it ({error}, {name})."
+        return InstrumentError(refused, fault="disk full", remedy=SEE_THE_DISK)
     if name.startswith(("SQLITE_BUSY", "SQLITE_LOCKED")):
-        remedy = "Close the program that holds it, then try again, or go on with the run."
-        return InstrumentError(f"{path}: another program keeps the store locked.", fault="store locked", remedy=remedy)
+        by_whom = f" by {who}" if (who := holder(path)) else ", by whom is not known"
+        return InstrumentError(f"{path}: the store was locked{by_whom}.", fault="store locked", remedy=CLOSE_IT)
     if name.startswith(("SQLITE_NOTADB", "SQLITE_CORRUPT")):
         return InputError(f"the store is damaged, or is no store: {error}; {DAMAGED}", file=path)
     if name.startswith(("SQLITE_CANTOPEN", "SQLITE_READONLY", "SQLITE_PERM", "SQLITE_AUTH")):

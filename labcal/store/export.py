@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
+from labcal.files.spreadsheet import first_formula
 from labcal.record import Run
-from labcal.spreadsheet import first_formula
 from labcal.store.bundle import Bundle
 from labcal.store.limits import SAMPLES_CSV
 from labcal.store.run_json import write_run_json

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from labcal.errors import InputError
-from labcal.home import home
+from labcal.files.home import home
 from labcal.record.run_id import as_file_name
 from labcal.store.database import Connection, connect, named_faults
 from labcal.store.liveness import is_alive

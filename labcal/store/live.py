@@ -11,7 +11,7 @@ from types import TracebackType
 from typing import Any, Self
 
 from labcal.errors import InputError
-from labcal.home import home
+from labcal.files.home import home
 from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
 from labcal.record.run_id import as_file_name, checked_run_id
@@ -52,7 +52,7 @@ class Store:
 
     @classmethod
     def open(cls, path: Path | None = None) -> Self:
-        """Open the store file `path` (default: the user's own, see `labcal.home`), made where it is absent.
+        """Open the store file `path` (default: the user's own, see `labcal.files.home`), made where it is absent.
 
         Raises InputError where the file is damaged or another program's, InstrumentError where it is locked.
         """

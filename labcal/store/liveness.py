@@ -13,7 +13,7 @@ import weakref
 from pathlib import Path
 
 from labcal.errors import InstrumentError
-from labcal.home import FILE, own_folder, tightened
+from labcal.files.home import FILE, own_folder, tightened
 
 if sys.platform == "win32":
     import msvcrt

@@ -6,8 +6,8 @@ from hashlib import sha256
 from pathlib import Path
 
 from labcal.errors import InputError
-from labcal.files import write_bytes
-from labcal.home import FILE, home, own_folder
+from labcal.files.atomic import write_bytes
+from labcal.files.home import FILE, home, own_folder
 
 LARGEST_BYTES = 50 * 2**20
 KINDS = {b"\xff\xd8\xff": ".jpg", b"\x89PNG": ".png", b"RIFF": ".webp"}

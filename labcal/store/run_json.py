@@ -15,6 +15,7 @@ import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.errors import InputError
+from labcal.files.text_safety import checked_text, replace_control
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
@@ -29,7 +30,6 @@ from labcal.store.limits import (
     shortened,
 )
 from labcal.store.table import decode
-from labcal.text_safety import checked_text, replace_control
 
 FORMAT = "labcal-run/1"
 FIXED_COLUMNS = (
@@ -247,7 +247,8 @@ def read_run_json(data: bytes, *, file: object, of_store: bool = False) -> RunJs
 def write_run_json(run: Run) -> bytes:
     """The header of `run` as run.json: fixed order, only what is stated, UTF-8 with LF; it reads back.
 
-    What an instrument or a person put in and no text may hold (`labcal.text_safety`) is marked, never lost the run for.
+    What an instrument or a person put in and no text may hold (`labcal.files.text_safety`) is marked: the run is never
+    lost for it.
     """
     header = {
         "format": FORMAT,

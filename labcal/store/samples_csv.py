@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
+from labcal.files.text_safety import checked_text
 from labcal.record import Channel, Dut, Reference, Run
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.store.limits import listed, shortened
 from labcal.store.run_json import FIXED_COLUMNS, RunJson
 from labcal.store.table import Table, read_table, require_increasing
-from labcal.text_safety import checked_text
 
 Array = NDArray[np.float64]
 

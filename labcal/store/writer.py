@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
@@ -22,6 +22,8 @@ COMMIT_EVERY_S = 0.25  # of wall time
 ASK_AGAIN_MS = 100  # while another program holds the store
 LATE_S = 15.0  # a row that waits so long for the disk is told; with real coils on, sooner: see `RunWriter.late_s`
 PATIENCE_S = 10.0  # at the end, with nothing energised any more: by then a lock or a full disk may be gone
+SAY_S = 1.0  # so long nobody is told that the end of a run waits for the disk
+TOLD_S = 0.1  # a row that has waited less has not waited
 PASSING = ("store locked", "disk full")  # faults that may go away by themselves
 ROWS_BUFFERED = 5_000
 INSERT_ITEM = "INSERT INTO item (run, kind, t_s, content, stamps, samples, raw) VALUES (?, ?, ?, ?, ?, ?, ?)"
@@ -38,11 +40,13 @@ class RunWriter:
 
     Use it as a context manager: a run that is left without `finish` ends `finished`, `stopped` or `failed: …` as it
     was left. A writer that dies without leaving shows as `interrupted`. `late_s`: how long a row may wait for the disk
-    before `write` and `check` say that it does; nobody who hands items in ever waits for the disk itself.
+    before `write` and `check` say that it does; nobody who hands items in ever waits for the disk itself. `waits` hears
+    what `finish` waits for.
     """
 
     def __init__(self, path: Path, run: int, run_id: str, alive: Alive) -> None:
         self.run_id, self.late_s = run_id, LATE_S
+        self.waits: Callable[[InstrumentError], None] = lambda fault: None
         self._path, self._run, self._alive = path, run, alive
         self._connection = connect(path)
         self._connection.execute(f"PRAGMA busy_timeout = {ASK_AGAIN_MS}")
@@ -76,7 +80,7 @@ class RunWriter:
         fault, since_s = self._fault, self._since_s
         late = since_s is not None and time.monotonic() - since_s > self.late_s
         if fault is not None and (late or getattr(fault, "fault", "") != "store locked"):
-            raise fault
+            raise self._with_wait(fault) if isinstance(fault, InstrumentError) else fault
         if late:
             raise self._slow()
 
@@ -103,14 +107,18 @@ class RunWriter:
         self._closing.set()
         self._wanted.set()
         deadline = time.monotonic() + PATIENCE_S
-        self._clockwork.join(PATIENCE_S)
+        self._clockwork.join(min(SAY_S, PATIENCE_S))
+        if self._clockwork.is_alive():
+            self.waits(self._slow())
+            self._clockwork.join(PATIENCE_S)
         if self._clockwork.is_alive():
             self._left.set()  # it lets go when the disk has answered
             if not self._clockwork.is_alive():
                 self._let_go()
-            raise self._fault or self._slow()
+            raise self._slow()
         try:
-            while not self._ended(status, deadline):
+            while (fault := self._ended(status, deadline)) is not None:
+                self.waits(fault)
                 time.sleep(0.05)
         finally:
             self._let_go()
@@ -125,18 +133,19 @@ class RunWriter:
         with suppress(InstrumentError, InputError):  # the first fault is the one to tell
             self.finish(_ending(error))
 
-    def _ended(self, status: str, deadline: float) -> bool:
-        """Whether the rows that are left and `status` are in the file that lies there now; False: try again."""
+    def _ended(self, status: str, deadline: float) -> InstrumentError | None:
+        """Bring the rows that are left and `status` into the file that lies there; the fault for which to try again."""
         try:
             self.commit()
             with transaction(self._connection, self._path):
                 self._connection.execute(INSERT_STATUS, (self._run, status, utc_now()))
         except InstrumentError as fault:
+            told = self._with_wait(fault)
             if fault.fault not in PASSING or time.monotonic() > deadline:
-                raise
-            return False
+                raise told from None
+            return told
         require_same(self._path, self._connection.files)
-        return True
+        return None
 
     def _insert(self, rows: Sequence[Row]) -> None:
         with transaction(self._connection, self._path):
@@ -159,12 +168,21 @@ class RunWriter:
         self._connection.close()
         self._alive.end()
 
+    def _with_wait(self, fault: InstrumentError) -> InstrumentError:
+        """`fault`, with how long the oldest row has waited for what may come by itself."""
+        since_s = self._since_s
+        if since_s is None or fault.fault not in (*PASSING, "store slow") or (waited_s := _ago(since_s)) < TOLD_S:
+            return fault
+        what = f"{fault.what.removesuffix('.')}; a row has waited {waited_s:.1f} s to be kept."
+        return InstrumentError(what, fault=fault.fault, remedy=fault.remedy)
+
     def _slow(self) -> InstrumentError:
-        return InstrumentError(
-            f"{self._path}: the disk takes more than {self.late_s:g} s to keep what is recorded.",
-            fault="store slow",
-            remedy="What was committed is safe; see what keeps the disk busy, then go on with the run.",
-        )
+        what = f"{self._path}: the disk did not take in time what was recorded."
+        return self._with_wait(InstrumentError(what, fault="store slow", remedy="See what keeps the disk busy."))
+
+
+def _ago(then_s: float) -> float:
+    return time.monotonic() - then_s
 
 
 def _ending(error: BaseException) -> str:

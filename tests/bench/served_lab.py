@@ -27,7 +27,7 @@ import labcal.bench.serve as serving
 from labcal.bench.clock import RealClock
 from labcal.bench.links import Nobody
 from labcal.bench.loading import Loader
-from labcal.home import home
+from labcal.files.home import home
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 LABCAL = [sys.executable, "-c", "from labcal.cli import main; main()"]

@@ -81,12 +81,12 @@ def test_contacts_that_are_pulled_at_rest_are_told_within_seconds(lab: Served) -
     with open_bench(lab.file) as bench:
         bench.start()
         bench.stream_until(bench.clock.now() + 3.0)
-        assert bench.events() == []
+        assert bench.news() == []
         lab.emulator("reversers").take = lambda *_: None  # hears nothing any more
         begun, told = bench.clock.now(), list[Event]()
         while not told:
             bench.stream_until(bench.clock.now() + 0.5)
-            told = [event for event in bench.events() if event.text.startswith("reversers")]
+            told = [event for event in bench.news() if event.text.startswith("reversers")]
             assert bench.clock.now() - begun < 60.0
         assert told[0].kind == "stream"
         assert next(one for one in bench.state().instruments if one.name == "reversers").fault

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
-from contextlib import closing
+from contextlib import closing, suppress
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -91,11 +93,54 @@ def test_a_current_that_stays_is_never_called_zero(bench: Bench, current_A: floa
     with pytest.raises(InstrumentError, match=NOT_BY_REFERENCE) as caught:
         bench.cage.zero()
     assert caught.value.fault == "not zero"
-    assert "mains" in caught.value.remedy
+    seems, told = caught.value.remedy.split(" A flowed in coil x: ")
+    assert float(seems.removeprefix("It is as if ")) == pytest.approx(current_A, abs=0.01)
+    supply = r"supply_x \(PL303QMT-P \d+ at emulated://\)"
+    assert re.fullmatch(f"open the output of {supply} at its panel, or switch it off at its mains.", told)
+    assert bench.sentence().endswith(told.rstrip("."))
     assert bench.sentence().startswith(f"{NOT_BY_REFERENCE}: it sees")
     apart_uT = float(caught.value.what.split("expected: ")[1].split()[0])
     assert apart_uT == pytest.approx(abs(current_A) * 49.95, abs=0.2)
     assert flows(bench) == pytest.approx(abs(current_A), abs=0.01)
+
+
+def test_no_one_is_told_to_open_an_output_that_cannot_open(tmp_path: Path) -> None:
+    before, _, after = EXAMPLE.read_text().replace('"tti-pl"', '"kepco-bop"').partition("[instruments.reversers]")
+    path = tmp_path / "bench.toml"
+    path.write_text(before + after[after.index("\n[") + 1 :])
+    with closing(opened(path)) as bench:
+        model, serial = (getattr(bench.identities()["supply_z"], what) for what in ("model", "serial"))
+        with_ambient(bench)
+        bench.cage.set_currents([0.0, 0.0, 0.5])
+        lies_from_now(bench, "z")
+        with pytest.raises(InstrumentError, match=NOT_BY_REFERENCE):
+            bench.cage.zero()
+        said = bench.sentence()
+        assert said.endswith(f"A flowed in coil z: switch off supply_z ({model} {serial} at emulated://) at its mains "
+                             "(no command opens its output)"), said  # fmt: skip
+        assert "coil x" not in said
+        doubt = bench.cage.latch.doubt
+        assert doubt is not None
+        assert f"supply_z ({model}" in doubt.error().remedy
+
+
+def test_a_reference_at_full_scale_is_said_to_be(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    with_ambient(bench)
+    bench.cage.set_currents([0.5, 0.0, 0.0])
+    lab = lab_of(bench)
+    earth, truck = lab.ambient, replace(lab.ambient, earth_nT=np.array([0.0, 0.0, 400_000.0]))
+    monkeypatch.setattr(lab, "ambient", truck)
+    bench.cage.zero()
+    assert bench.sentence() == f"{BY_WORD}: the reference is at its full scale and cannot vouch for it"
+    assert [heard.fault for heard in bench.state().instruments if heard.name == "reference"] == ["overloaded"]
+    for wait_s in [0.2] * 20 + [1e-4]:  # in the last one nothing comes
+        with suppress(InstrumentError):
+            bench.stream_until(bench.clock.now() + wait_s)
+    assert bench.news() == []  # neither is silent: the one sends full scale, the other sends
+    monkeypatch.setattr(lab, "ambient", earth)
+    list(record(bench, 1.0))
+    bench.cage.zero()
+    assert bench.sentence() == AT_ZERO
 
 
 def test_nothing_is_energised_until_both_agree_again(bench: Bench) -> None:
@@ -218,6 +263,7 @@ def test_a_run_over_a_false_zero_fails_and_says_so(tmp_path: Path) -> None:
         assert flows(bench) > 0.1
         last = [item for item in store.items("R") if isinstance(item, Event)][-1]
     assert ended.status.startswith("failed")
+    assert ended.status.count(NOT_BY_REFERENCE) == 1  # once is enough
     assert ended.at_rest.startswith(NOT_BY_REFERENCE)
     assert last.kind == "read-back"
     assert last.text.startswith(NOT_BY_REFERENCE)

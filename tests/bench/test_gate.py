@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from drivers import korad_ka3005p
 from labcal.bench.clock import RealClock
 from labcal.bench.guardian.gate import Gate, GatedLink
 from labcal.bench.links.deny import DenyList
@@ -110,3 +111,16 @@ def test_a_healthy_line_waits_for_nothing() -> None:
     for _ in range(3):
         assert link.ask(b"who?\n", end=b"\n", timeout_s=2.0) == b"answer to who?\n"
     assert time.monotonic() - begun < 3 * SLOW_S + 0.25
+
+
+def test_of_replies_without_an_end_likewise_and_the_supply_is_not_blamed() -> None:
+    slow: Any = SlowLine(lambda said: {b"ISET1?": b"0.500K", b"IOUT1?": b"0.001"}.get(said, b""))
+    gate, clock = Gate(), RealClock()
+    settings = korad_ka3005p.Settings(gap_s=0.01, timeout_s=15.0)
+    supply = korad_ka3005p.KoradSupply("supply_x", GatedLink(slow, gate, clock), clock, settings)
+    given_up(gate, supply.set_point)
+    with gate.passing():
+        supply.write_current(0.0)
+        assert slow.sent == [b"ISET1?", b"ISET1:0.000"]
+        assert supply.measure_current() == 0.001
+    assert supply.set_point() == 0.5

@@ -71,7 +71,9 @@ def test_off_is_obeyed_while_a_session_hangs_and_no_other_session_may_begin(lab:
     os.kill(child.pid, signal.SIGCONT)
     os.kill(child.pid, signal.SIGUSR1)
     _, said = child.communicate(timeout=LONG_S)
-    assert "was taken to zero" in said
+    # a process that takes long to begin may say off after the silence was noticed: both ordered it
+    ordered = r"zero was ordered for coil \w: (labcal bench off, process \d+|session \d+ has been silent for)"
+    assert re.search(ordered, said), said
 
 
 def test_a_killed_guardian_is_replaced_by_one_that_begins_with_zero(lab: Served, session: Sessions) -> None:
@@ -84,7 +86,7 @@ def test_a_killed_guardian_is_replaced_by_one_that_begins_with_zero(lab: Served,
     assert successor is not None
     assert int(successor[1]) != first
     _, said = child.communicate(timeout=LONG_S)
-    assert "the guardian was killed" in said
+    assert re.search(r"the connection to the guardian is gone; last read \(UTC\): coil x \+1\.0\d* A at", said), said
 
 
 def test_a_guardian_killed_with_its_session_is_replaced_all_the_same(lab: Served, session: Sessions) -> None:

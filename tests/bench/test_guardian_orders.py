@@ -21,7 +21,7 @@ from labcal.bench.guardian.limits import CoilLimit, TogetherLimit
 from labcal.bench.guardian.logbook import note, written
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError, LimitError
-from labcal.home import home
+from labcal.files.home import home
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
@@ -120,9 +120,10 @@ def test_only_this_user_reaches_the_socket() -> None:
 
 
 def test_what_goes_over_the_socket_comes_back_the_same() -> None:
-    end = AtZero("x", 0.1, False, LimitError("too much", fault="limit reached", remedy="less"))
+    end = AtZero("x", 0.1, False, LimitError("too much", fault="limit reached", remedy="less"), 1.0, 0.5, 2.0)
     back = wire.zero_of(json.loads(wire.packed(wire.zero_message(end))))
     assert (back.axis, back.current_A, back.opened, back.abrupt) == ("x", 0.1, False, True)
+    assert (back.read_s, back.from_A, back.asked_s) == (1.0, 0.5, 2.0)
     assert isinstance(back.fault, LimitError)
     assert (back.fault.fault, str(back.fault)) == ("limit reached", "too much less")
 

@@ -93,7 +93,7 @@ def streamed_until(bench: Bench, fault: str) -> list[Block]:
     blocks, deadline = list[Block](), bench.clock.now() + PATIENCE_S
     while bench.clock.now() < deadline:
         blocks += [b for b in bench.stream_until(bench.clock.now() + 0.1) if b.stream == "reference"]
-        if fault in [event.data["fault"] for event in bench.events()]:
+        if fault in [event.data["fault"] for event in bench.news()]:
             return blocks
     raise AssertionError(f"{fault} did not come")
 
@@ -166,6 +166,16 @@ def test_a_sensor_that_does_not_come_back_is_a_lost_link() -> None:
         stream.read_until(5.1)
     assert caught.value.fault == "link lost"
     assert lost.opened == 3
+
+
+def test_what_keeps_a_sensor_from_sending_is_known_until_it_can_send_again() -> None:
+    lost = Lost("link lost")
+    stream = Reconnecting(lost, lambda: None, 5.0)
+    stream.read_until(1.0)
+    assert (stream.wrong, [event.text for event in stream.news()]) == ("link lost", ["sensor: out"])
+    stream.read_until(3.0)
+    (back,) = stream.news()
+    assert (stream.wrong, back.t_s, back.text) == ("", 3.0, "sensor: it answers again, 2.0 s after its link was lost")
 
 
 def test_another_instrument_ends_the_waiting_at_once() -> None:

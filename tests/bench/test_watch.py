@@ -105,26 +105,38 @@ def test_a_silence_is_told_at_once_and_so_is_its_end() -> None:
     watch = StreamWatch("dut", 30.0, 120.0, 0.0)
     watch.see([samples_until(5.0)], 5.0)
     watch.see([], 6.5)
-    assert (watch.events(), watch.wrong("dut")) == ([], "")
+    assert (watch.news(), watch.wrong("dut")) == ([], "")
     watch.see([], 7.2)
-    (event,) = watch.events()
+    (event,) = watch.news()
     assert (event.kind, event.data["fault"], event.t_s) == ("stream", "silent", 7.2)
-    assert (watch.wrong("dut"), watch.wrong("reference"), watch.events()) == ("silent", "", [])
+    assert (watch.wrong("dut"), watch.wrong("reference"), watch.news()) == ("silent", "", [])
     late = samples_until(5.0)
     watch.see([replace(late, t_s=late.t_s + 9.0)], 14.0)
-    assert [event.data["fault"] for event in watch.events()] == ["heard again"]
+    assert [event.data["fault"] for event in watch.news()] == ["heard again"]
     assert watch.wrong("dut") == ""
     with pytest.raises(InstrumentError, match="no sample for"):
         watch.see([], 45.0)
+
+
+def test_while_something_else_is_known_to_keep_it_from_sending_it_is_not_called_silent() -> None:
+    watch = StreamWatch("dut", 60.0, 120.0, 0.0)
+    watch.see([samples_until(5.0)], 5.0)
+    for now in np.arange(5.5, 12.0, 0.5).tolist():
+        watch.see([], now, "link lost")
+    watch.see([], 13.0)
+    assert (watch.news(), watch.wrong("dut")) == ([], "")
+    watch.see([], 14.0)  # it answers, and sends nothing
+    (event,) = watch.news()
+    assert event.text == "dut: no sample for 2.5 s"
 
 
 def test_a_slow_stream_is_given_its_time() -> None:
     watch = StreamWatch("dut", 60.0, 120.0, 0.0)
     watch.see([samples_until(50.0, 10.0)], 50.0)
     watch.see([], 80.0)
-    assert watch.events() == []
+    assert watch.news() == []
     watch.see([], 92.0)
-    assert len(watch.events()) == 1
+    assert len(watch.news()) == 1
 
 
 def test_what_rests_is_looked_at_every_two_seconds_and_its_loss_is_told_once() -> None:
@@ -138,7 +150,7 @@ def test_what_rests_is_looked_at_every_two_seconds_and_its_loss_is_told_once() -
     look, told = Look(["reversers"], ask), list[tuple[float, str]]()
     for t in np.arange(0.0, 9.0, 0.5).tolist():
         look.at(t)
-        told += [(event.t_s, event.data["fault"]) for event in look.events()]
+        told += [(event.t_s, event.data["fault"]) for event in look.news()]
     assert len(asked) == 5
     assert told == [(2.0, "link lost"), (6.0, "heard again")]
     assert look.wrong("reversers") == ""

@@ -30,7 +30,7 @@ from labcal.bench.config import AXES, read_config
 from labcal.bench.links import Nobody
 from labcal.bench.loading import Loader, speaks_modbus
 from labcal.bench.serve import toml
-from labcal.files import write_text
+from labcal.files.atomic import write_text
 from labcal.twin.coils import Coil
 
 LONGEST_S = 0.1

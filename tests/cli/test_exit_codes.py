@@ -24,6 +24,7 @@ def commands_registered(capsys):
         (Stopped("by the operator"), 130, "stopped"),
         (KeyboardInterrupt(), 130, "stopped"),
         (FileNotFoundError(2, "No such file or directory", "nowhere.csv"), 2, "nowhere.csv: No such file"),
+        (OSError(24, "Too many open files", "/run"), 2, "labcal: the system gives labcal no more: Too many open files"),
     ],
 )
 def test_every_fault_ends_in_one_sentence_and_its_code(monkeypatch, capsys, fault, code, words):

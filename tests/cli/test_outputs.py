@@ -16,9 +16,9 @@ import typer
 from typer.models import OptionInfo
 
 import labcal.cli.commands
-from labcal import outputs
 from labcal.cli import app
 from labcal.cli import execute as labcal
+from labcal.files import outputs
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store import Store, write_bundle
 from labcal.store.live import FILE
@@ -27,7 +27,7 @@ GOLDEN = Path(__file__).parents[1] / "golden"
 SIMULATED = Path(__file__).parents[2] / "examples" / "simulated.toml"
 READ = ("bench", "allowed_signers")  # options that name a file to read
 # What is asked for with each option that names a file to write, and the file's name. A command that is not here is
-# new: give it `--force`, and `labcal.outputs.claim` before its work.
+# new: give it `--force`, and `labcal.files.outputs.claim` before its work.
 ASKED = {
     "demo --out": ("demo", "report.html"),
     "fit --out": ("fit {bundle}", "cal.json"),

@@ -111,3 +111,11 @@ def test_zero_is_reported_as_not_open() -> None:
     assert supply.measure_current() == pytest.approx(-2.0, abs=0.01)
     assert to_zero({"x": supply}, {"x": 4.0}, clock)["x"].words == "zero, not open"
     assert lab.coils["x"].current.now(clock.now() + 1.0) == pytest.approx(0.0, abs=1e-3)
+
+
+def test_a_current_that_comes_where_errors_were_asked_for_is_no_refusal() -> None:
+    wire = [(b"MEAS:CURR?\n", b"0.0013\n"), (b"OUTP 0\n", SILENT), (b"SYST:ERR?\n", b"-0.0004\n")]
+    with scripted(KepcoBop, wire) as supply:
+        supply.measure_current()
+        with pytest.raises(InstrumentError, match=r"an answer of an earlier question came to 'SYST:ERR\?': '-0\.0004'"):
+            supply.output(False)

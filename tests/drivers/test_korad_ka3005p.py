@@ -69,8 +69,20 @@ def test_a_set_that_nothing_confirms_is_not_sent_again() -> None:
 
 
 def test_an_output_that_stays_on_is_a_fault() -> None:
-    with scripted(KoradSupply, [(b"OUT0", SILENT), (b"STATUS?", b"\x50")]) as supply, pytest.raises(InstrumentError):
+    wire = [(b"OUT0", SILENT), (b"STATUS?", b"\x50")] * 2
+    with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError, match="enabled was set to 0 and reads"):
         supply.output(False)
+
+
+def test_zero_and_off_are_told_once_more_as_it_may_have_been_deaf_and_nothing_else_is() -> None:
+    off, zero = (b"OUT0", SILENT), (b"ISET1:0.000", SILENT)
+    wire = [zero, (b"ISET1?", b"0.113K"), zero, (b"ISET1?", b"0.000K"), off, (b"STATUS?", b"\x51"), off,
+            (b"STATUS?", b"\x11"), (b"ISET1:0.100", SILENT), (b"ISET1?", b"0.000K")]  # fmt: skip
+    with scripted(KoradSupply, wire) as supply:
+        supply.set_current(0.0)
+        supply.output(False)
+        with pytest.raises(InstrumentError, match="reads back 0 A"):
+            supply.set_current(0.1)
 
 
 @pytest.mark.parametrize("amps", [3.001, -0.001, float("nan")])
@@ -80,6 +92,25 @@ def test_beyond_the_limit_nothing_is_sent(amps: float) -> None:
 
 
 def test_make_safe_opens_the_output_even_when_zeroing_fails() -> None:
-    wire = [(b"ISET1:0.000", SILENT), (b"ISET1?", b"0.500K"), (b"OUT0", SILENT), (b"STATUS?", b"\x01")]
+    wire = [*[(b"ISET1:0.000", SILENT), (b"ISET1?", b"0.500K")] * 2, (b"OUT0", SILENT), (b"STATUS?", b"\x01")]
     with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError, match="reads back"):
         supply.make_safe()
+
+
+def test_half_a_name_is_not_the_last_word_and_another_name_is() -> None:
+    with scripted(KoradSupply, [(b"*IDN?", b"ORADKA3005PV2.0"), (b"*IDN?", b"KORADKA3005PV2.0")]) as supply:
+        assert supply.identify().model == "KA3005P"
+    wire = [(b"*IDN?", b"HMR2300"), (b"*IDN?", b"HMR2300")]
+    with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError, match="not a Korad") as caught:
+        supply.identify()
+    assert caught.value.fault == "another instrument"
+
+
+def test_a_name_that_comes_for_a_number_is_an_answer_of_an_earlier_question() -> None:
+    name = b"KORADKA3005PV2.0"
+    wire = [(b"*IDN?", name), (b"ISET1?", name), (b"IOUT1?", b"0.000")]
+    with scripted(KoradSupply, wire) as supply:
+        supply.identify()
+        with pytest.raises(InstrumentError, match=r"an answer of an earlier question came to 'ISET1\?': 'KORAD'"):
+            supply.set_point()
+        assert supply.measure_current() == 0.0

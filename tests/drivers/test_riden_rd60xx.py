@@ -10,7 +10,7 @@ from frames import read, rtu, wrote
 from drivers.emulators.riden_rd60xx import RidenEmulator
 from drivers.riden_rd60xx import RidenSupply, Settings
 from labcal.bench.clock import VirtualClock
-from labcal.bench.driver_kit.testing import scripted
+from labcal.bench.driver_kit.testing import SILENT, scripted
 from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
 from labcal.errors import InstrumentError, LimitError
@@ -135,3 +135,10 @@ def test_three_supplies_share_one_pair() -> None:
     assert len({supply.identify().serial for supply in supplies}) == 3
     clock.wait_until(clock.now() + 1.0)
     assert [supply.measure_current() for supply in supplies] == pytest.approx([0.1, 0.2, 0.3], abs=0.002)
+
+
+def test_a_silent_one_of_several_on_a_line_is_named_by_its_address() -> None:
+    wire = [(rtu("0203 0000 0004"), SILENT)]
+    says = "address 2 on emulated://script: no valid Modbus reply"
+    with scripted(RidenSupply, wire, address=2) as supply, pytest.raises(InstrumentError, match=says):
+        supply.identify()

@@ -74,3 +74,47 @@ def test_before_the_output_closes_the_compliance_voltage_is_set() -> None:
     wire = [(b"V1 20.000\n", SILENT), OK, (b"V1?\n", b"V1 20.000\r\n"), (b"OP1 1\n", SILENT), OK, (b"OP1?\n", b"1\r\n")]
     with scripted(TtiSupply, wire) as supply:
         supply.output(True)
+
+
+def test_an_answer_of_an_earlier_question_is_called_so_and_no_refusal() -> None:
+    wire = [(b"I1O?\n", b"0.024A\r\n"), (b"I1 0.0000\n", SILENT), (b"*ESR?\n", b"0.031A\r\n")]
+    says = r"an answer of an earlier question came to '\*ESR\?': '0\.031A'; the line is out of step"
+    with scripted(TtiSupply, wire) as supply:
+        assert supply.measure_current() == 0.024
+        with pytest.raises(InstrumentError, match=says) as caught:
+            supply.set_current(0.0)
+    assert caught.value.fault == "out of step"
+
+
+def test_so_is_one_that_is_read_as_a_number() -> None:
+    wire = [(b"I1O?\n", b"0.024A\r\n"), (b"I1?\n", b"0.024A\r\n")]
+    with scripted(TtiSupply, wire) as supply:
+        assert supply.measure_current() == 0.024
+        with pytest.raises(InstrumentError, match="an answer of an earlier question came to 'I1"):
+            supply.set_point()
+
+
+def test_one_that_is_like_no_other_is_said_as_it_came() -> None:
+    wire = [(b"I1O?\n", b"0.024A\r\n"), (b"I1 0.0000\n", SILENT), (b"*ESR?\n", b"p\r\n")]
+    with scripted(TtiSupply, wire) as supply:
+        supply.measure_current()
+        with pytest.raises(InstrumentError, match="its event register came back as 'p'"):
+            supply.set_current(0.0)
+
+
+def test_who_it_is_is_asked_again_where_an_earlier_answer_came_and_nothing_that_comes_late_counts_from_then_on() -> (
+    None
+):
+    who = b"THURLBY THANDAR, PL303QMT-P, 123456, 3.02-4.06\r\n"
+    twice = (b"*IDN?\n", [who] * 2)  # it hears everything twice
+    wire = [(b"*IDN?\n", b"I1 0.3914\r\n"), twice, (b"*ESR?\n", [b"0\r\n"] * 2), (b"I1O?\n", [b"0.024A\r\n"] * 2)]
+    with scripted(TtiSupply, wire) as supply:
+        assert supply.identify().serial == "123456"
+        assert supply.measure_current() == 0.024
+
+
+def test_one_that_names_itself_by_no_name_twice_is_another() -> None:
+    wire = [(b"*IDN?\n", b"7\r\n"), (b"*IDN?\n", b"7\r\n")]
+    with scripted(TtiSupply, wire) as supply, pytest.raises(InstrumentError, match="not an Aim-TTi") as caught:
+        supply.identify()
+    assert caught.value.fault == "another instrument"

@@ -33,7 +33,7 @@ from labcal.gui.ipc.messages import (
     StateRead,
     Word,
 )
-from labcal.gui.ipc.wire import Fault
+from labcal.gui.ipc.wire import BROKEN, Fault
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
 
@@ -202,6 +202,7 @@ def test_a_worker_refuses_a_broken_line_by_its_number_and_goes_on():
     assert "FitRun has no 'method'" in refused[0].fault.text
 
 
+WAITS = "import sys; sys.stdin.read()"
 SPOILT = """
 import sys
 line = sys.stdin.readline()
@@ -213,7 +214,7 @@ sys.stdin.read()
 @pytest.mark.parametrize(
     ("answer", "words"),
     [
-        ("rubbish", "The work ended by itself"),
+        ("rubbish", "The work said what this window cannot read"),
         (json.dumps({"is": "Done", "with": {"number": 1, "answer": [{"run_id": 3}]}}), "which it needs"),
     ],
 )
@@ -224,9 +225,33 @@ def test_a_worker_that_says_no_message_is_a_fault_and_nothing_waits_for_ever(qtb
     client.close(500)
     QCoreApplication.processEvents()
     ((fault),) = told
-    assert fault.kind == "crash"
+    assert fault.kind in BROKEN
     assert words in fault.text
     assert not client.busy
+
+
+def how_it_ended(qtbot, patience, program, kill=False):
+    client, told = Client(None, ("-c", program)), []
+    client.request(ListRuns(), told.append, told.append)
+    if kill:
+        client.kill()
+    qtbot.waitUntil(lambda: bool(told), timeout=patience)
+    client.close(500)
+    QCoreApplication.processEvents()
+    return told[0]
+
+
+def test_a_worker_that_is_gone_says_whether_it_was_killed_and_by_what_signal(qtbot, patience):
+    ended = how_it_ended(qtbot, patience, "raise SystemExit(9)")
+    assert (ended.kind, ended.text) == ("ended", "The work ended by itself (exit 9).")
+    assert how_it_ended(qtbot, patience, WAITS, kill=True).text == "The work was ended by this window."
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Windows has no signals")
+@pytest.mark.parametrize(("number", "words"), [(9, "(signal 9, SIGKILL)"), (15, "(signal 15, SIGTERM)")])
+def test_a_signal_is_no_exit_code(qtbot, patience, number, words):
+    ended = how_it_ended(qtbot, patience, f"import os; os.kill(os.getpid(), {number})")
+    assert ended.text == f"The work was killed {words}."
 
 
 def test_a_fault_of_a_handler_is_told_and_an_answer_that_cannot_cross_as_well(monkeypatch):

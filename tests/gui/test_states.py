@@ -88,8 +88,11 @@ def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(
 
 def test_a_worker_that_dies_in_any_state_is_a_card_and_another_one_switches_the_coils_off(brought):
     failed = brought.app_state.bench_worker.asked[-1].failed
-    failed(Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
-    assert brought.page("Run").live.fault.isVisible()
+    failed(Fault("ended", "The work was killed (signal 9, SIGKILL).", "", "trace"))
+    card = brought.page("Run").live.fault
+    assert card.isVisible()
+    assert card.heading.text() == "✕ The work broke off"
+    assert card.coils.text() == "coils not read back since another process was asked to switch them off"
     assert isinstance(brought.app_state.off_worker.asked[-1].command, SwitchOff)
 
 

@@ -97,8 +97,8 @@ def test_currents_and_field_follow_set_points_and_read_backs(run, worker):
 
 
 def test_a_failure_ends_the_run_with_its_words(run, worker):
-    worker.asked[0].failed(Fault("crash", "The work ended by itself (exit 9).", "", "trace"))
-    assert (run.state, run.fault.kind) == ("ended", "crash")
+    worker.asked[0].failed(Fault("ended", "The work was killed (signal 9, SIGKILL).", "", "trace"))
+    assert (run.state, run.fault.kind) == ("ended", "ended")
     assert not run.alive
 
 

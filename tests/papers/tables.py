@@ -6,7 +6,7 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from labcal.files import write_text
+from labcal.files.atomic import write_text
 
 SECTIONS = ("crassidis", "springmann", "riwanto")
 HEAD = """# The papers, reproduced

@@ -13,7 +13,7 @@ import pytest
 from short_preflight import SHORT
 
 from labcal import session
-from labcal.home import home
+from labcal.files.home import home
 from labcal.record.stream import Item, Prompt, Step
 from labcal.store import Store
 

@@ -15,9 +15,9 @@ from short_preflight import SHORT
 from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.errors import InstrumentError
-from labcal.home import home
-from labcal.record.stream import Event, Item, Step
-from labcal.runner import Control, Outcome, find, run_procedure, yes_to_all
+from labcal.files.home import home
+from labcal.record.stream import NOT_KEPT, Event, Item, Step
+from labcal.runner import Control, Outcome, find, run, run_procedure, yes_to_all
 from labcal.store import Store, database, writer
 
 BenchFile = Callable[..., Path]
@@ -148,3 +148,37 @@ def test_a_pause_waits_with_the_coils_at_zero_and_goes_on(bench_file: BenchFile)
     assert [p.text for p in pauses] == ["paused, coils at zero", "goes on"]
     assert max(map(abs, pauses[0].data["current_A"])) < 0.002
     assert control.looks == 3
+
+
+def test_a_stop_whose_end_the_store_does_not_keep_tells_both(
+    bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(writer, "PATIENCE_S", 0.5)
+    control, holder, said = Control(), list[sqlite3.Connection](), list[str]()
+
+    def tell(item: Item) -> None:
+        if isinstance(item, Step) and item.name == "sync-check":
+            holder.append(sqlite3.connect(home() / "store.sqlite", isolation_level=None))
+            holder[0].execute("BEGIN IMMEDIATE")
+            control.stop()
+        if isinstance(item, Event) and item.kind == NOT_KEPT:
+            said.append(item.text)
+
+    with opened(bench_file) as bench:
+        outcome = preflight(bench, tell, control=control)
+        holder[0].close()
+    assert outcome.status == "interrupted"
+    assert outcome.told.startswith("stopped, but the store has not kept its end and shows it as interrupted: ")
+    assert "the store was locked" in outcome.told
+    assert outcome.resumable
+    assert isinstance(outcome.fault, InstrumentError), "a run that can be gone on with is no stopped one"
+    assert outcome.fault.fault == "store locked"
+    assert [text.startswith("the end of the run waits: ") for text in said] == [True]
+
+
+def test_an_end_that_waited_for_the_disk_says_so(bench_file: BenchFile, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(run, "LONG_S", 0.0)
+    with opened(bench_file) as bench:
+        outcome = preflight(bench)
+    assert outcome.status == "finished"
+    assert outcome.told == "finished, kept by the store 0 s later"

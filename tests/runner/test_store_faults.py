@@ -22,8 +22,8 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import AT_ZERO, BY_WORD
 from labcal.bench.steps import Procedure, energise
 from labcal.errors import InputError, InstrumentError
-from labcal.home import home
-from labcal.record.stream import Block, Event, Item
+from labcal.files.home import home
+from labcal.record.stream import NOT_KEPT, Block, Event, Item
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
 from labcal.runner.drive import Drive
 from labcal.store import RunWriter, Store, live, writer
@@ -145,6 +145,9 @@ def test_the_coils_go_first_and_what_waits_is_kept_when_the_store_is_whole_again
     monkeypatch.setattr(writer, "PATIENCE_S", LONG_S)
     run = Broken(bench_file, monkeypatch, breaks, mend=True)
     goes_first(run, fault)
+    assert run.outcome.told.startswith("interrupted by its store: ")
+    assert run.outcome.told.endswith("to be kept; every row is kept by now")
+    assert run.outcome.resumable
     with Store.open() as store:
         assert store.status("R") == "interrupted"
         kept = list(store.items("R"))
@@ -162,6 +165,8 @@ def test_rows_for_a_file_that_lies_there_no_more_are_never_called_kept(
     monkeypatch.setattr(writer, "PATIENCE_S", 0.5)
     run = Broken(bench_file, monkeypatch, breaks)
     goes_first(run, "store gone")
+    assert run.outcome.told.endswith("while it was written to; what was not committed is lost") or breaks is replaced
+    assert not run.outcome.resumable
     for mend in run.mended:
         mend()
 
@@ -210,6 +215,8 @@ def goes_first(run: Broken, fault: str) -> None:
     assert run.outcome.fault.fault == fault
     assert run.outcome.at_rest.startswith((AT_ZERO, BY_WORD))
     assert max(map(abs, run.currents_A)) < 1e-3
+    told = [item.text for item in run.told if isinstance(item, Event) and item.kind == NOT_KEPT]
+    assert [text.startswith("the run ends: ") for text in told] == [True]
 
 
 def samples(items: list[Item]) -> dict[str, list[float]]:

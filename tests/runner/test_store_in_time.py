@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from served_lab import LONG_S, Served, all_gone, at_zero, example, until
 
-from labcal.home import home
+from labcal.files.home import home
 from labcal.record.stream import Step
 from labcal.store import Store
 

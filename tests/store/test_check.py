@@ -14,7 +14,7 @@ import pytest
 
 from labcal.cli import execute
 from labcal.errors import InputError, InstrumentError
-from labcal.home import home
+from labcal.files.home import home
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Block, Event, Measurement
 from labcal.store import Store, check_store, schema

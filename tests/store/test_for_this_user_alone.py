@@ -16,7 +16,7 @@ import pytest
 from labcal import cli, session
 from labcal.bench.guardian import logbook
 from labcal.errors import InstrumentError
-from labcal.home import for_children, own_folder
+from labcal.files.home import for_children, own_folder
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Event
 from labcal.store import Store

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from labcal.errors import InputError
-from labcal.home import home
+from labcal.files.home import home
 from labcal.store.photos import keep_photo
 
 PNG = b"\x89PNG\r\n\x1a\n" + bytes(range(64))

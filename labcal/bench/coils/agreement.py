@@ -22,8 +22,12 @@ NO_SAMPLE_S = 2.0
 CANDIDATE_S = 60.0
 STUCK = 20  # readings, three axes each: noise and a converter's step leave no live sensor so still
 NO_AMBIENT = "no ambient field was measured since the mounting"
-NOT_YET = "the reference has sent nothing since"
+NOT_YET = "the reference has sent nothing since the currents settled"
 NOT_STREAMING = "the reference is not streaming"
+UNHEARD = {
+    "overloaded": "the reference is at its full scale and cannot vouch for it",
+    "link lost": "the link to the reference is lost",
+}
 
 
 class FieldCheck:
@@ -42,6 +46,7 @@ class FieldCheck:
         self._bad_s: float | None = None
         self._last: Array | None = None
         self._same = 0  # readings in a row
+        self._unheard = ""  # why it sends no readings, as far as that is known
         self._moved = False  # the reference itself: what it sees of the coils is not known any more
         self.streaming = False
         self.witness = Witness(why=blind or NO_AMBIENT)
@@ -89,6 +94,12 @@ class FieldCheck:
         if self._ambient is None and self._candidate is not None and now_s - self._candidate[1] < CANDIDATE_S:
             self.take_ambient(*self._candidate)
 
+    def unheard(self, fault: str) -> None:
+        """The reference cannot be read for this fault, by its name; "" where it can, or where that is not known."""
+        why, self._unheard = self._unheard, UNHEARD.get(fault, "")
+        if self.witness.verdict == "not known" and why != self._unheard:
+            self.witness = Witness(why=self._why_not())
+
     def see(self, t_s: Array, field_nT: Array) -> None:
         """Take in readings (n, 3) [nT, C] at `t_s` (n,), in order."""
         self._count_the_same(field_nT)
@@ -108,7 +119,9 @@ class FieldCheck:
     def _why_not(self) -> str:
         if self._blind or self._ambient is None:
             return self._blind or NO_AMBIENT
-        return NOT_YET if self.streaming else NOT_STREAMING
+        if not self.streaming:
+            return NOT_STREAMING
+        return self._unheard or NOT_YET
 
     def _count_the_same(self, field_nT: Array) -> None:
         """A sensor that repeats one reading bit for bit sees nothing any more."""

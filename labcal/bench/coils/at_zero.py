@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass
 
 from labcal.errors import InstrumentError
+
+BY_WORD = "by the supply's word only"  # of who has no reference to ask
+ORDERED = "taking the coils to zero: ordered, and no read-back told yet …"
+NOT_ORDERED = "zero is to be ordered: no guardian has answered yet …"
+SLOW_S = 0.7  # so long after it was wanted that is said
 
 
 @dataclass(frozen=True, slots=True)
 class AtZero:
     """How one axis ended. `fault` is what went wrong on the way; then `current_A` may be unknown (None).
 
-    `read_s`: when the current was read back, on `time.monotonic`.
+    `read_s`: when the current was read back, on `time.monotonic`. `from_A`: what its supply held when it was set to
+    zero without a ramp, as far as that is known. `asked_s`: when it was last asked, where that was not in this round.
     """
 
     axis: str
@@ -19,15 +26,32 @@ class AtZero:
     opened: bool
     fault: InstrumentError | None = None
     read_s: float | None = None
+    from_A: float = 0.0
+    asked_s: float | None = None
 
     @property
     def abrupt(self) -> bool:
-        """Whether it came to zero without its ramp: that changes the magnetic history of what is near."""
-        return self.fault is not None and self.current_A is not None
+        """Whether current flowed and stepped to zero: that changes the magnetic history of what is near."""
+        return self.current_A is not None and self.from_A > 0
 
     @property
     def words(self) -> str:
-        """The end state in words: "zero, open", "zero, not open", or the fault."""
-        if self.fault is not None:
+        """The end state in words: "zero, open" or "zero, not open", and what went wrong before; else why not."""
+        if self.current_A is None:
+            return self._not_read
+        ended = "zero, open" if self.opened else "zero, not open"
+        return ended if self.fault is None else f"{ended}; before that: {self.fault.what}"
+
+    @property
+    def _not_read(self) -> str:
+        """Why it was not read back at zero: what was found now, or what is known of the last round and its age."""
+        if self.asked_s is None:
             return str(self.fault)
-        return "zero, open" if self.opened else "zero, not open"
+        return f"not asked this time; {time.monotonic() - self.asked_s:.1f} s ago: {self.fault}"
+
+
+def words_of_slow_zero(since_s: float | None, ordered: bool) -> str:
+    """What may be said of a way to zero wanted at `since_s` (monotonic; None: nobody wants one) that takes long."""
+    if since_s is None or time.monotonic() - since_s < SLOW_S:
+        return ""
+    return ORDERED if ordered else NOT_ORDERED

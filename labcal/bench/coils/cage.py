@@ -14,10 +14,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.clock import Clock
+from labcal.bench.coils.advice import as_if, by_hand
 from labcal.bench.coils.agreement import FieldCheck
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
 from labcal.bench.coils.sign import Probe, SignCheck
-from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, CoilReading
+from labcal.bench.coils.state import NOT_BY_REFERENCE, CoilReading, Witness
 from labcal.bench.coils.windings import Windings
 from labcal.bench.coils.zero import RAMP_STEP_S, AtZero, to_zero
 from labcal.bench.config import AXES, CageConfig, CageLimits, DutLimits
@@ -39,7 +40,7 @@ class Cage:
     `guardian` brings real coils to zero in its own process, told why. `contacts` are the axes behind reversing
     contacts, whose sign is confirmed by what `see` sees: the reference's field (3,) in C, None where there is none.
     `check` hears what the reference sends and compares it with what ought to flow; where it does not see a zero that
-    the supplies state, `latch` keeps everything from being energised.
+    the supplies state, `latch` keeps everything from being energised. `where` tells a person which supply a name means.
     """
 
     def __init__(
@@ -55,6 +56,7 @@ class Cage:
         see: Callable[[], Array | None] = lambda: None,
         blind: str = "no reference is there to see it",
         latch: StoredDoubt | None = None,
+        where: Callable[[str], str] = str,
     ) -> None:
         self.limits: CageLimits = config.limits
         self.matrix_nT_per_A: Array = config.matrix
@@ -64,10 +66,11 @@ class Cage:
         self.supplies: Mapping[str, CoilSupply] = {axis: supplies[axis] for axis in AXES}
         self._clock = clock
         self._wait = wait or clock.wait_until
-        self._guardian = guardian
+        self._guardian, self._where = guardian, where
         self.flowing_A: Array = np.zeros(3)  # signed, as last read
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self.on = False  # outputs closed
+        self.to_zero_since_s: float | None = None  # when zero was wanted (monotonic clock), until that has ended
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
         self._signs = SignCheck(self.matrix_nT_per_A, contacts, floor_A, see)
@@ -173,11 +176,21 @@ class Cage:
 
     def _not_zero(self) -> InstrumentError:
         """What the reference saw against the supplies' word; from here on nothing is energised."""
-        found = self.check.witness
+        found = self.witness
         if self.latch.doubt is None:
             utc = f"{self._clock.utc():%Y-%m-%d %H:%M} UTC"
-            self.latch.set(Doubt(utc, found.words, found.seen_nT, found.expected_nT))
-        return InstrumentError(f"{NOT_BY_REFERENCE}: {found.words}.", fault="not zero", remedy=f"{OPEN_THEM}.")
+            self.latch.set(Doubt(utc, found.words, found.seen_nT, found.expected_nT, advice=found.advice))
+        return InstrumentError(f"{NOT_BY_REFERENCE}: {found.words}.", fault="not zero", remedy=f"{found.advice}.")
+
+    @property
+    def witness(self) -> Witness:
+        """What the reference says of the coils; where it sees no zero, with what a person can do about it."""
+        found = self.check.witness
+        if found.verdict != "disagrees" or not self.check.zero_expected:
+            return found
+        apart = np.subtract(found.seen_nT or 0.0, found.expected_nT or 0.0)
+        supplies = {axis: (self._where(supply.name), supply.can_open) for axis, supply in self.supplies.items()}
+        return replace(found, advice=by_hand(as_if(apart, self.matrix_nT_per_A, found.limit_nT), supplies))
 
     def read(self, axis: str) -> float:
         """The measured signed current of one axis [A], noted with its time. Raises InstrumentError."""
@@ -219,12 +232,15 @@ class Cage:
             self.latch.lift(f"supplies and reference agree again, {utc}: {found.words}")
 
     def _all_to_zero(self) -> list[AtZero]:
+        self.to_zero_since_s = time.monotonic()
         try:
             return self._guardian(f"session {os.getpid()} orders it") if self._guardian else self._to_zero()
         except InstrumentError as fault:  # the guardian is lost: nobody knows what flows
             for axis in AXES:
                 self._known(axis, current_A=None, zero=False, read_s=None, fault=str(fault))
             raise
+        finally:
+            self.to_zero_since_s = None
 
     def _to_zero(self) -> list[AtZero]:
         return list(to_zero(self.supplies, self._rates(), self._clock, self._wait_whatever_fails).values())

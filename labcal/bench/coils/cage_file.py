@@ -17,7 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from labcal.bench.config import BenchConfig, Matrix, Vector, line_of
 from labcal.errors import InputError
-from labcal.files import write_text
+from labcal.files.atomic import write_text
 
 Array = NDArray[np.float64]
 Name = Annotated[str, Field(min_length=1)]

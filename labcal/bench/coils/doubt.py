@@ -19,14 +19,15 @@ from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import read_config
 from labcal.bench.links.ports import as_spelt, port_of
 from labcal.errors import InputError, InstrumentError
-from labcal.files import write_text
-from labcal.home import home
+from labcal.files.atomic import write_text
+from labcal.files.home import home
 
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
     """What was seen, what the ambient field was (3,) [nT, C], and when; `lifted`: by whom or what, with which reading.
 
+    `advice`: at which supply a person can do something about it, and what.
     `ambient_nT` is None where the file that kept it can no longer be read.
     """
 
@@ -35,29 +36,35 @@ class Doubt:
     seen_nT: Vector | None = None
     ambient_nT: Vector | None = None
     lifted: str = ""
+    advice: str = OPEN_THEM
 
     def error(self) -> InstrumentError:
         """The refusal to energise anything."""
         return InstrumentError(
             f"{NOT_BY_REFERENCE}, at {self.utc}: {self.words}. Nothing was set.",
             fault="not zero",
-            remedy=f"{OPEN_THEM}, then measure again: `labcal bench check FILE` lifts this where reference and "
+            remedy=f"{self.advice}, then measure again: `labcal bench check FILE` lifts this where reference and "
             "supplies agree, with --clear-as NAME where a person answers for it.",
         )
 
 
 def doubt_of(path: Path) -> str:
     """The doubt about the coils of the bench file `path`, in words; "" where there is none, or the file is spoilt."""
-    try:
-        doubt = StoredDoubt(read_config(path).guarded_links).doubt
-    except (InputError, OSError):
-        return ""
+    doubt = _of(path)
     return "" if doubt is None else f"{doubt.utc}, {doubt.words}"
+
+
+def _of(path: Path) -> Doubt | None:
+    try:
+        return StoredDoubt(read_config(path).guarded_links).doubt
+    except (InputError, OSError):
+        return None
 
 
 def left_so(path: Path, ended: Iterable[AtZero]) -> str:
     """What may be said now of coils that ended so; no reference was asked, but a doubt that stands is told."""
-    return of_ends(ended, doubt_of(path)).sentence(time.monotonic())
+    advice = OPEN_THEM if (doubt := _of(path)) is None else doubt.advice
+    return of_ends(ended, doubt_of(path), advice).sentence(time.monotonic())
 
 
 class StoredDoubt:
@@ -107,7 +114,8 @@ class StoredDoubt:
         try:
             said = json.loads(path.read_text(encoding="utf-8"))
             seen, ambient = (said[key] and _vector(said[key]) for key in ("seen_nT", "ambient_nT"))
-            return Doubt(str(said["utc"]), str(said["words"]), seen, ambient, str(said["lifted"]))
+            advice = str(said.get("advice", OPEN_THEM))  # none is there in a file of labcal 1
+            return Doubt(str(said["utc"]), str(said["words"]), seen, ambient, str(said["lifted"]), advice)
         except (OSError, ValueError, KeyError, TypeError):
             return Doubt("a time unknown", f"{path} can no longer be read")
 

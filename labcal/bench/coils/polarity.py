@@ -102,5 +102,5 @@ class ReversedSupply:
                 raise InstrumentError(
                     f"coil {self._axis}: {left:.4g} A still flows after zero was set; the contacts were not moved.",
                     fault="not zero",
-                    remedy="Switch the supply off by hand before anything else.",
+                    remedy=f"Switch {self.name} off by hand before anything else.",
                 )

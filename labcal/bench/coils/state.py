@@ -19,8 +19,9 @@ BY_WORD = "zero by the supply's word only"
 NOT_CONFIRMED = "coils NOT confirmed at zero"
 NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
+NOT_SINCE = "coils not read back since another process was asked to switch them off"
 NOT_ASKED = "no reference was asked"
-OPEN_THEM = "Open the outputs, or switch the supplies off at their mains"
+OPEN_THEM = "Open the outputs that can open, or switch the supplies off at their mains"
 Verdict = Literal["agrees", "disagrees", "not known"]
 Vector = tuple[float, float, float]
 
@@ -45,7 +46,8 @@ class CoilReading:
 class Witness:
     """Whether the reference beside the DUT sees what the supplies say, last looked at `read_s`; `why` it is not known.
 
-    `seen_nT` and `expected_nT` (3,) in C; their distance is judged against `limit_nT`.
+    `seen_nT` and `expected_nT` (3,) in C; their distance is judged against `limit_nT`. `advice`: at which supply a
+    person can do something about it, and what.
     """
 
     verdict: Verdict = "not known"
@@ -55,6 +57,7 @@ class Witness:
     difference_nT: float = 0.0
     limit_nT: float = 0.0
     read_s: float | None = None
+    advice: str = OPEN_THEM
 
     @property
     def words(self) -> str:
@@ -86,7 +89,7 @@ class LabState:
 
     def sentence(self, now_s: float) -> str:
         """What may be said of the coils at `now_s`, and no more than was read back."""
-        contradicted = f"{NOT_BY_REFERENCE}: {self.reference.words}. {OPEN_THEM}"
+        contradicted = f"{NOT_BY_REFERENCE}: {self.reference.words}. {self.reference.advice}"
         unread = [coil for coil in self.coils if coil.current_A is None]
         if self.reference.verdict == "disagrees":
             return f"{NOT_CONFIRMED}; {contradicted}" if unread else contradicted
@@ -132,7 +135,7 @@ class LabState:
 
     def _why(self, now_s: float) -> str:
         if self.reference.verdict == "agrees" and self.reference.read_s is not None:
-            return f"the reference agreed {now_s - self.reference.read_s:.0f} s ago"
+            return f"the reference agreed when it was last looked at, {now_s - self.reference.read_s:.0f} s ago"
         return self.reference.why
 
 
@@ -146,12 +149,12 @@ def from_json(said: Mapping[str, Any], now_s: float) -> LabState:
     return LabState(coils, Witness(**reference), said["guardian"], instruments).shifted(now_s)
 
 
-def of_ends(ended: Iterable[AtZero], doubt: str = "") -> LabState:
+def of_ends(ended: Iterable[AtZero], doubt: str = "", advice: str = OPEN_THEM) -> LabState:
     """The coils as somebody brought them to zero who asked no reference; times are those of their ends.
 
-    `doubt`: what a reference saw before that, where nobody has answered for it.
+    `doubt`: what a reference saw before that, where nobody has answered for it, and the `advice` that came with it.
     """
-    witness = Witness("disagrees", doubt) if doubt else Witness(why=NOT_ASKED)
+    witness = Witness("disagrees", doubt, advice=advice) if doubt else Witness(why=NOT_ASKED)
     return LabState(tuple(_coil(end) for end in ended), witness)
 
 

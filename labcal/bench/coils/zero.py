@@ -7,7 +7,8 @@ hears and answers late is at zero in time.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import TypeVar
 
@@ -19,6 +20,7 @@ from labcal.errors import InstrumentError
 T = TypeVar("T")
 RAMP_STEP_S = 0.1
 ZERO_TIMEOUT_S = 1.0
+TIMES_TOLD = 2  # before anybody is asked: a supply may miss one, and its silence may take longer than there is time
 
 
 def to_zero(
@@ -33,17 +35,24 @@ def to_zero(
 
     `known_A`: set-points that need not be asked for. `doubts`: axes that may not answer, and why: they are written
     zero at once, without a ramp, and read back after the others. An axis that fails on the way is treated likewise.
+    Its `fault` is what the read-back found, where that failed, else what went wrong before.
     What is not read back at zero is written off as well: the last that can be said to it.
     """
     faults, levels = dict(doubts or {}), dict(known_A or {})
     write_zero({axis: supplies[axis] for axis in faults})
     levels |= _each({axis: s.set_point for axis, s in supplies.items() if axis not in levels | faults}, faults)
     going = {axis: level for axis, level in levels.items() if level and axis not in faults}
-    _ramp_down(supplies, going, rates_A_per_s, clock, wait or clock.wait_until, faults)
-    write_zero({axis: supply for axis, supply in supplies.items() if axis not in going})
+    levels |= _ramp_down(supplies, going, rates_A_per_s, clock, wait or clock.wait_until, faults)
+    for _ in range(TIMES_TOLD):
+        write_zero(supplies)
     well, ill = [axis for axis in supplies if axis not in faults], list(faults)
     ended = {end.axis: end for axes in (well, ill) for end in _read_back(axes, supplies, clock, faults)}
-    return {axis: ended[axis] for axis in supplies}
+    return {axis: replace(ended[axis], from_A=_stepped_A(levels.get(axis, 0.0), s)) for axis, s in supplies.items()}
+
+
+def _stepped_A(held_A: float, supply: CoilSupply) -> float:
+    """What it held [A] when its ramp was left out, or broke off; nothing where that counts as zero."""
+    return abs(held_A) if abs(held_A) >= supply.zero_current_A else 0.0
 
 
 def write_zero(supplies: Mapping[str, CoilSupply]) -> None:
@@ -58,17 +67,20 @@ def _ramp_down(
     clock: Clock,
     wait: Callable[[float], None],
     faults: dict[str, InstrumentError],
-) -> None:
-    """Bring the set-points down together; the last that is written is zero."""
+) -> dict[str, float]:
+    """Bring the set-points down together; the last that is written is zero. Returns what each was written last [A]."""
+    reached = dict(levels)
     duration = max((abs(level) / rates[axis] for axis, level in levels.items()), default=0.0)
     begun, lead_s, left = clock.now(), RAMP_STEP_S, float(duration > 0)
     while left > 0:  # by the clock: a slow line takes larger steps and not longer
         pass_begun = clock.now()
         left = max(0.0, 1 - (pass_begun + lead_s - begun) / duration)
         going = [axis for axis in levels if axis not in faults]
-        _each({axis: partial(_write, supplies[axis], levels[axis] * left) for axis in going}, faults)
+        reached |= {axis: levels[axis] * left for axis in going}
+        _each({axis: partial(_write, supplies[axis], reached[axis]) for axis in going}, faults)
         lead_s = max(RAMP_STEP_S, clock.now() - pass_begun)
         wait(begun + duration * (1 - left))
+    return reached
 
 
 def _write(supply: CoilSupply, current_A: float) -> None:
@@ -83,15 +95,31 @@ def _read_back(
 ) -> list[AtZero]:
     """The currents of all, then the outputs."""
     faults: dict[str, InstrumentError] = {}
-    currents = _each({axis: partial(_read_zero, axis, supplies[axis], clock) for axis in axes}, faults)
+    currents = _currents(list(axes), supplies, clock, faults)
     _each({axis: partial(supplies[axis].output, False) for axis in currents}, faults)
     _each({axis: s.write_off for axis in faults if isinstance(s := supplies[axis], Unacknowledged)}, {})
     return [
-        AtZero(axis, None, False, before.get(axis, faults[axis]))
+        AtZero(axis, None, False, faults[axis])
         if axis in faults
         else AtZero(axis, currents[axis][0], supplies[axis].can_open, before.get(axis), currents[axis][1])
         for axis in axes
     ]
+
+
+def _currents(
+    axes: Sequence[str], supplies: Mapping[str, CoilSupply], clock: Clock, faults: dict[str, InstrumentError]
+) -> dict[str, tuple[float, float]]:
+    """The current of each axis and when it was read.
+
+    While one does not answer, the others of its line wait to be asked, and may have missed their zero: whoever is not
+    read back yet is written it again.
+    """
+    found = dict[str, tuple[float, float]]()
+    for axis in axes:
+        found |= _each({axis: partial(_read_zero, axis, supplies[axis], clock)}, faults)
+        if axis in faults:
+            write_zero({axis: supplies[axis] for axis in axes if axis not in found})
+    return found
 
 
 def _read_zero(axis: str, supply: CoilSupply, clock: Clock) -> tuple[float, float]:
@@ -120,7 +148,7 @@ def wait_for_zero(axis: str, supply: CoilSupply, clock: Clock) -> float:
                 f"coil {axis}: {left:.4g} A still flows {ZERO_TIMEOUT_S:g} s after zero was set "
                 f"(zero is below {supply.zero_current_A:g} A).",
                 fault="not zero",
-                remedy="Switch the supply off by hand, then look at its panel.",
+                remedy=f"Switch {supply.name} off by hand, then look at its panel.",
             )
     return left
 

@@ -21,7 +21,11 @@ def decimal(reply: str) -> float:
 
 
 class Speaks(Protocol):
-    """What a declared quantity needs of its instrument."""
+    """What a declared quantity needs of its instrument.
+
+    Where it has `refuse_earlier(question, reply)`, that is called with a reply that is no answer to the question: it
+    raises InstrumentError (out of step) where it knows it for the answer to an earlier one.
+    """
 
     name: str
     settings: Any
@@ -91,10 +95,11 @@ class quantity:
         self._send(device, value)
 
     def _ask(self, device: Speaks) -> float:
-        reply = device.query(self.get.format(s=device.settings))
+        reply = device.query(question := self.get.format(s=device.settings))
         try:
             return self.read(reply)
         except (ValueError, IndexError) as error:
+            getattr(device, "refuse_earlier", _let_pass)(question, reply)
             raise InstrumentError(
                 f"{device.name}: {self.label} came back as {quoted(reply)}.", fault="wrong reply"
             ) from error
@@ -119,6 +124,10 @@ class quantity:
                 f"{device.name}: {self.label} {self._amount(value)} is beyond its limit of {self._amount(end)}; "
                 "nothing was sent."
             )
+
+
+def _let_pass(question: str, reply: str) -> None:
+    """Of an instrument that does not know its earlier answers."""
 
 
 def after(prefix: str, ends: str = "") -> Callable[[str], float]:

@@ -37,7 +37,7 @@ FREE_S = 2.0  # until the kernel has freed the ports of a process that died
 
 
 class Watch:
-    """One guardian from its first zero to its last. `succeeds`: the one before it died, and currents may flow."""
+    """One guardian from its first zero to its last. `succeeds`: the one before it is gone, and currents may flow."""
 
     def __init__(self, path: Path, bench: Briefing, handed: Handover, *, succeeds: bool) -> None:
         self._path, self._bench, self._succeeds = path, bench, succeeds
@@ -52,7 +52,7 @@ class Watch:
         signal.signal(signal.SIGTERM, lambda *_: self._told_to_end.set())
         server = Server(self._guardian, listener, card["token"], self._bench.fingerprint)
         server.start()
-        self._guardian.zero("a guardian was killed, its successor begins" if self._succeeds else "a session begins")
+        self._guardian.zero("the one before is gone, its successor begins" if self._succeeds else "a session begins")
         server.ready.set()
         self._standbys.start()
         self._guardian.heartbeats.start()
@@ -117,7 +117,7 @@ def take_over(url: str, how: str) -> None:
     """Wait until the port of the guardian before is free; one that hangs is killed."""
     card = ports.holder(url) or {}
     if how == "silent" and "pid" in card and ports.holding(url) in (None, card["pid"]):  # what a card says is no proof
-        note(f"guardian {card['pid']} hangs and is killed")
+        note(f"guardian {card['pid']} was silent for too long and is killed")
         with suppress(OSError):
             os.kill(card["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
     deadline = time.monotonic() + FREE_S

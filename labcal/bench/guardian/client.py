@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.guardian import wire
 from labcal.bench.guardian.briefing import Briefing
+from labcal.bench.guardian.last_read import LastRead
 from labcal.bench.guardian.spawn import SUCCESSOR, spawn
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
-from labcal.files import absolute
+from labcal.files.atomic import absolute
 
 if TYPE_CHECKING:
     from labcal.bench.clock import Clock
@@ -31,11 +32,6 @@ STANDBY_S = 0.3  # by then the standby of a killed guardian has the ports
 START_S, AGAIN_S = 20.0, 1.0
 REPLY_S = 20.0  # longer than the slowest instrument's own timeouts
 CLOSE_S = 5.0
-LOST = InstrumentError(
-    "the guardian was killed, or the connection to it failed; it takes the coils to zero, or its successor does.",
-    fault="guardian lost",
-    remedy="guardian.log says what was read back; start the run again.",
-)
 
 NOT_OURS = InstrumentError(
     "another user's process answers as the guardian of this bench; it is not believed.",
@@ -96,6 +92,8 @@ class GuardianClient:
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
         self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
+        self.zero_is_ordered = False  # the last that was sent: nothing was lost since
+        self._read = LastRead(clock)
         self.look: Callable[[], None] = lambda: None  # while an answer is waited for, but that of zero; it may raise
         self.facts: dict[str, dict[str, Any]] = self._meet()
         clock.while_waiting(self._beat)
@@ -103,19 +101,22 @@ class GuardianClient:
     def ask(self, order: str, **what: Any) -> Any:
         """Give an order and wait for its reply; everything that waits on the clock goes on meanwhile.
 
-        Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it was killed.
+        Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it is gone.
         """
         if self._lost:
             self._lost = False
-            raise LOST
+            raise self._read.gone()
         if self._connection is None:
             self._meet()
         try:
-            return self._replied(self._open(), order, what)
+            told = self._replied(self._open(), order, what)
         except OSError as error:
             self._lose()
             self._lost = False
-            raise LOST from error
+            raise self._read.gone() from error
+        if order == "measure_current":
+            self._read.keep(what["axis"], told)
+        return told
 
     @property
     def alive(self) -> bool:
@@ -124,7 +125,11 @@ class GuardianClient:
 
     def zero(self, why: str) -> list[AtZero]:
         """Every coil to zero and open."""
-        return [wire.zero_of(end) for end in self.ask("zero", why=why)]
+        ended = [wire.zero_of(end) for end in self.ask("zero", why=why)]
+        for end in ended:
+            if end.current_A is not None:
+                self._read.keep(end.axis, end.current_A, end.read_s)
+        return ended
 
     def close(self) -> None:
         """End the session, and wait until the guardian has let go of the ports, as far as it can."""
@@ -133,11 +138,13 @@ class GuardianClient:
             return
         connection.close()
         deadline = time.monotonic() + CLOSE_S
-        while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
-            time.sleep(0.01)
+        with suppress(OSError):  # who cannot look, out of handles, does not wait, and can say how the run ended
+            while any(ports.holder(url) is not None for url in self._urls) and time.monotonic() < deadline:
+                time.sleep(0.01)
 
     def _replied(self, connection: Connection, order: str, what: dict[str, Any]) -> Any:
         number, deadline = connection.order(order, **what), time.monotonic() + REPLY_S
+        self.zero_is_ordered = order == "zero"
         while (reply := connection.reply(number, 0.002)) is None:
             self._clock.wait_until(self._clock.now() + 1e-4)  # lines are looked at, and the beat goes on
             if order != "zero":
@@ -150,7 +157,7 @@ class GuardianClient:
 
     def _open(self) -> Connection:
         if self._connection is None:
-            raise LOST
+            raise self._read.gone()
         return self._connection
 
     def _beat(self) -> None:
@@ -167,10 +174,11 @@ class GuardianClient:
             self._lose()
 
     def _lose(self) -> None:
-        """The guardian was killed. Its standby is at it already; where both were, another one is started soon."""
+        """The guardian is gone. Its standby is at it already; where that is too, another one is started soon."""
         if self._connection is not None:
             self._connection.close()
             self._connection, self._lost, self._started = None, True, None
+            self.zero_is_ordered = False
             self._start_after_s = time.monotonic() + STANDBY_S
 
     def _start_another(self) -> None:
@@ -207,7 +215,7 @@ class GuardianClient:
                 if fault.fault != wire.OTHER_BENCH:
                     raise
                 not_met = InstrumentError(fault.what, fault="in use", remedy=fault.remedy)
-            time.sleep(0.02)
+            self._clock.wait_until(self._clock.now() + 0.02)  # whoever watches is told that it takes long
         raise not_met
 
     def _forget(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -33,6 +34,7 @@ class GuardedCoil:
     held_A: float | None = None  # the least that the bare supply may hold; None where that is not known
     tripped: InstrumentError | None = None  # told to the session until it sets zero itself
     unresolved: InstrumentError | None = None  # why zero is not confirmed
+    asked_s: float | None = None  # when zero was last asked for (monotonic clock)
     doubt: InstrumentError | None = None  # why it may not answer: it is written zero before it is asked anything
     latch: Latch = field(default_factory=Latch)
     _supply_A_per_s: float = math.inf  # its ramp, once its link was open
@@ -75,7 +77,8 @@ class GuardedCoil:
         self.held_A, self.energised = held.held_A, held.energised
         if held.energised and held.falling:
             self.doubt = InstrumentError(
-                f"coil {self.axis}: a guardian was killed while it brought this coil to zero.", fault="guardian lost"
+                f"coil {self.axis}: the guardian before is gone; it had ordered zero and told of no read-back.",
+                fault="guardian lost",
             )
         if held.who is not None:
             self.line.expect(self.name, held.who)
@@ -114,7 +117,7 @@ class GuardedCoil:
     def settle(self, end: AtZero) -> None:
         """Take over how the way to zero ended."""
         self.unresolved = end.fault if end.current_A is None else None
-        self.doubt, self.held_A = self.unresolved, 0.0
+        self.doubt, self.held_A, self.asked_s = self.unresolved, 0.0, time.monotonic()
         if self.unresolved is None:
             self.energised = False
             self.limit.at_zero()

@@ -11,8 +11,8 @@ from pathlib import Path
 from threading import Barrier, Event, RLock
 from typing import Any
 
+from labcal.bench.coils.at_zero import BY_WORD, AtZero
 from labcal.bench.coils.polarity import ReversedSupply
-from labcal.bench.coils.zero import AtZero
 from labcal.bench.config import AXES, BenchConfig
 from labcal.bench.driver_kit.roles import CoilSupply, Identity
 from labcal.bench.guardian.coil import GuardedCoil
@@ -24,7 +24,6 @@ from labcal.bench.guardian.limits import TogetherLimit
 from labcal.bench.guardian.owned_lines import OwnedLine, open_lines, relay_of
 from labcal.errors import InstrumentError
 
-BY_WORD = "by the supply's word only"  # the guardian has no reference to ask
 Note = Callable[[str], None]
 MODBUS_CALLS = ("read_coils", "read_holding", "read_input", "write_coil", "write_register", "write_registers")
 
@@ -142,12 +141,12 @@ class Guardian:
         """
         for coil in self.coils.values() if not by_session else ():
             coil.tripped = fault or InstrumentError(
-                f"coil {coil.axis} was taken to zero: {why}.",
+                f"zero was ordered for coil {coil.axis}: {why}.",
                 fault="taken to zero",
                 remedy="See guardian.log; what was measured since then was measured without this coil.",
             )
         for coil in self.coils.values():
-            coil.line.gate.close()
+            coil.line.gate.close(why)
 
     def zero(self, why: str, *, by_session: bool = False, fault: InstrumentError | None = None) -> list[AtZero]:
         """Every coil to zero and open, all lines at once; what was found is noted. Never raises InstrumentError.
@@ -161,7 +160,7 @@ class Guardian:
             begun, at_rest = time.monotonic(), not self.energised
             standing = self.unresolved if by_session and not self.in_hand else {}
             ended = self._down([coil for axis, coil in self.coils.items() if axis not in standing])
-            ended += [AtZero(axis, None, False, why_not) for axis, why_not in standing.items()]
+            ended += [AtZero(a, None, False, left, asked_s=self.coils[a].asked_s) for a, left in standing.items()]
             ended.sort(key=lambda end: AXES.index(end.axis))
             if at_rest:
                 self._exchanges_s = time.monotonic() - begun
@@ -186,7 +185,10 @@ class Guardian:
     def try_again(self) -> None:
         """Zero once more to what was not read back there; a lost link is opened again."""
         with self._zeroing:
-            for end in self._down([coil for coil in self.coils.values() if coil.unresolved is not None]):
+            left = [coil for coil in self.coils.values() if coil.unresolved is not None]
+            for coil in left:
+                coil.line.gate.close(f"zero of coil {coil.axis} is not confirmed, and tried again")
+            for end in self._down(left):
                 if end.current_A is not None:
                     self._note(f"at last, {BY_WORD}: {_read_back(replace(end, fault=None))}")
 

@@ -11,6 +11,7 @@ from labcal.bench.driver_kit.roles import CoilSupply
 from labcal.bench.guardian.coil import GuardedCoil
 from labcal.errors import InstrumentError
 
+REOPENED = ("silent", "babbles", "out of step", "link lost")  # faults after which the link is opened anew
 ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what it holds
 
 
@@ -108,13 +109,15 @@ def _read_back(coil: GuardedCoil) -> AtZero:
         coil.line.identify(coil.name)
         doubts = {coil.axis: coil.doubt}
         clock = coil.line.clock
-        end = to_zero({coil.axis: coil.bare}, {coil.axis: coil.rate_A_per_s}, clock, doubts=doubts)[coil.axis]
+        held = {coil.axis: coil.held_A} if coil.energised and coil.held_A is not None else {}
+        rates = {coil.axis: coil.rate_A_per_s}
+        end = to_zero({coil.axis: coil.bare}, rates, clock, known_A=held, doubts=doubts)[coil.axis]
     except InstrumentError as fault:
         end = AtZero(coil.axis, None, False, fault)
         if fault.fault != "another instrument":
             with suppress(InstrumentError):
                 coil.bare.write_off()
-    if end.current_A is None and end.fault is not None and end.fault.fault in ("silent", "babbles", "link lost"):
+    if end.current_A is None and end.fault is not None and end.fault.fault in REOPENED:
         with suppress(InstrumentError):
             coil.line.reopen()
     return end

@@ -17,7 +17,7 @@ from labcal.bench.guardian.logbook import later
 from labcal.bench.links.locks import text_of
 from labcal.bench.links.places import OF_GROUP, OWN, group, runtime_folder, user
 from labcal.bench.links.ports import port_of
-from labcal.files import write_bytes
+from labcal.files.atomic import write_bytes
 
 Array = NDArray[np.float64]
 EVERY_S = 1.0

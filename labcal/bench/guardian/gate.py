@@ -2,7 +2,8 @@
 
 A question that nobody answers would keep the line from who brings its coils down. While the gate is closed only that
 thread passes; what others have under way ends within a hundredth of a second, and they can send nothing more. The reply
-to a question that was given up is still on its way: it must not be taken for the answer to the next.
+to a question that was given up is still on its way: it must not be taken for the answer to the next. Where replies have
+an end, they are counted here; a driver that asks for a number of bytes waits for it itself before it asks again.
 """
 
 from __future__ import annotations
@@ -28,11 +29,13 @@ class Gate:
     def __init__(self) -> None:
         self._closed = threading.Event()
         self._owner: int | None = None
+        self._why = ""
         self.owed = False  # a question was given up, whose reply may still come
         self.asks_until_s = float("inf")  # on the line's clock: what is asked ends then, answered or not
 
-    def close(self) -> None:
-        """From now on the line belongs to whoever passes."""
+    def close(self, why: str = "") -> None:
+        """From now on the line belongs to whoever passes; `why`, who ordered zero, is told to whoever gives way."""
+        self._why = why or self._why
         self._closed.set()
 
     @contextmanager
@@ -57,8 +60,9 @@ class Gate:
     def check(self, now_s: float) -> None:
         """Raise InstrumentError (taken to zero) where this thread has to leave the line to another."""
         if self._closed.is_set() and self._owner != threading.get_ident():
+            who = f" ({self._why})" if self._why else ""
             raise InstrumentError(
-                "zero was ordered meanwhile; what was asked of this line was given up.", fault="taken to zero"
+                f"zero was ordered{who}; what was being asked of this line was given up.", fault="taken to zero"
             )
         if now_s > self.asks_until_s:
             raise InstrumentError("it did not answer in the time that there is on the way to zero.", fault="silent")
@@ -90,7 +94,7 @@ class GatedLink:
         if request:
             self.send(request)
         reply = read_reply(self, self._clock, end=end, timeout_s=timeout_s)
-        return self._newest(reply, end) if self._gate.owed else reply
+        return self._newest(reply, end) if self._gate.owed and isinstance(end, bytes) else reply
 
     def give_back(self, t_s: float, data: bytes) -> None:
         """Put bytes that were read too far back at the head of the line."""
@@ -118,7 +122,7 @@ class GatedLink:
             self._gate.owed = True
             raise
 
-    def _newest(self, reply: bytes, end: bytes | int) -> bytes:
+    def _newest(self, reply: bytes, end: bytes) -> bytes:
         """The reply to what was asked last: the first that came may belong to what was given up."""
         self._gate.owed = False
         until_s = self._clock.now() + OWED_S

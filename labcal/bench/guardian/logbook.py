@@ -14,8 +14,8 @@ from functools import cache, partial
 from queue import SimpleQueue
 
 from labcal.errors import InputError
-from labcal.home import file_at_home
-from labcal.text_safety import one_line
+from labcal.files.home import file_at_home
+from labcal.files.text_safety import one_line
 
 _jobs: SimpleQueue[Callable[[], None]] = SimpleQueue()
 

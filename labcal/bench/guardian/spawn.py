@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import IO
 
 from labcal.bench.guardian.briefing import BRIEFED, Briefing
-from labcal.files import absolute
-from labcal.home import file_at_home, for_children
+from labcal.files.atomic import absolute
+from labcal.files.home import file_at_home, for_children
 
 STANDBY, SUCCESSOR = "--standby", "--successor"  # beside one that lives; after one that died
 DETACHED = 0x00000208  # DETACHED_PROCESS | CREATE_NEW_PROCESS_GROUP

@@ -124,11 +124,13 @@ def fault_of(message: Message) -> InstrumentError:
 def zero_message(end: AtZero) -> Message:
     """How an axis ended, as it goes over the socket."""
     fault = None if end.fault is None else fault_message(end.fault)
-    said = {"axis": end.axis, "current_A": end.current_A, "opened": end.opened}
-    return said | {"fault": fault, "read_s": end.read_s}  # the monotonic clock is one for all processes of a computer
+    said = {"axis": end.axis, "current_A": end.current_A, "opened": end.opened, "fault": fault}
+    times = {"read_s": end.read_s, "asked_s": end.asked_s}  # the monotonic clock is one for all processes of a computer
+    return said | times | {"from_A": end.from_A}
 
 
 def zero_of(message: Message) -> AtZero:
     """How an axis ended, as it came over the socket."""
     fault = None if message["fault"] is None else fault_of(message["fault"])
-    return AtZero(message["axis"], message["current_A"], message["opened"], fault, message.get("read_s"))
+    times = message.get("read_s"), message.get("from_A", 0.0), message.get("asked_s")
+    return AtZero(message["axis"], message["current_A"], message["opened"], fault, *times)

@@ -52,36 +52,36 @@ class ModbusLink:
 
     def read_coils(self, device: int, address: int, count: int) -> list[bool]:
         """FC 01. Raises InstrumentError: silent, or refused by the device."""
-        reply = self._ask(1, lambda: self._client.read_coils(address, count=count, device_id=device))
+        reply = self._ask(device, 1, lambda: self._client.read_coils(address, count=count, device_id=device))
         return list(reply.bits[:count])
 
     def read_holding(self, device: int, address: int, count: int) -> list[int]:
         """FC 03: `count` 16-bit registers from the zero-based `address`."""
         ask = self._client.read_holding_registers
-        return self._words(self._ask(3, lambda: ask(address, count=count, device_id=device)), count)
+        return self._words(device, self._ask(device, 3, lambda: ask(address, count=count, device_id=device)), count)
 
     def read_input(self, device: int, address: int, count: int) -> list[int]:
         """FC 04."""
         ask = self._client.read_input_registers
-        return self._words(self._ask(4, lambda: ask(address, count=count, device_id=device)), count)
+        return self._words(device, self._ask(device, 4, lambda: ask(address, count=count, device_id=device)), count)
 
     def write_coil(self, device: int, address: int, on: bool) -> None:
         """FC 05: on or off, never a toggle."""
-        self._ask(5, lambda: self._client.write_coil(address, on, device_id=device), address)
+        self._ask(device, 5, lambda: self._client.write_coil(address, on, device_id=device), address)
 
     def pulse(self, device: int, address: int, value: int) -> None:
         """FC 05 with a number where on or off stands: some boards take a time so."""
         request = _Pulse(address=address, bits=[True], dev_id=device)
         request.value = value
-        self._ask(5, lambda: self._client.execute(False, request), address)
+        self._ask(device, 5, lambda: self._client.execute(False, request), address)
 
     def write_register(self, device: int, address: int, value: int) -> None:
         """FC 06."""
-        self._ask(6, lambda: self._client.write_register(address, value, device_id=device), address)
+        self._ask(device, 6, lambda: self._client.write_register(address, value, device_id=device), address)
 
     def write_registers(self, device: int, address: int, values: Sequence[int]) -> None:
         """FC 16."""
-        self._ask(16, lambda: self._client.write_registers(address, list(values), device_id=device), address)
+        self._ask(device, 16, lambda: self._client.write_registers(address, list(values), device_id=device), address)
 
     def write_register_unacknowledged(self, device: int, address: int, value: int) -> None:
         """FC 06; what comes back within the time of a healthy reply is dropped, and nothing coming is no fault."""
@@ -111,7 +111,7 @@ class ModbusLink:
                 del self._owed_s[0]
             came = bool(pieces)
 
-    def _ask(self, function: int, request: Callable[[], Any], written: int | None = None) -> Any:
+    def _ask(self, device: int, function: int, request: Callable[[], Any], written: int | None = None) -> Any:
         """The reply, if it is one to this function and, of a write, to this address."""
         self._drop_owed(self._quiet_s)
         self._owed_s = [self._clock.now()]
@@ -121,29 +121,34 @@ class ModbusLink:
             self._owed_s.clear()
             self._wait_for_quiet()
             raise InstrumentError(
-                f"{self.url}: no valid Modbus reply.",
+                f"{self._called(device)}: no valid Modbus reply.",
                 fault="silent",
                 remedy="Is it switched on, are address and baud rate right, are A and B not swapped?",
             ) from error
         self._owed_s.clear()
         if reply.isError():
             raise InstrumentError(
-                f"{self.url}: the device refused with Modbus exception {reply.exception_code}"
+                f"{self._called(device)}: the device refused with Modbus exception {reply.exception_code}"
                 f"{EXCEPTIONS.get(reply.exception_code, '')}.",
                 fault="refused",
             )
         if reply.function_code != function or (written is not None and reply.address != written):
             self._wait_for_quiet()
-            raise InstrumentError(f"{self.url}: the reply belongs to another request.", fault="wrong reply")
+            raise InstrumentError(f"{self._called(device)}: the reply belongs to another request.", fault="wrong reply")
         return reply
 
-    def _words(self, reply: Any, count: int) -> list[int]:
+    def _words(self, device: int, reply: Any, count: int) -> list[int]:
         if len(reply.registers) != count:
             self._wait_for_quiet()
             raise InstrumentError(
-                f"{self.url}: {len(reply.registers)} registers came where {count} were asked for.", fault="wrong reply"
+                f"{self._called(device)}: {len(reply.registers)} registers came where {count} were asked for.",
+                fault="wrong reply",
             )
         return list(reply.registers)
+
+    def _called(self, device: int) -> str:
+        """One of the devices on this line, whose URL may be that of another's name."""
+        return f"address {device} on {self.url}"
 
     def _wait_for_quiet(self) -> None:
         wait_for_quiet(self._line, self._clock, self._quiet_s)

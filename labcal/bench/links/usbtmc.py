@@ -9,6 +9,8 @@ import struct
 import sys
 from contextlib import suppress
 
+from labcal.bench.links.gone import stands
+
 TIMEOUT_S = 2.0
 LONGEST = 1 << 20
 # linux/usb/tmc.h: _IO(91, 2) and _IOW(91, 10, __u32)
@@ -24,7 +26,7 @@ class UsbtmcPort:
     byte_s = 0.0
 
     def __init__(self, path: str) -> None:
-        self._file = _device(path)
+        self._file, self._path = _device(path), path
         self._asked = False
         self._control(SET_TIMEOUT, struct.pack("I", round(1000 * TIMEOUT_S)))
 
@@ -46,6 +48,10 @@ class UsbtmcPort:
         """One message, which asks for a reply where it has a question mark."""
         os.write(self._file, data)
         self._asked = b"?" in data
+
+    def there(self) -> bool:
+        """Whether it is the device of its name yet."""
+        return stands(self._file, self._path)
 
     def close(self) -> None:
         """Let go."""

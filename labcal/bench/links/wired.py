@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import errno
 import socket
 import sys
 import time
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from typing import Protocol
 
 import serial
@@ -16,6 +15,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.links import devices, hosts
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
+from labcal.bench.links.gone import failed, is_gone, not_open, stands
 from labcal.bench.links.line import drop, read_reply
 from labcal.bench.links.ports import claim
 from labcal.bench.links.urls import place, split
@@ -23,7 +23,6 @@ from labcal.bench.links.usbtmc import UsbtmcPort
 from labcal.errors import InputError, InstrumentError
 
 CONNECT_S = 3.0
-BUSY = (errno.EAGAIN, errno.EBUSY, errno.EADDRINUSE)
 LOOK_S, LOOK_BYTES = 0.002, 1 << 16  # of one look: whoever looks has a clock of their own to keep
 UNREAD_BYTES = 64 << 20  # beyond that the rest stays with the computer, which makes the other side wait or drops it
 DATAGRAM_BUFFER = 4 << 20  # what comes while nobody looks is lost beyond this (Linux caps it at rmem_max)
@@ -35,11 +34,15 @@ class Port(Protocol):
     byte_s: float  # how long one byte takes on the wire; 0 where that is not known
 
     def read(self) -> bytes:
-        """What has arrived. Raises OSError when the line is gone."""
+        """What has arrived. Raises OSError when the line is gone, or reading failed."""
         ...
 
     def write(self, data: bytes) -> None:
-        """Send all of it. Raises OSError when the line is gone."""
+        """Send all of it. Raises OSError when the line is gone, or writing failed."""
+        ...
+
+    def there(self) -> bool:
+        """Whether the port is there yet and has not hung up, as far as the computer can tell without using it."""
         ...
 
     def close(self) -> None:
@@ -66,7 +69,8 @@ class WiredLink:
         self._last_s = -1e9
         self._port: Port | None = None
         self._give_back_port: Callable[[], None] = lambda: None
-        self._failure: OSError | None = None
+        self._failure: InstrumentError | None = None
+        self._stumbled = False  # the last look failed, and the port was there
         self.reopen()
         clock.while_waiting(self.look)
 
@@ -74,34 +78,38 @@ class WiredLink:
         """Open the port, again where it was lost. Who asks must then ask the instrument who it is."""
         self.close()
         self._give_back_port = claim(self.url)
-        self._arrived, self._unread, self._failure = [], 0, None
+        self._arrived, self._unread, self._failure, self._stumbled = [], 0, None, False
         if self._echo is not None:
             self._echo.forget()
         try:
             self._port = _open(self.url, self._address, self._options)
         except (OSError, ValueError) as error:
             self.close()
-            raise self._lost(error) if isinstance(error, OSError) else self._wrong(error) from error
+            if not isinstance(error, OSError):
+                raise self._wrong(error) from error
+            self._failure = not_open(self.url, error)
+            raise self._failure from error
 
     def send(self, data: bytes) -> None:
         """Put bytes on the line."""
         self.never.check(self.url, data)
         self._clock.wait_until(self._last_s + self._gap_s)
+        port = self._open_port()
         try:
-            self._open_port().write(data)
-            if self._echo is not None:
-                self._echo.sent(data)
+            port.write(data)
         except OSError as error:
-            self.close()
-            raise self._lost(error) from error
+            self._failure = self._given_up(port, "writing", error)
+            raise self._failure from error
+        if self._echo is not None:
+            self._echo.sent(data)
         self._last_s = self._clock.now()
 
     def receive(self, until_s: float) -> list[tuple[float, bytes]]:
         """All that arrives up to `until_s`, in pieces stamped at their first byte."""
         self._clock.wait_until(until_s)
         self.look()
-        if self._port is None and not self._arrived:
-            raise self._lost(self._failure)
+        if not self._arrived:
+            self._open_port()
         pieces, self._arrived, self._unread = self._arrived, [], 0
         return pieces if self._echo is None else self._echo.taken_off(pieces)
 
@@ -132,17 +140,25 @@ class WiredLink:
     def look(self) -> None:
         """Take in what has arrived, or the first of it where that is much: the next look takes the next.
 
-        A line that is lost is told to whoever uses it next, not to who waits now.
+        A line that is lost is told to whoever uses it next, not to who waits now. One call that fails while the port is
+        there is none: the next look tells.
         """
-        most, until_s = min(self._unread + LOOK_BYTES, UNREAD_BYTES), time.monotonic() + LOOK_S
+        if self._port is None:
+            return
         try:
-            while self._unread < most and self._port is not None and (data := self._port.read()):
-                self._take(data, self._port.byte_s)
-                if time.monotonic() > until_s:
-                    break
+            self._take_in(self._port)
+            self._stumbled = False
         except OSError as error:
-            self._failure = error
-            self.close()
+            if self._stumbled or is_gone(error) or not self._port.there():
+                self._failure = self._given_up(self._port, "reading", error)
+            self._stumbled = True
+
+    def _take_in(self, port: Port) -> None:
+        most, until_s = min(self._unread + LOOK_BYTES, UNREAD_BYTES), time.monotonic() + LOOK_S
+        while self._unread < most and (data := port.read()):
+            self._take(data, port.byte_s)
+            if time.monotonic() > until_s:
+                break
 
     def _take(self, data: bytes, byte_s: float) -> None:
         now = self._clock.now()
@@ -151,18 +167,17 @@ class WiredLink:
 
     def _open_port(self) -> Port:
         if self._port is None:
-            raise self._lost(self._failure)
+            raise self._failure or not_open(self.url)
         return self._port
+
+    def _given_up(self, port: Port, call: str, error: OSError) -> InstrumentError:
+        """The error for a call that failed, with the line closed."""
+        there = port.there()
+        self.close()
+        return failed(self.url, call, error, there)
 
     def _wrong(self, error: ValueError) -> InputError:
         return error if isinstance(error, InputError) else InputError(f"link {self.url!r}: {error}")
-
-    def _lost(self, error: Exception | None) -> InstrumentError:
-        why = f" ({error})" if error else ""
-        if isinstance(error, OSError) and error.errno in BUSY:
-            remedy = "End that program, then begin this step again."
-            return InstrumentError(f"{self.url}: another program has opened it{why}.", fault="in use", remedy=remedy)
-        return InstrumentError(f"{self.url}: the link is lost{why}.", fault="link lost")
 
 
 class SerialPort:
@@ -184,6 +199,7 @@ class SerialPort:
         if "://" not in address and sys.platform != "win32":
             devices.shut(self._port.fileno(), address)
         self.byte_s = 0.0 if "://" in address else 10 / baud
+        self._address = address
 
     def read(self) -> bytes:
         """What has arrived."""
@@ -192,11 +208,29 @@ class SerialPort:
     def write(self, data: bytes) -> None:
         """Send all of it."""
         self._port.write(data)
-        self._port.flush()
+        with _as_os_error():
+            self._port.flush()
+
+    def there(self) -> bool:
+        """Whether it is; of one that is reached by URL its own errors tell."""
+        return "://" not in self._address and stands(self._port.fileno(), self._address)
 
     def close(self) -> None:
         """Let go."""
         self._port.close()
+
+
+@contextmanager
+def _as_os_error() -> Iterator[None]:
+    """What a terminal cannot do is told as an error that is no OSError."""
+    try:
+        yield
+    except OSError:
+        raise
+    except Exception as error:
+        if type(error).__module__ != "termios":
+            raise
+        raise OSError(*error.args) from error
 
 
 class TcpPort:
@@ -223,6 +257,10 @@ class TcpPort:
         """Send all of it."""
         self._socket.settimeout(CONNECT_S)
         self._socket.sendall(data)
+
+    def there(self) -> bool:
+        """It is, unless an error says otherwise."""
+        return True
 
     def close(self) -> None:
         """Let go."""
@@ -266,6 +304,10 @@ class UdpPort:
         """One datagram."""
         if self._other is not None:
             self._socket.sendto(data, self._other)
+
+    def there(self) -> bool:
+        """It is: it is this computer's own."""
+        return True
 
     def close(self) -> None:
         """Let go."""

@@ -36,6 +36,7 @@ class Reconnecting:
     """
 
     def __init__(self, sensor: Magnetometer, reopen: Callable[[], object], patience_s: float) -> None:
+        self.name, self.wrong = sensor.name, ""  # `wrong`: the fault that keeps it from sending, until it sends again
         self._sensor, self._reopen, self._patience_s = sensor, reopen, patience_s
         self._lost: InstrumentError | None = None
         self._since_s = self._next_s = 0.0
@@ -47,18 +48,25 @@ class Reconnecting:
             self._try_again(t_s, self._lost)
             return []
         try:
-            return self._sensor.read_until(t_s)
+            blocks = self._sensor.read_until(t_s)
         except InstrumentError as fault:
+            self.wrong = fault.fault
             if fault.fault != "link lost":
                 raise
             self._lost, self._since_s, self._next_s = fault, t_s, t_s + RETRY_S
-            self._note(t_s, "link lost", f"its link is lost: {fault.what}")
+            self._note(t_s, "link lost", fault.what)
             return []
+        self.wrong = "" if blocks else self.wrong
+        return blocks
 
     def events(self) -> list[Event]:
-        """What the sensor lost, and when its line went and came back, since this was asked last."""
+        """What the sensor lost since this was asked last: frames, samples."""
+        return self._sensor.events()
+
+    def news(self) -> list[Event]:
+        """When its line went and came back, since this was asked last."""
         noted, self._events = self._events, []
-        return [*self._sensor.events(), *noted]
+        return noted
 
     def _try_again(self, t_s: float, lost: InstrumentError) -> None:
         if t_s - self._since_s > self._patience_s:
@@ -73,7 +81,7 @@ class Reconnecting:
             if fault.fault not in AWAY:
                 raise
             return
-        self._lost = None
+        self._lost, self.wrong = None, ""
         self._note(t_s, "reconnected", f"it answers again, {t_s - self._since_s:.1f} s after its link was lost")
 
     def _note(self, t_s: float, fault: str, text: str) -> None:

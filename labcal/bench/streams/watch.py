@@ -22,11 +22,12 @@ class StreamWatch:
     """Raises InstrumentError where nothing has come for `silent_s`, or the same values for `stuck_s`.
 
     A silence is an event at once: as soon as it is `SILENCES` times the longest pause before, and `NOTICED_S` at least.
+    While something else that was told keeps the stream from sending, it is none; it counts from the end of that.
     """
 
     def __init__(self, name: str, silent_s: float, stuck_s: float, now_s: float) -> None:
         self.name, self._silent_s, self._stuck_s = name, silent_s, stuck_s
-        self._last_s = self._changed_s = now_s
+        self._last_s = self._changed_s = self._excused_s = now_s
         self._longest_s: float | None = None  # between two samples; None before there were two
         self._quiet = False
         self._told: list[Event] = []
@@ -42,16 +43,17 @@ class StreamWatch:
         """What is wrong with `name` now; "" where nothing is, or another is meant."""
         return "silent" if name == self.name and self._quiet else ""
 
-    def events(self) -> list[Event]:
+    def news(self) -> list[Event]:
         """Silences that began or ended since this was asked last."""
         told, self._told = self._told, []
         return told
 
-    def see(self, blocks: list[Block], now_s: float) -> None:
-        """Look at what has come up to `now_s`."""
+    def see(self, blocks: list[Block], now_s: float, wrong: str = "") -> None:
+        """Look at what has come up to `now_s`; `wrong` is what is known to keep it from sending."""
         for block in blocks:
             if block.stream in ("dut", "reference") and len(block):
                 self._note(block)
+        self._excused_s = now_s if wrong else self._excused_s
         self._notice(now_s)
         if now_s - self._last_s > self._silent_s:
             raise InstrumentError(
@@ -68,7 +70,7 @@ class StreamWatch:
 
     def _notice(self, now_s: float) -> None:
         """Say so once where it has fallen silent; a stream of which no two samples are known is given its time."""
-        pause_s = now_s - self._last_s
+        pause_s = now_s - max(self._last_s, self._excused_s)
         if self._longest_s is not None and not self._quiet and pause_s > max(NOTICED_S, SILENCES * self._longest_s):
             self._quiet = True
             self._tell(now_s, "silent", f"no sample for {pause_s:.1f} s")
@@ -117,7 +119,7 @@ class Look:
         """What is wrong with it now; "" where nothing is."""
         return self._wrong.get(name, "")
 
-    def events(self) -> list[Event]:
+    def news(self) -> list[Event]:
         """What has gone or come back since this was asked last."""
         told, self._told = self._told, []
         return told

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from labcal import files
 from labcal.certificate.report.calibration import calibration_page
 from labcal.certificate.report.closed_loop import closed_loop_page
 from labcal.certificate.report.html import html
@@ -12,6 +11,7 @@ from labcal.certificate.report.page import Page
 from labcal.certificate.report.pdf import write_pdf
 from labcal.certificate.report.run import run_page
 from labcal.errors import InputError
+from labcal.files import atomic
 
 __all__ = ["Page", "calibration_page", "check_form", "closed_loop_page", "run_page", "write_report"]
 
@@ -21,7 +21,7 @@ FORMS = (".html", ".pdf")
 def write_report(page: Page, path: Path) -> None:
     """Write `page` to `path`, whole or not at all, in the form its ending names. Raises InputError for another."""
     check_form(path)
-    with files.replacing(path) as part:
+    with atomic.replacing(path) as part:
         if path.suffix.lower() == ".pdf":
             write_pdf(page, part)
         else:

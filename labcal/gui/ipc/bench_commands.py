@@ -139,7 +139,7 @@ def _from(after: str) -> tuple[datetime, float]:
     """Where simulated time begins: now, or where a run has ended."""
     if not after:
         return datetime.now(UTC), 0.0
-    from labcal import measuring
+    from labcal.session import measuring
 
     return measuring.goes_on(after)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 import time
 from collections import deque
@@ -11,10 +12,10 @@ from typing import Any, Protocol, TypeVar
 from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
 
 from labcal.errors import InputError
+from labcal.files.home import SECRETS
 from labcal.gui.ipc.lines import read_answer, read_event, write_line
 from labcal.gui.ipc.messages import Beat, Command, Done, Event, Failed, Progress, Recorded, Request, StateRead, Word
 from labcal.gui.ipc.wire import Fault
-from labcal.home import SECRETS
 
 R = TypeVar("R")
 OnFault = Callable[[Fault], object]
@@ -58,7 +59,7 @@ class Client(QObject):
         self._pending: dict[int, tuple[Command[Any], Callable[[Any], object], OnFault]] = {}
         self._number = 0
         self._lines: deque[bytes] = deque()
-        self._partial_line, self._stderr = b"", ""
+        self._partial_line, self._stderr, self._ended_here = b"", "", ""
         self._heartbeat = QTimer(self, interval=HEARTBEAT_MS)
         self._heartbeat.timeout.connect(lambda: self.send(Beat()))
 
@@ -72,7 +73,7 @@ class Client(QObject):
         process.finished.connect(self._process_finished)
         process.errorOccurred.connect(self._process_error)
         process.setProcessEnvironment(_environment())
-        self._process, self._stderr, self._partial_line = process, "", b""
+        self._process, self._stderr, self._partial_line, self._ended_here = process, "", b"", ""
         process.start(sys.executable, list(self._command))
         self._heartbeat.start()
 
@@ -100,7 +101,11 @@ class Client(QObject):
 
     def kill(self) -> None:
         """End the process at once; whoever waits is told."""
+        self._kill(self.tr("The work was ended by this window."))
+
+    def _kill(self, why: str) -> None:
         if self._process is not None:
+            self._ended_here = self._ended_here or why
             self._process.kill()
 
     def close(self, wait_ms: int = 3000) -> None:
@@ -139,7 +144,7 @@ class Client(QObject):
             event = read_event(line)
         except InputError as error:
             self._stderr += f"{error}\n"
-            return self.kill()
+            return self._kill(self.tr("The work said what this window cannot read, and was ended by it."))
         return self._dispatch(event)
 
     def _dispatch(self, event: Event) -> None:
@@ -172,11 +177,19 @@ class Client(QObject):
             text = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
             self._stderr = (self._stderr + text)[-STDERR_TAIL:]
 
-    def _process_finished(self, code: int) -> None:
+    def _process_finished(self, code: int, status: QProcess.ExitStatus) -> None:
         self._read_stdout()
         while self._lines:
             self._take(self._lines.popleft())
-        self._process_gone(self.tr("The work ended by itself (exit {0}).").format(code))
+        self._process_gone(self._ended_here or self._how_it_ended(code, status))
+
+    def _how_it_ended(self, code: int, status: QProcess.ExitStatus) -> str:
+        """Of a process that was killed Qt gives the signal's number in place of an exit code."""
+        if status == QProcess.ExitStatus.NormalExit:
+            return self.tr("The work ended by itself (exit {0}).").format(code)
+        if sys.platform == "win32":
+            return self.tr("The work crashed (code {0}).").format(code)
+        return self.tr("The work was killed (signal {0}).").format(_named_signal(code))
 
     def _process_error(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
@@ -190,7 +203,14 @@ class Client(QObject):
             process.deleteLater()
         waiting, self._pending = list(self._pending.values()), {}
         for _, _, failed in waiting:
-            failed(Fault("crash", text, "", self._stderr))
+            failed(Fault("ended", text, "", self._stderr))
+
+
+def _named_signal(number: int) -> str:
+    try:
+        return f"{number}, {signal.Signals(number).name}"
+    except ValueError:
+        return str(number)
 
 
 def _environment() -> QProcessEnvironment:

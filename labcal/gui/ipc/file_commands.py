@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from labcal.files.home import home
 from labcal.gui.ipc.answers import CalibrationFile, Checked, RunLine, Signature, Standing
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
@@ -33,7 +34,6 @@ from labcal.gui.ipc.messages import (
     VerifyFile,
     WriteReport,
 )
-from labcal.home import home
 
 if TYPE_CHECKING:
     from labcal.certificate import Verification

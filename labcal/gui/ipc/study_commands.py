@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.files.home import home, own_folder
 from labcal.gui.ipc.answers import Array, Change, FitFigures, Fitted, Growth, Look, Loop, Proposal
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
@@ -27,7 +28,6 @@ from labcal.gui.ipc.messages import (
     TryCause,
     WriteDraft,
 )
-from labcal.home import home, own_folder
 from labcal.record import Run
 from labcal.record.run_id import as_file_name
 
@@ -111,7 +111,7 @@ def draft(channel: Channel, asked: WriteDraft) -> str:
 def loop(channel: Channel, asked: CloseLoop) -> Loop:
     """Close the loop; the draft with the effects is written, and the verdict beside it."""
     from labcal import session
-    from labcal.files import write_text
+    from labcal.files.atomic import write_text
 
     measured = _run(asked.run)
     path = calibration_path(measured.run_id)
@@ -144,7 +144,7 @@ def _told(closed: ClosedLoop, draft: str, change: Change) -> Loop:
 
 def together(channel: Channel, asked: JoinRuns) -> str:
     """Keep the run of all rows of both; returns its id."""
-    from labcal import measuring
+    from labcal.session import measuring
 
     return measuring.together(asked.run, asked.new)
 

@@ -17,6 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record.stream import Item
 
+BROKEN = ("crash", "ended")  # kinds of fault after which nobody knows what the work left behind
+
 
 def item_to_json(item: Item) -> list[Any]:
     """An item as the store writes it, samples in base64; the raw frames stay behind."""
@@ -36,7 +38,7 @@ def item_from_json(said: list[Any]) -> Item:
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """What went wrong, for a card: `kind` is input, instrument, limit, stopped, page or crash."""
+    """What went wrong, for a card: `kind` is input, instrument, limit, stopped, page, crash or ended (its process)."""
 
     kind: str
     text: str

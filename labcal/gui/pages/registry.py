@@ -13,7 +13,7 @@ from typing import Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QWidget
 
-from labcal import outside
+from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.app_state import AppState
@@ -65,15 +65,15 @@ def pages() -> dict[str, EntryPoint]:
 
 def build_page(entry: EntryPoint, app_state: AppState, theme: Theme) -> QWidget:
     """The page that `entry` names. Raises InputError with the place of the fault where it cannot be built."""
-    make: Page = outside.load(entry)
-    with outside.blamed(outside.named(entry), "as it is built"):
+    make: Page = plugin_loading.load(entry)
+    with plugin_loading.blamed(plugin_loading.named(entry), "as it is built"):
         page = make(app_state, theme)
         if not isinstance(page, QWidget):
-            raise InputError(f"{outside.named(entry)} makes no QWidget but {type(page).__name__}")
+            raise InputError(f"{plugin_loading.named(entry)} makes no QWidget but {type(page).__name__}")
         return page
 
 
 def build_more(entry: EntryPoint, page: QWidget) -> bool:
     """Build another part of a page that is built in parts; says whether any was missing. Raises InputError."""
-    with outside.blamed(outside.named(entry), "as it is built"):
+    with plugin_loading.blamed(plugin_loading.named(entry), "as it is built"):
         return isinstance(page, BuiltInParts) and page.build_more()

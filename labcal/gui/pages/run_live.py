@@ -241,8 +241,6 @@ class Live(QWidget):
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
         words = self._app_state.coil_words()
-        if fault.kind == "crash" and self._app_state.known is None:
-            return self.tr("{0}; another process is asked to switch them off.").format(words)
         if self._app_state.lab.state.coils_at_zero is False:
             return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
         return words

@@ -443,7 +443,23 @@
 <context>
     <name>Client</name>
     <message>
+        <source>The work was ended by this window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work said what this window cannot read, and was ended by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The work ended by itself (exit {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work crashed (code {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work was killed (signal {0}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -843,10 +859,6 @@
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}; another process is asked to switch them off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1574,6 +1586,10 @@
     </message>
     <message>
         <source>✕ Something in labcal broke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ The work broke off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale, QTranslator
 
-from labcal.home import home
+from labcal.files.home import home
 
 FOLDER = Path(__file__).parent
 MORNING, MORNING_CHECKS = "Morning check", ("morning-check", "axes-check")  # the first that is installed
@@ -50,6 +50,7 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "■ Stopped"),
     QT_TRANSLATE_NOOP("Words", "✕ This page cannot be shown"),
     QT_TRANSLATE_NOOP("Words", "✕ Something in labcal broke"),
+    QT_TRANSLATE_NOOP("Words", "✕ The work broke off"),
     QT_TRANSLATE_NOOP("Words", "✓ CLEAN"),
     QT_TRANSLATE_NOOP("Words", "✓ EXPLAINED"),
     QT_TRANSLATE_NOOP("Words", "▲ PARTLY EXPLAINED"),

@@ -16,15 +16,15 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
 from labcal.bench.coils import state
-from labcal.files import absolute
+from labcal.files.atomic import absolute
+from labcal.files.home import file_at_home
 from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, SwitchedOff
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
-from labcal.gui.ipc.wire import Fault, fault_of
+from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.viewmodels.lab import LabViewModel, Light
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
-from labcal.home import file_at_home
 
 R = TypeVar("R")
 SILENT_S = 2.0
@@ -64,6 +64,7 @@ class AppState(QObject):
         self.answered: dict[str, Greeting] = {}  # by instrument, when they were last asked
         self.bench = ""
         self.wanted: Wanted | None = None
+        self._asked_off = False  # of this bench, and no answer has come
         self._refresh_timer = QTimer(self, interval=200)
         self._refresh_timer.timeout.connect(self._update_lab)
         self.known: state.LabState | None = None  # the lab as it was last read, by the computer's monotonic clock
@@ -90,7 +91,8 @@ class AppState(QObject):
         return self.request(ReadBench(path), partial(self._bench_known, path))
 
     def _bench_known(self, path: str, facts: Bench) -> None:
-        self.known = self.known if path == self.bench else None  # what was read on another bench says nothing of this
+        if path != self.bench:  # what was read on another bench says nothing of this
+            self.known, self._asked_off = None, False
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
@@ -194,11 +196,11 @@ class AppState(QObject):
             self.study_vm.add(order.procedure, run_id)
             self.page_requested.emit("Loop")
         fault = self.run.fault
-        if fault is not None and (fault.kind == "crash" or self.run.coils_at_zero is False):
+        if fault is not None and (fault.kind in BROKEN or self.run.coils_at_zero is False):
             self._switch_off()
 
     def _switch_off(self) -> None:
-        self.known = None
+        self.known, self._asked_off = None, True
         self.lab.update(coil_A=None, message=self.tr("Coils off: reading them back …"))
         self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
@@ -207,7 +209,7 @@ class AppState(QObject):
         words = "; ".join(f"{axis.axis}: {axis.words}" for axis in said.coils)
         currents = tuple(axis.current_A for axis in said.coils)
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
-        self.known = state.LabState(tuple(map(_coil, said.coils)), witness)
+        self.known, self._asked_off = state.LabState(tuple(map(_coil, said.coils)), witness), False
         message = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
         known = None if None in currents else currents
         self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=message)
@@ -223,7 +225,7 @@ class AppState(QObject):
     def coil_words(self) -> str:
         """What may be said of the coils now."""
         if self.known is None:
-            return state.NOT_READ
+            return state.NOT_SINCE if self._asked_off else state.NOT_READ
         return self.known.sentence(time.monotonic())
 
     def _update_coil_words(self) -> None:

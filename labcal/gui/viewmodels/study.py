@@ -21,7 +21,7 @@ from labcal.gui.ipc.messages import (
     TryCause,
     WriteDraft,
 )
-from labcal.gui.ipc.wire import Fault
+from labcal.gui.ipc.wire import BROKEN, Fault
 
 R = TypeVar("R")
 
@@ -145,7 +145,7 @@ class StudyViewModel(QObject):
 
         def failed(fault: Fault) -> None:
             if run == self.run and name in self.waiting:
-                self.waiting = [] if fault.kind == "crash" else [one for one in self.waiting if one != name]
+                self.waiting = [] if fault.kind in BROKEN else [one for one in self.waiting if one != name]
                 self.fault = fault
                 self.changed.emit()
 

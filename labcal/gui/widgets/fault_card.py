@@ -17,6 +17,7 @@ TITLES = {
     "stopped": "■ Stopped",
     "page": "✕ This page cannot be shown",
     "crash": "✕ Something in labcal broke",
+    "ended": "✕ The work broke off",
 }
 
 

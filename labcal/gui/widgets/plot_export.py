@@ -10,12 +10,12 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton, QWidget
 
-from labcal.files import replacing
+from labcal.files.atomic import replacing
+from labcal.files.outputs import claim
+from labcal.files.spreadsheet import shielded
+from labcal.files.text_safety import one_line
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import button
-from labcal.outputs import claim
-from labcal.spreadsheet import shielded
-from labcal.text_safety import one_line
 
 PICTURE = "PNG (*.png)"
 

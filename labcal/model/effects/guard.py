@@ -12,7 +12,7 @@ import numpy as np
 from labcal.errors import InputError
 from labcal.model.effects.protocol import Array, Family, Kernel, Scene, Term
 from labcal.model.effects.shape import Kind, Shape
-from labcal.outside import blamed
+from labcal.plugin_loading import blamed
 from labcal.record import Run
 
 Said = TypeVar("Said")

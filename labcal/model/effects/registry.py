@@ -8,7 +8,7 @@ from importlib.metadata import entry_points
 
 import numpy as np
 
-from labcal import outside
+from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord
 from labcal.model.effects.guard import guarded
@@ -24,7 +24,7 @@ def families() -> tuple[Family, ...]:
     """Every family by name. Raises InputError where there is none, one twice, or an entry point is not a `Family`."""
     found = dict[str, Family]()
     for point in sorted(entry_points(group="labcal.effects"), key=lambda p: p.name):
-        named, loaded = outside.named(point), outside.load(point)
+        named, loaded = plugin_loading.named(point), plugin_loading.load(point)
         if not isinstance(loaded, Family) or loaded.id != point.name:
             raise InputError(f"{named} is not a Family of that id")
         if loaded.id in found:

@@ -14,7 +14,7 @@ from pathlib import Path
 from labcal import session
 from labcal.bench.clock import VirtualClock
 from labcal.certificate import Verification, sign_simulated
-from labcal.demo_folder import CALIBRATION, REPORT, RUN, STORE, TRUST
+from labcal.demo.folder import CALIBRATION, REPORT, RUN, STORE, TRUST
 from labcal.errors import InputError
 from labcal.loop import ClosedLoop
 from labcal.record.stream import Item, Measurement

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from labcal.errors import InputError
-from labcal.text_safety import one_line
+from labcal.files.text_safety import one_line
 
 KINDS = {  # entry-point groups, and what one of them is called
     "labcal.drivers": "driver",

@@ -9,7 +9,7 @@ from pathlib import Path
 from labcal.certificate import read_allowed_signers, signature_files, sshsig
 from labcal.certificate.keys import SIMULATED
 from labcal.errors import InputError, InstrumentError
-from labcal.outputs import claim
+from labcal.files.outputs import claim
 from labcal.store import Store, load_bundle
 from labcal.store.run_json import read_run_json
 

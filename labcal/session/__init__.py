@@ -1,58 +1,91 @@
-"""The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it."""
+"""The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
+
+Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `instruments` (the bench
+without a procedure), and `measuring`, where the loop closes on the instruments.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from labcal import certificate, loop
-from labcal.bench import shutdown
 from labcal.bench.clock import Clock
-from labcal.bench.coils.cage_file import CageCalibration, sha256_of, write_cage
+from labcal.bench.coils.cage_file import sha256_of
 from labcal.bench.coils.state import LabState
-from labcal.bench.coils.zero import AtZero
-from labcal.bench.identify import Identified, identify_all
 from labcal.bench.opening import open_bench
-from labcal.certificate import Entry, Signer, Verification, read_allowed_signers
+from labcal.certificate import Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
-from labcal.files import write_bytes
+from labcal.files.atomic import write_bytes
+from labcal.files.home import home
+from labcal.files.outputs import claim
 from labcal.fit import Fit, draft_calibration, fit, fit_all
-from labcal.home import home
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
-from labcal.outputs import claim, writing
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
-from labcal.runner.cage import approved_cage
-from labcal.store import (
-    Bundle,
-    Checked,
-    RunSummary,
-    Store,
-    bundle_files,
-    bundle_of,
-    describe,
-    export,
-    load_bundle,
-    photos,
-    save_bundle,
+from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
+from labcal.session.records import (
+    check_store,
+    correct_serial,
+    describe_run,
+    export_run,
+    import_bundle,
+    keep_photo,
+    runs,
 )
-from labcal.store import check_store as store_check
-from labcal.store.listing import FILE as STORE
-from labcal.toml_file import named_files
+from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
+from labcal.session.trust import new_key, revoke_keys, trust_keys, trusted_keys
+from labcal.store import Store
 
 if TYPE_CHECKING:
-    from labcal.bench.look_again import Looked
     from labcal.fit.filters.history import History
 
-Source = str | Path | Run  # a run id of the local store or a path to a bundle, a path, or the run itself
+__all__ = [
+    "Source",
+    "apply_calibration",
+    "approve",
+    "approve_cage",
+    "check_store",
+    "close_loop",
+    "coils_off",
+    "correct_serial",
+    "describe_run",
+    "draft",
+    "export_run",
+    "filter_history",
+    "fit_run",
+    "greetings",
+    "hand_out",
+    "import_bundle",
+    "keep_photo",
+    "load_calibration",
+    "load_run",
+    "look_again",
+    "new_key",
+    "one_cause",
+    "paths",
+    "report",
+    "resume",
+    "revoke_keys",
+    "run",
+    "run_bundle",
+    "runs",
+    "serve_bench",
+    "sign",
+    "trust_keys",
+    "trusted_keys",
+    "verify",
+    "with_installed_procedure",
+]
+
 THIS_LAB = "this lab's trust list"
 
 
@@ -112,141 +145,12 @@ def resume(
         )
 
 
-def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> CageCalibration:
-    """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
-    [output] = claim("bench cage", out, force=force)
-    with Store.open() as kept:
-        found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
-    with output.writing():
-        write_cage(found, out)
-    return found
-
-
-def load_run(run: Source, channels: Sequence[str] | None = None) -> Run:
-    """The run that `run` names, with all its channels or only those of these names. Raises InputError."""
-    measured = run if isinstance(run, Run) else _run_of_name(run)
-    try:
-        return measured if channels is None else measured.with_channels(channels)
-    except KeyError as error:
-        raise InputError(str(error.args[0])) from None
-
-
-def _run_of_name(run: str | Path) -> Run:
-    if _is_path(run):
-        return load_bundle(Path(run)).run()
-    with Store.open() as store:
-        return store.run(str(run))
-
-
-def run_bundle(run: Source) -> Bundle:
-    """The exported bundle of the run that `run` names, byte for byte; its `sha256` is the contract's run_sha256."""
-    if isinstance(run, Run):
-        return bundle_of(run)
-    if _is_path(run):
-        return load_bundle(Path(run))
-    with Store.open() as store:
-        return store.bundle(str(run))
-
-
-def runs() -> list[RunSummary]:
-    """The runs of the local store, the oldest first."""
-    with Store.open() as store:
-        return store.runs()
-
-
-def describe_run(run: str) -> dict[str, Any]:
-    """What the run that `run` names is: head, segments and what each offers, channels, measurements."""
-    if _is_path(run):
-        return describe(load_run(run), "a bundle, not in the store")
-    with Store.open() as store:
-        return store.describe(run)
-
-
-def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -> None:
-    """State another serial of a run's DUT, as an event of its record; the drafts `made` of it follow.
-
-    Raises InputError once one of them is signed.
-    """
-    if signed := [path.name for path in made if certificate.signature_files(path)]:
-        raise InputError(f"{signed[0]} is signed: its serial stands; another DUT needs a run of its own")
-    with Store.open() as store:
-        store.correct_serial(run, serial, who)
-        bundle = store.bundle(run)
-    for path in made:
-        draft = load_calibration(path)
-        corrected = replace(draft, dut=replace(draft.dut, serial=serial.strip()), run_sha256=bundle.sha256)
-        write_bytes(path, certificate.calibration_bytes(corrected))
-
-
-def keep_photo(path: Path) -> dict[str, str]:
-    """Copy a photograph beside the store; what a note in a record says of it."""
-    return photos.keep_photo(path)
-
-
 def hand_out(calibration: Path, folder: Path) -> None:
     """Copy a calibration, its signatures and the keys they are checked against to `folder`.
 
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
     certificate.hand_out(calibration, folder, [entry.signer for entry in trusted_keys() if not entry.revoked])
-
-
-def import_bundle(path: Path) -> str:
-    """Take a bundle into the local store, byte for byte; returns its run id."""
-    with Store.open() as store:
-        return store.add_bundle(path)
-
-
-def check_store(run: str | None = None) -> Checked:
-    """Look through the local store, or one run of it, for the first thing that does not fit."""
-    return store_check(home() / STORE, run)
-
-
-def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path, *, force: bool = False) -> None:
-    """Write the run that `run` names to `out`."""
-    files, folder = (bundle_files(out), True) if format_ == "bundle" else ([out], False)
-    outputs = claim("export", *files, inputs=paths(run), force=force, with_folder=folder)
-    bundle = run_bundle(run)
-    with writing(outputs):
-        if format_ == "bundle":
-            save_bundle(bundle, out)
-        elif format_ == "csv":
-            write_bytes(out, export.csv_table(bundle))
-        else:
-            write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
-
-
-def paths(run: Source) -> list[Path]:
-    """The path that `run` names, where it is none of the store's ids: what a command reads it from."""
-    return [Path(run)] if not isinstance(run, Run) and _is_path(run) else []
-
-
-def _is_path(run: str | Path) -> bool:
-    """A plain word is a run id, unless a bundle of that name lies right here."""
-    if isinstance(run, Path):
-        return True
-    here = Path(run)
-    return "/" in run or "\\" in run or run.lower().endswith(".zip") or here.is_file() or (here / "run.json").is_file()
-
-
-def new_key(name: str, passphrase: str) -> Signer:
-    """Make a private key for `name` under `passphrase`, and trust its public half."""
-    return certificate.keys.new_key(home(), name, passphrase)
-
-
-def trusted_keys() -> tuple[Entry, ...]:
-    """Everybody in the lab's trust list."""
-    return certificate.keys.entries(home())
-
-
-def trust_keys(allowed_signers: Path) -> tuple[Signer, ...]:
-    """Take the lines of an allowed_signers file into the lab's trust list; returns the new ones."""
-    return certificate.keys.trust(home(), allowed_signers)
-
-
-def revoke_keys(name: str) -> int:
-    """Accept no signature any more by the keys of `name`; returns how many keys those are."""
-    return certificate.keys.revoke(home(), name)
 
 
 def load_calibration(path: Path) -> Calibration:
@@ -329,7 +233,7 @@ def one_cause(run: str, effect: str, channels: tuple[str, ...]) -> loop.OneCause
 
 def _cage_sha256(run: Source) -> str | None:
     """SHA-256 of the cage calibration that a recorded run was driven by; a bundle does not tell."""
-    if isinstance(run, Run) or _is_path(run):
+    if isinstance(run, Run) or is_path(run):
         return None
     with Store.open() as store:
         return store.cage_sha256(str(run))
@@ -387,33 +291,3 @@ def _run_of(calibration: Calibration) -> Run | None:
     except InputError:
         return None
     return bundle.run() if bundle.sha256 == calibration.run_sha256 else None
-
-
-def greetings(bench: Path) -> list[Identified]:
-    """Ask every instrument of a bench.toml who it is; silent ones are in the list, with why."""
-    return identify_all(bench)
-
-
-def serve_bench(bench: Path, out: Path, ready: Callable[[], None], *, force: bool = False) -> None:
-    """Put the emulated instruments of `bench` on TCP ports and ptys until interrupted; `out` is the bench to use."""
-    from labcal.bench.serve import serve
-
-    [output] = claim("bench serve", out, inputs=named_files(bench), force=force)
-
-    def written() -> None:
-        output.remember()
-        ready()
-
-    serve(bench, out, written)
-
-
-def look_again(bench: Path, clear_as: str = "") -> Looked | None:
-    """Measure again where a zero of this bench is in doubt; None where none is. `clear_as`: who answers for it."""
-    from labcal.bench.look_again import look_again
-
-    return look_again(bench, clear_as)
-
-
-def coils_off(bench: Path) -> list[AtZero]:
-    """Every coil to zero and open, one report an axis."""
-    return shutdown.coils_off(bench)

@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import NoReturn
 
 from labcal.errors import InputError
-from labcal.files import replaceable, write_bytes
-from labcal.home import FILE, home, own_folder
+from labcal.files.atomic import replaceable, write_bytes
+from labcal.files.home import FILE, home, own_folder
 
 STORE = "store.sqlite"
 OWN = ("keys", "photos", "translations", "written", "window.ini", "laboratory.toml", "guardian.log", "last-fault.txt")

@@ -1,0 +1,59 @@
+"""The bench without a procedure: who answers, coils off, a zero in doubt, the cage's own calibration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from labcal.bench import shutdown
+from labcal.bench.coils.at_zero import AtZero
+from labcal.bench.coils.cage_file import CageCalibration, write_cage
+from labcal.bench.identify import Identified, identify_all
+from labcal.files.outputs import claim
+from labcal.files.toml_file import named_files
+from labcal.runner.cage import approved_cage
+from labcal.store import Store
+
+if TYPE_CHECKING:
+    from labcal.bench.look_again import Looked
+
+
+def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> CageCalibration:
+    """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
+    [output] = claim("bench cage", out, force=force)
+    with Store.open() as kept:
+        found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
+    with output.writing():
+        write_cage(found, out)
+    return found
+
+
+def greetings(bench: Path) -> list[Identified]:
+    """Ask every instrument of a bench.toml who it is; silent ones are in the list, with why."""
+    return identify_all(bench)
+
+
+def serve_bench(bench: Path, out: Path, ready: Callable[[], None], *, force: bool = False) -> None:
+    """Put the emulated instruments of `bench` on TCP ports and ptys until interrupted; `out` is the bench to use."""
+    from labcal.bench.serve import serve
+
+    [output] = claim("bench serve", out, inputs=named_files(bench), force=force)
+
+    def written() -> None:
+        output.remember()
+        ready()
+
+    serve(bench, out, written)
+
+
+def look_again(bench: Path, clear_as: str = "") -> Looked | None:
+    """Measure again where a zero of this bench is in doubt; None where none is. `clear_as`: who answers for it."""
+    from labcal.bench.look_again import look_again
+
+    return look_again(bench, clear_as)
+
+
+def coils_off(bench: Path) -> list[AtZero]:
+    """Every coil to zero and open, one report an axis."""
+    return shutdown.coils_off(bench)

@@ -1,0 +1,78 @@
+"""The local store as people use it: list, describe, correct, take in, check, hand out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Literal
+
+from labcal import certificate
+from labcal.errors import InputError
+from labcal.files.atomic import write_bytes
+from labcal.files.home import home
+from labcal.files.outputs import claim, writing
+from labcal.session.sources import is_path, load_run, paths, run_bundle
+from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
+from labcal.store import check_store as store_check
+from labcal.store.listing import FILE as STORE
+
+
+def runs() -> list[RunSummary]:
+    """The runs of the local store, the oldest first."""
+    with Store.open() as store:
+        return store.runs()
+
+
+def describe_run(run: str) -> dict[str, Any]:
+    """What the run that `run` names is: head, segments and what each offers, channels, measurements."""
+    if is_path(run):
+        return describe(load_run(run), "a bundle, not in the store")
+    with Store.open() as store:
+        return store.describe(run)
+
+
+def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -> None:
+    """State another serial of a run's DUT, as an event of its record; the drafts `made` of it follow.
+
+    Raises InputError once one of them is signed.
+    """
+    if signed := [path.name for path in made if certificate.signature_files(path)]:
+        raise InputError(f"{signed[0]} is signed: its serial stands; another DUT needs a run of its own")
+    with Store.open() as store:
+        store.correct_serial(run, serial, who)
+        bundle = store.bundle(run)
+    for path in made:
+        draft = certificate.read_calibration(path)
+        corrected = replace(draft, dut=replace(draft.dut, serial=serial.strip()), run_sha256=bundle.sha256)
+        write_bytes(path, certificate.calibration_bytes(corrected))
+
+
+def keep_photo(path: Path) -> dict[str, str]:
+    """Copy a photograph beside the store; what a note in a record says of it."""
+    return photos.keep_photo(path)
+
+
+def import_bundle(path: Path) -> str:
+    """Take a bundle into the local store, byte for byte; returns its run id."""
+    with Store.open() as store:
+        return store.add_bundle(path)
+
+
+def check_store(run: str | None = None) -> Checked:
+    """Look through the local store, or one run of it, for the first thing that does not fit."""
+    return store_check(home() / STORE, run)
+
+
+def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path, *, force: bool = False) -> None:
+    """Write the run that `run` names to `out`."""
+    files, folder = (bundle_files(out), True) if format_ == "bundle" else ([out], False)
+    outputs = claim("export", *files, inputs=paths(run), force=force, with_folder=folder)
+    bundle = run_bundle(run)
+    with writing(outputs):
+        if format_ == "bundle":
+            save_bundle(bundle, out)
+        elif format_ == "csv":
+            write_bytes(out, export.csv_table(bundle))
+        else:
+            write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
