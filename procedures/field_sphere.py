@@ -103,10 +103,9 @@ def played(n_directions: int, magnitudes_nT: Sequence[float]) -> Array:
     go all round the sphere; the magnitude changes from field to field, and every other round goes backwards: what
     drifts through the run looks like no field.
     """
-    directions, stride = lattice(n_directions), _stride(n_directions)
+    directions, order = lattice(n_directions), strided(n_directions)
     fields = list[Array]()
     for turn in range(len(magnitudes_nT)):
-        order = [(place * stride) % n_directions for place in range(n_directions)]
         for k in reversed(order) if turn % 2 else order:
             if len(fields) % (ZERO_EVERY + 1) == 0:
                 fields.append(np.zeros(3))
@@ -129,9 +128,11 @@ def lattice(count: int, turned_rad: float = 0.0) -> Array:
     return np.column_stack([level * np.cos(around), level * np.sin(around), up])
 
 
-def _stride(count: int) -> int:
-    """The number next to the golden part of `count` that has no factor in common with it."""
-    return min((k for k in range(1, count + 1) if np.gcd(k, count) == 1), key=lambda k: abs(k - GOLDEN * count))
+def strided(count: int) -> list[int]:
+    """0 to `count` in steps next to its golden part, so that neighbours are far apart and some cover the whole."""
+    free = [k for k in range(1, count + 1) if np.gcd(k, count) == 1]
+    stride = min(free, key=lambda k: abs(k - GOLDEN * count))
+    return [(place * stride) % count for place in range(count)]
 
 
 def _refuse(bench: Bench, magnitudes_nT: Sequence[float]) -> None:

@@ -26,7 +26,7 @@ from labcal.fit.scalar_cage import (
     with_matrix,
 )
 from labcal.record.stream import Event, Prompt
-from procedures.field_sphere import lattice
+from procedures.field_sphere import lattice, strided
 
 NEEDS, LASTS_MIN = "an absolute scalar sensor in the cage's centre", 7
 
@@ -77,16 +77,19 @@ def scalar_cage(
 
 
 def components(largest_A: Array) -> list[Array | None]:
-    """Currents (3,): each coil alone and every two together, in all signs, at two sizes; None: all coils off."""
-    steps = list[Array | None]()
+    """Currents (3,): each coil alone and every two together, in all signs, at two sizes; None: all coils off.
+
+    Far from any pattern in time, so that what is periodic, the mains folded down, looks like no coil.
+    """
+    signed, steps = list[Array](), list[Array | None]()
     for part in PARTS:
-        signed = [part * largest_A * s * np.eye(3)[j] for j in range(3) for s in (1, -1)]
+        signed += [part * largest_A * s * np.eye(3)[j] for j in range(3) for s in (1, -1)]
         for j, k in combinations(range(3), 2):
             signed += [part * largest_A * (s * np.eye(3)[j] + r * np.eye(3)[k]) for s in (1, -1) for r in (1, -1)]
-        for number, currents in enumerate(signed):
-            if number % OFF_EVERY == 0:
-                steps.append(None)
-            steps.append(currents)
+    for number, place in enumerate(strided(len(signed))):
+        if number % OFF_EVERY == 0:
+            steps.append(None)
+        steps.append(signed[place])
     return [*steps, None]
 
 
@@ -95,7 +98,8 @@ def rotating(modulus_nT: float, n_directions: int, verify: int) -> tuple[Array, 
 
     Those stand among the others and not behind them, so that the place's field is known when they are played.
     """
-    fields = [PARTS[n % len(PARTS)] * modulus_nT * u for n, u in enumerate(np.repeat(lattice(n_directions), 2, axis=0))]
+    sizes = [(part, u) for part in PARTS for u in lattice(n_directions)]
+    fields = [sizes[place][0] * modulus_nT * sizes[place][1] for place in strided(len(sizes))]
     unseen = modulus_nT * lattice(verify, UNSEEN_TURN)
     places = np.linspace(1, len(fields) - 1, verify).astype(int)
     kept, fresh = np.insert(np.array(fields), places, unseen, axis=0), np.zeros(len(fields) + verify, dtype=np.bool_)

@@ -87,12 +87,14 @@ class ScalarCage:
     @property
     def parameters(self) -> Array:
         """(12,) in the covariance's order."""
-        return np.r_[[self.matrix_nT_per_A[i, j] for i, j in UPPER], self.ambient_nT, self.leak_A]
+        upper = np.array([self.matrix_nT_per_A[i, j] for i, j in UPPER])
+        return np.concatenate([upper, self.ambient_nT, self.leak_A])
 
     def magnitude_nT(self, seen: Magnitudes) -> Array:
         """What it makes the sensor see (n,) [nT] at the currents and times of `seen`."""
         I = seen.currents_A + self.leak_A * seen.signs  # noqa: E741
-        return np.linalg.norm(I @ self.matrix_nT_per_A.T + self.ambient_nT + self.course.at(seen.t_s), axis=1)
+        b = I @ self.matrix_nT_per_A.T + self.ambient_nT + self.course.at(seen.t_s)
+        return np.asarray(np.linalg.norm(b, axis=1))
 
     def constants(self) -> tuple[Array, Array]:
         """Each coil's constant (3,) [nT/A], the length of its column, and standard uncertainties."""
@@ -140,7 +142,7 @@ def by_components(seen: Magnitudes) -> tuple[Array, Array]:
         G[a, b] = G[b, a] = value / size**2
     if np.linalg.eigvalsh(G)[0] <= 0:
         raise ValueError("the magnitudes are those of no three coils: does the sensor follow the currents?")
-    A = np.linalg.cholesky(G).T
+    A: Array = np.asarray(np.linalg.cholesky(G).T, dtype=np.float64)
     return A, np.asarray(np.linalg.solve(A.T, found[6:9] / size))
 
 
