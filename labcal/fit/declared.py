@@ -26,9 +26,12 @@ def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) 
     alone. Where the frame is not known a turn says nothing, and magnitudes move the map by least squares. What is not
     declared is not covered. (Where vectors are fitted, `labcal.fit.vector.declared` asks the fit itself.)
     """
-    if not frame_known:
-        return np.asarray(covariance + covariance_of(_of_magnitudes(run, affine), 12))
-    return np.asarray(covariance + covariance_of(of_vectors(run.reference, affine, mounting_rad(run)), 12))
+    return np.asarray(covariance + covariance_of(contributions(run, affine, frame_known=frame_known), 12))
+
+
+def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
+    """What each error that `run` declares does to K and k (12,), one source each."""
+    return of_vectors(run.reference, affine, mounting_rad(run)) if frame_known else _of_magnitudes(run, affine)
 
 
 class Stated(Protocol):
