@@ -89,7 +89,17 @@ def _changed(found: JointFit, error: DeclaredError) -> Array:
 
 def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
     """A^+ S A^+ᵀ with each bounded spectrum S of the residual; what declared errors D left in it is no noise."""
-    moved = cosine_transform(np.concatenate([A, D], axis=2))
+    moved = cosine_transform(np.concatenate([A, _shown(A, inverse, D)], axis=2))
     spectra = weighed_spectra(moved, cosine_transform(found.problem.y[found.used]))
     grams = inverse @ grams_of_bands(moved[:, :, : len(inverse)], spectra.bands) @ inverse
     return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1), spectra.dof)
+
+
+def _shown(A: Array, inverse: Array, D: Array) -> Array:
+    """The declared errors (n, q, d) that one standard deviation of them would show beside A in noise of variance one.
+
+    Of another it is not known that it left anything: beside a scale of the reference there remains the scale times the
+    residual itself, and as a column of free size that would take up all of the noise.
+    """
+    left = D - np.einsum("nqp,pd->nqd", A, inverse @ np.einsum("nqp,nqd->pd", A, D))
+    return np.asarray(D[:, :, np.sum(left**2, axis=(0, 1)) > 1.0])

@@ -11,13 +11,14 @@ from wrong_lab import Declared
 
 from labcal.fit.declared import widen
 from labcal.fit.vector.declared import declared_contributions
-from labcal.fit.vector.ml import estimate
+from labcal.fit.vector.ml import estimate, ml
 from labcal.loop.close import prepare
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.uncertainty import uncertainty_of
 from labcal.model import AffineMap
 from labcal.model.effects import family
 from labcal.record import Run
+from labcal.testing.made_up_runs import made_up_run
 from labcal.uncertainty import declared_errors
 
 DECLARED = Declared(scale_ppm=400.0, zero_nT=30.0, align_deg=0.2, body_deg=0.25)
@@ -98,3 +99,15 @@ def test_a_reference_declared_a_hundred_times_worse_is_in_map_and_effect(
     map_or_k = [0, 4, 8] if "u_scale_ppm" in stated else [9, 10, 11]
     assert np.all(u["after"][map_or_k] > 10 * u["before"][map_or_k])
     assert np.allclose(before.covariance, after.covariance, rtol=1e-6)
+
+
+def test_a_declared_scale_that_does_not_show_takes_nothing_off_the_noise() -> None:
+    """Beside the map a scale leaves only itself times the residual: no less noise is known with it than without."""
+    run = made_up_run(noise_nT=15.0, rows=60, seed=1).run
+    noisy = run.reference_vector + np.random.default_rng(3).normal(0, 3.0, (len(run), 3))
+    run = replace(run, reference_vector=noisy, reference=replace(run.reference, noise_nT=3.0))
+    stated = replace(run, reference=replace(run.reference, u_scale_ppm=50.0))
+    plain, beside = (uncertainty_of(joint_fit(prepare(r)[0], [])).of_noise for r in (run, stated))
+    assert np.sqrt(np.diag(beside)) == pytest.approx(np.sqrt(np.diag(plain)), rel=0.02)
+    fits = [ml(replace(r, dut=replace(r.dut, noise_nT=None))).covariance for r in (run, stated)]
+    assert np.sqrt(np.diag(fits[1])[9:]) == pytest.approx(np.sqrt(np.diag(fits[0])[9:]), rel=0.05)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 MOST_POINTS = 6000
+MOST_NAMES = 40  # of segments, beyond which none is named in a figure
 NEAR_DEG = 20.0  # a direction counts as covered when the field pointed this near to it
 
 
@@ -56,7 +57,8 @@ def draw_sphere(figure: FigureBase, run: Run, field: Array) -> None:
         )
     axes.set_xticklabels([])
     axes.set_yticklabels([])
-    figure.legend(loc="outside right upper", markerscale=2, handletextpad=0.2, fontsize=7)
+    if len(run.segments) <= MOST_NAMES:
+        figure.legend(loc="outside right upper", markerscale=2, handletextpad=0.2, fontsize=7)
 
 
 def draw_magnitude(figure: FigureBase, run: Run, field: Array | None) -> None:
@@ -97,12 +99,13 @@ def draw_by_segment(figure: FigureBase, run: Run, residual: Array, noise_nT: flo
     rms = [_rms(length[run.rows(i)]) for i in range(len(run.segments))]
     places = np.arange(len(rms))
     axes.bar(places, rms, color=AXES[2], width=0.62)
-    axes.set_xticks(
-        places,
-        [short(s.id) for s in run.segments],
-        rotation=30 if len(rms) > 6 else 0,
-        ha="right" if len(rms) > 6 else "center",
-    )
+    if len(rms) <= MOST_NAMES:
+        many = len(rms) > 6
+        axes.set_xticks(
+            places, [short(s.id) for s in run.segments], rotation=30 * many, ha="right" if many else "center"
+        )
+    else:
+        axes.set(xlabel="segments, in order of time")
     axes.set(ylabel="rms (nT)")
     axes.grid(axis="x", visible=False)
     if noise_nT:

@@ -15,6 +15,7 @@ from labcal.certificate.report.figures import (
     draw_residual,
     draw_sphere,
 )
+from labcal.certificate.report.harmonics import on_the_sphere
 from labcal.certificate.report.page import Block, Facts, Headline, Page, Plot, Prose, Table, section, sections
 from labcal.certificate.report.style import number
 from labcal.fit import Fit
@@ -91,6 +92,7 @@ def _left(run: Run, residual: Array | None, labels: tuple[str, ...]) -> list[Blo
             2.5,
             "Residual over time, and its distribution. " + _thin_note(run),
         ),
+        on_the_sphere(run, residual),
         Plot(lambda f: draw_by_segment(f, run, residual, noise), 1.9, "Rms of the residual in each segment."),
     ]
 

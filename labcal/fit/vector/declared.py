@@ -38,7 +38,8 @@ def residual_beside_declared(
 ) -> tuple[Array, Array]:
     """The weighted residual (n, 3) [nT], and what no declared error, the map fitted beside it, could have left.
 
-    What they left is no noise: it is in the uncertainty as theirs.
+    What they left is no noise: it is in the uncertainty as theirs. One of which a standard deviation would not show in
+    this noise is not asked: beside a scale of the reference there remains the scale times the residual itself.
     """
     q, weight = parameterisation.basis.shape[1], np.sqrt(found.weight)[:, None]
     here = weight * _residual(seen, noise, found.theta, found.phase)
@@ -49,6 +50,7 @@ def residual_beside_declared(
     if not left:
         return here, here
     D = np.stack([part.ravel() for part in left], axis=1)
+    D = D[:, np.sum(D**2, axis=0) > np.mean(here**2)]
     return here, np.asarray(here - (D @ np.linalg.lstsq(D, here.ravel(), rcond=1e-9)[0]).reshape(-1, 3))
 
 
