@@ -44,7 +44,7 @@ def fit(
         _show_fits(fits)
     chosen = next((f for f in fits if f.method == "ml"), fits[0])
     if out is not None and chosen.ok:
-        session.draft(run, chosen, out, force=force)
+        session.draft(run, chosen, out, names, force=force)
         say(f"draft calibration: {out}", err=True)
     return DONE if chosen.ok else NEGATIVE
 

@@ -36,6 +36,7 @@ ASKED = {
     "close-loop --out": ("close-loop {bundle}", "cal.json"),
     "close-loop --json": ("close-loop {bundle}", "loop.json"),
     "close-loop --report": ("close-loop {bundle}", "loop.html"),
+    "verify --json": ("verify {calibration}", "verify.json"),
     "report --out": ("report {calibration}", "report.html"),
     "runs --json": ("runs", "runs.json"),
     "show --json": ("show {bundle}", "show.json"),
@@ -46,6 +47,7 @@ ASKED = {
 READS = {
     "demo --out": (), "runs --json": (), "bench cage --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
+    "verify --json": ("{calibration}",),
     "bench serve --out": ("{bench}",),
 }  # fmt: skip
 
