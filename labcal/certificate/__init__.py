@@ -11,7 +11,16 @@ from labcal.certificate.calibration_file import (
 )
 from labcal.certificate.hand_out import hand_out
 from labcal.certificate.keys import Entry
-from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, signature_files, verify
+from labcal.certificate.signing import (
+    Check,
+    Verification,
+    approve,
+    check_approvers,
+    sign,
+    sign_simulated,
+    signature_files,
+    verify,
+)
 
 __all__ = [
     "AppliedFile",
@@ -22,6 +31,7 @@ __all__ = [
     "apply_file",
     "approve",
     "calibration_bytes",
+    "check_approvers",
     "check_effects",
     "hand_out",
     "keys",

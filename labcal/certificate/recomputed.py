@@ -17,6 +17,7 @@ import numpy as np
 
 from labcal.certificate.calibration_file import calibration_bytes
 from labcal.model import Calibration
+from labcal.model.affine import MAP_PARAMETERS
 
 SAME_U = 0.01  # of u
 OTHER_U = 0.1  # of U = 2 u
@@ -80,20 +81,22 @@ def _numbers(document: Document) -> list[dict[str, Any]]:
     ]
 
 
-def _uncertainties(calibration: Calibration) -> list[float]:
-    """The standard uncertainties of the map."""
-    return [] if calibration.covariance is None else np.sqrt(np.diag(calibration.covariance)[:12]).tolist()
+def _uncertainties(calibration: Calibration) -> dict[str, float]:
+    """The standard uncertainties of the map, by name."""
+    if calibration.covariance is None:
+        return {}
+    return dict(zip((f"u({name})" for name in MAP_PARAMETERS), np.sqrt(np.diag(calibration.covariance)), strict=False))
 
 
 def _u_limits(document: Document) -> dict[str, float]:
-    return {f"covariance[{i}]": OTHER_U * u for i, u in enumerate(document["covariance"])}
+    return {f"covariance.{name}": OTHER_U * u for name, u in document["covariance"].items()}
 
 
 def _limits(made: Calibration, share: float) -> dict[str, float]:
     """By how much a number may differ, by its place: map and effects by `share` of u, the covariance by rounding."""
     u = _uncertainties(made)
     places = [*(f"K[{i}][{j}]" for i in range(3) for j in range(3)), *(f"k_nT[{i}]" for i in range(3))]
-    limits = {place: share * of for place, of in zip(places, u, strict=False)}
+    limits = {place: share * of for place, of in zip(places, u.values(), strict=False)}
     for i, effect in enumerate(made.effects):
         limits |= {f"effects[{i}].parameters[{j}].value": share * p.u for j, p in enumerate(effect.parameters)}
     if made.covariance is not None:

@@ -7,7 +7,7 @@ file that names no approver, or one who has not signed, is PROVISIONAL: valid, a
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from datetime import date, datetime
 from pathlib import Path
@@ -16,7 +16,7 @@ from typing import Literal
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import sshsig
-from labcal.certificate.allowed_signers import Signer, own_line, same_person
+from labcal.certificate.allowed_signers import Signer, own_line
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.recomputed import Recomputed
@@ -24,6 +24,7 @@ from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.model import Calibration
+from labcal.record.person import same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
 Status = Literal["released", "provisional", "unsigned", "invalid", "expired"]
@@ -135,14 +136,28 @@ def approve(path: Path, name: str, examine: Examine = lambda draft: None) -> Cal
         raise InputError(f"is signed already ({signed[0].name}); only a draft can be approved", file=path)
     if not name:
         raise InputError("the approver has no name", file=path)
+    if not draft.operator.strip():
+        raise InputError("operator: nobody is said to have measured it, so nobody can be another person", file=path)
     if same_person(name, draft.operator):
         raise InputError(f"{name} is the operator, {draft.operator}; another person approves", file=path)
     if any(same_person(name, other) for other in draft.approvers):
         raise InputError(f"{name} has approved it already", file=path)
-    examine(draft)
     approved = replace(draft, approvers=(*draft.approvers, name))
+    examine(approved)
     atomic.write_bytes(path.resolve(), calibration_bytes(approved))
     return approved
+
+
+def check_approvers(calibration: Calibration, path: Path, known: Collection[str]) -> None:
+    """Raise InputError where an approver is not of the names `known`, is the operator, or is there twice."""
+    for i, name in enumerate(calibration.approvers):
+        others = [calibration.operator, *calibration.approvers[:i]]
+        if twin := next((other for other in others if same_person(name, other)), None):
+            told = f"approvers[{i}]: {name} and {twin}, who has another part in it, are one person"
+            raise InputError(f"{told}; nothing was written", file=path)
+        if name not in known:
+            told = f"approvers[{i}]: {name} is nobody of the trust list, whose signatures count; nothing was written"
+            raise InputError(f"{told} (`labcal keys new` makes a key, in the window New key)", file=path)
 
 
 def sign(

@@ -161,7 +161,7 @@ def load_calibration(path: Path) -> Calibration:
 
 
 def approve(calibration: Path, name: str, progress: Progress = lambda step: None) -> Calibration:
-    """Write the approver's name into a draft. Raises InputError where its run gives another."""
+    """Write the approver, somebody of the trust list, into a draft. Raises InputError where its run gives another."""
     return certificate.approve(calibration, name, _same_as_its_run(calibration, progress))
 
 
@@ -174,6 +174,7 @@ def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lam
 
 def _same_as_its_run(path: Path, progress: Progress) -> Callable[[Calibration], None]:
     def examine(stated: Calibration) -> None:
+        certificate.check_approvers(stated, path, certificate.keys.names(home()))
         if (found := recomputed(stated, progress=progress)).same is False:
             told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
             raise InputError(f"{told}: make the draft again", file=path)

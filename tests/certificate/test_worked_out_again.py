@@ -99,6 +99,7 @@ FORGERIES: list[tuple[Edit, str]] = [
 @pytest.mark.parametrize(("edit", "field"), FORGERIES)
 def test_an_edited_draft_is_neither_approved_nor_signed(draft: Path, edit: Edit, field: str):
     session.new_key("ada", "correct horse")
+    session.new_key("bob", "correct horse")
     edited(draft, edit)
     before = draft.read_bytes()
     for step in (lambda: session.approve(draft, "bob"), lambda: session.sign(draft, "ada", "correct horse")):
@@ -243,3 +244,31 @@ def test_a_corrected_serial_keeps_what_was_worked_out(draft: Path):
     assert working_out.recomputed(stated).same
     working_out.keep_corrected(stated, corrected)
     assert working_out.recomputed(corrected, only_kept=True).same
+
+
+@pytest.mark.usefixtures("trusting")
+@pytest.mark.parametrize(
+    ("operator", "approvers", "said"),
+    [
+        ("\N{CYRILLIC SMALL LETTER A}da", ["ada"], "approvers[0]: ada and"),
+        ("test", ["eve"], "approvers[0]: eve is nobody of the trust list"),
+        ("test", ["bob", "B.ob@lab"], "approvers[1]: B.ob@lab and bob"),
+    ],
+)
+def test_nobody_signs_where_one_person_stands_for_two(draft: Path, operator: str, approvers: list[str], said: str):
+    session.new_key("eva", "correct horse")
+    edited(draft, lambda c: c.update(operator=operator, approvers=approvers))
+    with pytest.raises(InputError) as refused:
+        session.sign(draft, "eva", "correct horse")
+    assert said in str(refused.value)
+    assert not signing.signature_files(draft)
+
+
+@pytest.mark.usefixtures("trusting")
+def test_only_somebody_of_the_trust_list_approves_and_nobody_where_no_operator_is_stated(draft: Path):
+    with pytest.raises(InputError, match="eve is nobody of the trust list"):
+        session.approve(draft, "eve")
+    session.approve(draft, "bob")
+    edited(draft, lambda c: c.update(operator=" ", approvers=[]))
+    with pytest.raises(InputError, match="operator: nobody is said to have measured it"):
+        session.approve(draft, "bob")
