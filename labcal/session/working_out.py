@@ -6,7 +6,7 @@ import hashlib
 import json
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import asdict, replace
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
@@ -47,14 +47,18 @@ def version() -> str:
 
 def keep(made: Calibration) -> None:
     """Keep what was worked out from a run. Where labcal's folder takes nothing it is worked out again."""
+    _keep(made, _whole_place(made))
+
+
+def _keep(made: Calibration, place: Path) -> None:
     with suppress(OSError):
         own_folder(own_folder(home()) / FOLDER)
-        write_bytes(_place(made), certificate.calibration_bytes(made), FILE)
+        write_bytes(place, certificate.calibration_bytes(made), FILE)
 
 
 def keep_corrected(draft: Calibration, corrected: Calibration) -> None:
     """What is kept of `draft` goes on as that of `corrected`, whose run states another serial and is else the same."""
-    if (made := _kept(draft)) is not None:
+    if (made := _kept(_whole_place(draft))) is not None:
         keep(replace(made, dut=replace(made.dut, serial=corrected.dut.serial), run_sha256=corrected.run_sha256))
 
 
@@ -69,8 +73,9 @@ def recomputed(
 
     The whole way by the version that made it, else the final fit with its effects. `only_kept` works nothing out.
     """
-    if (made := _kept(stated)) is not None:
-        return whole_way(stated, made)
+    for place, compared in ((_whole_place(stated), whole_way), (_final_place(stated), final_fit)):
+        if (made := _kept(place)) is not None:
+            return compared(stated, made)
     if only_kept:
         return Recomputed(None, (NOT_YET,))
     if bundle is None and (bundle := _in_store(stated.run_id)) is None:
@@ -81,7 +86,7 @@ def recomputed(
 
 
 def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomputed:
-    how = stated.made_by or _guessed(stated)
+    how = _way(stated)
     same = stated.made_by is not None and how["version"] == version()
     if not same and (strange := _stranger(stated, how)) is not None:
         return Recomputed(None, (strange,))
@@ -89,14 +94,14 @@ def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomput
         made = _whole_way(bundle, how, progress) if same else _final_fit(stated, bundle, how, progress)
     except InputError as error:
         return Recomputed(False, (f"made_by: {error}",), holds=not same)
-    if not same:
-        return final_fit(stated, made)
-    keep(made)
-    return whole_way(stated, made)
+    _keep(made, _whole_place(stated) if same else _final_place(stated))
+    return whole_way(stated, made) if same else final_fit(stated, made)
 
 
-def _guessed(stated: Calibration) -> MadeBy:
-    """How a calibration was made that does not say so: the loop's own residuals tell it from a fit."""
+def _way(stated: Calibration) -> MadeBy:
+    """How a calibration was made; where it does not say so, the loop's own residuals tell it from a fit."""
+    if stated.made_by is not None:
+        return stated.made_by
     looped = bool(stated.effects) or "train_rms_nT" in stated.metrics.get("after", {})
     return {"command": CLOSE_LOOP if looped else FIT, "method": "ml", "channels": None, "version": ""}
 
@@ -160,17 +165,23 @@ def _in_store(run_id: str) -> Bundle | None:
     return None
 
 
-def _kept(stated: Calibration) -> Calibration | None:
-    """What is kept of the run and the way that `stated` names; None where nothing is."""
-    if stated.made_by is None:
-        return None
+def _kept(place: Path) -> Calibration | None:
+    """What is kept there; None where nothing is that can be read."""
     try:
-        return certificate.read_calibration(_place(stated))
+        return certificate.read_calibration(place)
     except (InputError, OSError):
         return None
 
 
-def _place(stated: Calibration) -> Path:
-    """Named by the content that it was worked out from, and how."""
-    made_from = json.dumps([stated.run_sha256, dict(stated.made_by or {})], sort_keys=True)
-    return home() / FOLDER / f"{hashlib.sha256(made_from.encode()).hexdigest()}.json"
+def _whole_place(stated: Calibration) -> Path:
+    """Where the whole way is kept: by the run's content, and how and by which version it was made."""
+    return _place(stated.run_sha256, stated.made_by and dict(stated.made_by))
+
+
+def _final_place(stated: Calibration) -> Path:
+    """Where this version's final fit is kept: by the run's content and the effects that are named."""
+    return _place(stated.run_sha256, dict(_way(stated)), version(), [asdict(e) for e in _fitted_effects(stated)])
+
+
+def _place(*made_from: object) -> Path:
+    return home() / FOLDER / f"{hashlib.sha256(json.dumps(made_from, sort_keys=True).encode()).hexdigest()}.json"

@@ -232,7 +232,9 @@ def test_the_loop_s_calibration_comes_again_whole_and_by_its_final_fit(
     for kept in (home() / working_out.FOLDER).iterdir():
         kept.unlink()
     monkeypatch.setattr(working_out, "__version__", "9.9.9")
+    assert working_out.recomputed(stated, only_kept=True).same is None
     assert working_out.recomputed(stated).same
+    assert working_out.recomputed(stated, only_kept=True).same
     assert not working_out.recomputed(read_calibration(path)).same
 
 
