@@ -11,6 +11,8 @@ from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from labcal import certificate, loop
 from labcal.certificate.recomputed import Recomputed, final_fit, whole_way
 from labcal.errors import InputError
@@ -92,9 +94,9 @@ def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomput
         return Recomputed(None, (strange,))
     try:
         made = _whole_way(bundle, how, progress) if same else _final_fit(stated, bundle, how, progress)
+        _keep(made, _whole_place(stated) if same else _final_place(stated))
     except InputError as error:
-        return Recomputed(False, (f"made_by: {error}",), holds=not same)
-    _keep(made, _whole_place(stated) if same else _final_place(stated))
+        return Recomputed(False, (f"{'made_by' if same else 'effects'}: {error}",), holds=not same)
     return whole_way(stated, made) if same else final_fit(stated, made)
 
 
@@ -120,10 +122,18 @@ def _whole_way(bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
 def _final_fit(stated: Calibration, bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
     """The map with the effects that are named, by this version."""
     run = bundle.run()
-    found = (
-        refit(run, _fitted_effects(stated), progress) if how["command"] == CLOSE_LOOP else _fitted(run, how, progress)
-    )
+    found = _refitted(run, stated, progress) if how["command"] == CLOSE_LOOP else _fitted(run, how, progress)
     return draft_calibration(run, found, bundle.sha256)
+
+
+def _refitted(run: Run, stated: Calibration, progress: Progress) -> Fit:
+    try:
+        with np.errstate(all="ignore"):
+            return refit(run, _fitted_effects(stated), progress)
+    except InputError:
+        raise
+    except Exception as error:  # the formulas, other packages' too, may stumble over names and counts in many ways
+        raise InputError(f"they are not whole, or give no numbers ({type(error).__name__})") from error
 
 
 def _fitted(run: Run, how: MadeBy, progress: Progress) -> Fit:

@@ -274,3 +274,19 @@ def test_only_somebody_of_the_trust_list_approves_and_nobody_where_no_operator_i
     edited(draft, lambda c: c.update(operator=" ", approvers=[]))
     with pytest.raises(InputError, match="operator: nobody is said to have measured it"):
         session.approve(draft, "bob")
+
+
+@pytest.mark.parametrize(
+    "effect",
+    [
+        {"effect": "offset-current", "channels": ["i_load"], "reference_value": {}},
+        {"effect": "offset-current", "channels": ["gone"], "reference_value": {"gone": 0.0}},
+        {"effect": "nonlinearity", "parameters": [{"name": "c_", "value": 1.0, "u": 0.0, "unit": ""}]},
+        {"effect": "cross-field", "parameters": [{"name": "xy", "value": 1e300, "u": 0.0, "unit": ""}] * 2},
+    ],
+)
+def test_an_effect_that_is_not_whole_is_a_sentence(draft: Path, effect: dict[str, Any]):
+    edited(draft, lambda c: c.update(made_by=None, effects=[STRANGE | {"belongs_to": "sensor"} | effect]))
+    found = working_out.recomputed(read_calibration(draft))
+    assert found.same is False
+    assert found.why[0].startswith("effects")
