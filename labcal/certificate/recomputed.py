@@ -21,7 +21,8 @@ from labcal.model.affine import MAP_PARAMETERS
 
 SAME_U = 0.01  # of u
 OTHER_U = 0.1  # of U = 2 u
-ROUNDING = 1e-6  # of a number, of a covariance's of its variances: between processors 1e-10 was seen
+ROUNDING = 1e-6  # of a covariance's variances: between processors 1e-10 was seen
+ROUNDED = 2e-5  # of any other number: of six digits the last may be another on another processor
 RESOLUTION = 1e-9  # of a number whose u may be nothing
 NOTHING = 1e-12  # what cancels leaves as much
 BY_PEOPLE = frozenset({"format", "approvers", "supersedes", "number", "issued_utc", "validity.until"})
@@ -132,7 +133,7 @@ def _alike(stated: object, made: object, limit: float | None) -> bool:
     if len(numbers) < 2:
         return stated == made
     largest = max(map(abs, numbers))
-    allowed = max(NOTHING, ROUNDING * largest) if limit is None else limit + RESOLUTION * largest
+    allowed = max(NOTHING, ROUNDED * largest) if limit is None else limit + RESOLUTION * largest
     return abs(numbers[0] - numbers[1]) <= allowed
 
 
