@@ -125,7 +125,7 @@ def fit(
     source = session.load_run(run)
     found = estimate(source if channels is None else session.load_run(source, channels), method)
     if out is not None:
-        session.draft(run, found, Path(out), force=force)
+        session.draft(run, found, Path(out), channels, force=force)
     return found
 
 
@@ -214,7 +214,7 @@ def load_calibration(path: str | Path) -> Calibration:
 def verify(
     calibration: str | Path, allowed_signers: str | Path | None = None, run: str | Path | Run | None = None
 ) -> Verification:
-    """Check every signature of a calibration file.
+    """Check every signature of a calibration file, and work it out again where its run is at hand.
 
     Parameters
     ----------
@@ -223,12 +223,14 @@ def verify(
     allowed_signers : str or Path, optional
         Trust the signers of this file; without it, this lab's trust list.
     run : str, Path or Run, optional
-        Check too that the calibration came from this run.
+        Check too that the calibration came from this run; without it, the store is asked for its run.
 
     Returns
     -------
     Verification
-        `valid`, the names of the `signers`, `checks` of each signature, and `sentences()` for people.
+        `valid`, `status` ("released", "provisional", "unsigned", "invalid" or "expired"), the names of the `signers`,
+        `checks` of each signature, `recomputed` (`same`: whether the run gives it again, `why` it does not), and
+        `sentences()` for people.
 
     Raises
     ------

@@ -12,7 +12,16 @@ from labcal.certificate.calibration_file import (
 from labcal.certificate.hand_out import hand_out
 from labcal.certificate.keys import Entry
 from labcal.certificate.predecessor import changed_from, changed_since
-from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, signature_files, verify
+from labcal.certificate.signing import (
+    Check,
+    Verification,
+    approve,
+    check_approvers,
+    sign,
+    sign_simulated,
+    signature_files,
+    verify,
+)
 
 __all__ = [
     "AppliedFile",
@@ -25,6 +34,7 @@ __all__ = [
     "calibration_bytes",
     "changed_from",
     "changed_since",
+    "check_approvers",
     "check_effects",
     "hand_out",
     "keys",

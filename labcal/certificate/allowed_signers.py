@@ -8,7 +8,6 @@ from __future__ import annotations
 import base64
 import binascii
 import re
-import unicodedata
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from fnmatch import fnmatchcase
@@ -22,7 +21,6 @@ LARGEST_BYTES = 2**20
 KEY_TYPES = (KEY_TYPE, "ssh-rsa", "ecdsa-sha2-", "sk-ssh-ed25519", "sk-ecdsa-sha2-")  # beginnings
 
 _PRINCIPAL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._@+-]{0,63}\Z")
-_SPELLING = re.compile(r"[\s._-]+")  # what one person writes in a name today, and leaves out tomorrow
 _FIELD = re.compile(r'((?:[^\s"]|"[^"]*")+)(?:\s+|\Z)')
 _OPTION = re.compile(r'([A-Za-z-]+)(?:="([^"]*)")?(?:,|\Z)')
 _STAMP = {8: "%Y%m%d", 12: "%Y%m%d%H%M", 14: "%Y%m%d%H%M%S"}
@@ -59,17 +57,6 @@ class Signer:
             options += [f'{name}="{when.astimezone(UTC):%Y%m%d%H%M%SZ}"'] if when else []
         key = base64.b64encode(self.key).decode()
         return " ".join([self.principal, *([",".join(options)] if options else []), self.key_type, key])
-
-
-def same_person(one: str, other: str) -> bool:
-    """Whether two names are one person's: "J. Doe", "j doe", "j.doe" and "j.doe@lab" are.
-
-    Capitals, blanks, dots, hyphens and underscores tell nobody apart; what stands behind an @ does where both say it.
-    """
-    if ("@" in one) != ("@" in other):
-        one, other = one.partition("@")[0], other.partition("@")[0]
-    names = [_SPELLING.sub("", unicodedata.normalize("NFKC", name).casefold()) for name in (one, other)]
-    return names[0] == names[1] and bool(names[0])
 
 
 def own_line(principal: str, key: bytes) -> Signer:

@@ -21,7 +21,6 @@ from labcal.certificate.allowed_signers import (
     check_principal,
     own_line,
     read_allowed_signers,
-    same_person,
     to_trust,
 )
 from labcal.certificate.calibration_file import read_limited
@@ -29,6 +28,7 @@ from labcal.certificate.sshsig import KEY_TYPE, public_key_blob
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.home import own_folder
+from labcal.record.person import same_person
 
 SIMULATED = "simulated"  # the principal of keys made in memory: good for files that say simulated, and for no other
 
@@ -143,6 +143,12 @@ def entries(home: Path) -> tuple[Entry, ...]:
     """Everybody in the trust list, whether their private key is here, and whether they are revoked."""
     gone = revoked(home)
     return tuple(Entry(s, _private(home, s.principal).exists(), s.key in gone) for s in trusted(home))
+
+
+def names(home: Path) -> frozenset[str]:
+    """Everybody who has a key in the trust list that is not revoked."""
+    gone = revoked(home)
+    return frozenset(signer.principal for signer in trusted(home) if signer.key not in gone)
 
 
 def _check_name(name: str) -> None:

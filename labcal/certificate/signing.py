@@ -7,23 +7,28 @@ file that names no approver, or one who has not signed, is PROVISIONAL: valid, a
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
-from datetime import datetime
+from datetime import date, datetime
 from pathlib import Path
+from typing import Literal
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import sshsig
-from labcal.certificate.allowed_signers import Signer, own_line, same_person
+from labcal.certificate.allowed_signers import Signer, own_line
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
 from labcal.certificate.keys import SIMULATED
+from labcal.certificate.recomputed import Recomputed
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.model import Calibration
+from labcal.record.person import same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
+Status = Literal["released", "provisional", "unsigned", "invalid", "expired"]
+Examine = Callable[[Calibration], object]  # raises InputError where something else does not hold of it
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,18 +43,33 @@ class Check:
 
 @dataclass(frozen=True, slots=True)
 class Verification:
-    """What all signatures of a calibration came to; `run_matches` is None where no run was named."""
+    """What all signatures of a calibration came to; `run_matches` is None where no run was named.
+
+    `recomputed` says what came of working it out again; None where nobody asked.
+    """
 
     file: Path
     content: bytes  # what was checked
     checks: tuple[Check, ...]
     calibration: Calibration | None  # where at least one signature holds
     run_matches: bool | None = None
+    recomputed: Recomputed | None = None
+    expired: bool = False
 
     @property
     def valid(self) -> bool:
-        """At least one signature, every one of them good, and the run (where named) is the one."""
-        return bool(self.checks) and all(c.objection is None for c in self.checks) and self.run_matches is not False
+        """At least one signature, every one of them good, the run (where named) is the one, and gives these numbers."""
+        signed = bool(self.checks) and all(c.objection is None for c in self.checks)
+        return signed and self.run_matches is not False and (self.recomputed is None or self.recomputed.holds)
+
+    @property
+    def status(self) -> Status:
+        """One word for programs (contract: verify)."""
+        if not self.checks:
+            return "unsigned"
+        if not self.valid:
+            return "invalid"
+        return "expired" if self.expired else "provisional" if self.provisional else "released"
 
     @property
     def signers(self) -> tuple[str, ...]:
@@ -64,8 +84,15 @@ class Verification:
             return "no approver is named"
         if own := [name for name in named if self.calibration and same_person(name, self.calibration.operator)]:
             return f"named as approver, but is the operator: {', '.join(own)}"
-        missing = [name for name in named if name not in self.signers]
-        return f"named as approver, but has not signed: {', '.join(missing)}" if missing else None
+        if missing := [name for name in named if name not in self.signers]:
+            return f"named as approver, but has not signed: {', '.join(missing)}"
+        return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
+
+    def faults(self) -> list[str]:
+        """What is against its signatures and its run, a sentence each."""
+        said = [f"{c.file.name} ({c.principal or 'unknown'}): {c.objection}" for c in self.checks if c.objection]
+        said += [] if self.checks else [f"{self.file.name} carries no signature"]
+        return said + (["run_sha256: it was not made from the run that was named"] if self.run_matches is False else [])
 
     def sentences(self) -> list[str]:
         """What a person has to know, the verdict first."""
@@ -74,17 +101,31 @@ class Verification:
         said = [f"VALID: signed by {', '.join(self.signers)}." if self.valid else "NOT VALID."]
         if self.run_matches is False:
             said.append("It was not made from the run that was named (run_sha256 differs).")
-        if self.run_matches:
+        if self.run_matches and (self.recomputed is None or self.recomputed.same):
             said.append("It was made from the run that was named.")
+        said += _of_working_out(self.recomputed)
         if self.valid and self.provisional:
             said.append(f"PROVISIONAL: {self.provisional}.")
+        if self.expired:
+            said.append("EXPIRED: its validity has ended.")
         if self.calibration and self.calibration.simulated:
             said.append("SIMULATED: it describes no real sensor.")
         return said
 
 
-def approve(path: Path, name: str) -> Calibration:
-    """Write `name` among the approvers of the draft at `path`. Raises InputError.
+def _of_working_out(found: Recomputed | None) -> list[str]:
+    if found is None:
+        return []
+    if found.same:
+        return ["Worked out again from its run, it is the same."]
+    why = "; ".join(found.why)
+    if found.same is None:
+        return [f"It was not worked out again: {why}."]
+    return [f"Worked out again from its run it differs: {why}.{' The signature stands.' if found.holds else ''}"]
+
+
+def approve(path: Path, name: str, examine: Examine = lambda draft: None) -> Calibration:
+    """Write `name` among the approvers of the draft at `path`, once `examine` has seen it. Raises InputError.
 
     Refused after any signature (its bytes would no longer be the signed ones), and for the operator: two persons
     look at a calibration, or it stays PROVISIONAL.
@@ -95,23 +136,45 @@ def approve(path: Path, name: str) -> Calibration:
         raise InputError(f"is signed already ({signed[0].name}); only a draft can be approved", file=path)
     if not name:
         raise InputError("the approver has no name", file=path)
+    if not draft.operator.strip():
+        raise InputError("operator: nobody is said to have measured it, so nobody can be another person", file=path)
     if same_person(name, draft.operator):
         raise InputError(f"{name} is the operator, {draft.operator}; another person approves", file=path)
     if any(same_person(name, other) for other in draft.approvers):
         raise InputError(f"{name} has approved it already", file=path)
     approved = replace(draft, approvers=(*draft.approvers, name))
+    examine(approved)
     atomic.write_bytes(path.resolve(), calibration_bytes(approved))
     return approved
 
 
-def sign(path: Path, name: str, key: Ed25519PrivateKey, signers: Sequence[Signer] = ()) -> Path:
+def check_approvers(calibration: Calibration, path: Path, known: Collection[str]) -> None:
+    """Raise InputError where an approver is not of the names `known`, is the operator, or is there twice."""
+    for i, name in enumerate(calibration.approvers):
+        others = [calibration.operator, *calibration.approvers[:i]]
+        if twin := next((other for other in others if same_person(name, other)), None):
+            told = f"approvers[{i}]: {name} and {twin}, who has another part in it, are one person"
+            raise InputError(f"{told}; nothing was written", file=path)
+        if name not in known:
+            told = f"approvers[{i}]: {name} is nobody of the trust list, whose signatures count; nothing was written"
+            raise InputError(f"{told} (`labcal keys new` makes a key, in the window New key)", file=path)
+
+
+def sign(
+    path: Path,
+    name: str,
+    key: Ed25519PrivateKey,
+    signers: Sequence[Signer] = (),
+    examine: Examine = lambda calibration: None,
+) -> Path:
     """Sign the bytes at `path` as `name` and write the signature beside them; returns its path.
 
-    `signers` is the trust list: it tells whose the signatures are that are there already. Raises InputError for a
+    `signers` is the trust list: it tells whose the signatures are that are there already. `examine` sees the
+    calibration that is about to be signed. Raises InputError for a
     file that is no calibration, for somebody who has signed it, and where an earlier signature does not hold.
     """
     content = read_limited(path, LARGEST_BYTES)
-    parse_calibration(content, path)
+    calibration = parse_calibration(content, path)
     own = public_key_blob(key.public_key())
     person = {own} | {s.key for s in signers if same_person(s.principal, name)}
     there = _expected(path)
@@ -119,6 +182,7 @@ def sign(path: Path, name: str, key: Ed25519PrivateKey, signers: Sequence[Signer
         earlier = _holding(file, content)
         if earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
+    examine(calibration)
     target = _signature_path(path, len(there) + 1)
     atomic.write_text(target, sshsig.sign(content, key))
     return target
@@ -151,8 +215,14 @@ def verify(
     calibration = parse_calibration(content, path)
     if not calibration.simulated:
         checks = tuple(_real(check) for check in checks)
+    until = calibration.validity.until
     return Verification(
-        path, content, checks, calibration, None if run_sha256 is None else calibration.run_sha256 == run_sha256
+        path,
+        content,
+        checks,
+        calibration,
+        None if run_sha256 is None else calibration.run_sha256 == run_sha256,
+        expired=until is not None and date.fromisoformat(until) < now.date(),
     )
 
 

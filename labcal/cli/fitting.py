@@ -48,7 +48,7 @@ def fit(
     if json_file != "-" and (judged := fit_conformity(measured, chosen)) is not None:
         show_conformity(judged)
     if out is not None and chosen.ok:
-        session.draft(run, chosen, out, force=force)
+        session.draft(run, chosen, out, names, force=force)
         say(f"draft calibration: {out}", err=True)
     return DONE if chosen.ok else NEGATIVE
 

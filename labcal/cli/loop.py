@@ -10,9 +10,9 @@ import typer
 
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.conformity import show_conformity
-from labcal.cli.progress import shown
+from labcal.cli.progress import shown, step_line
 from labcal.cli.results import FORCE, JSON, json_path, write_json
-from labcal.cli.screen import console, say, say_lines
+from labcal.cli.screen import console, say_lines
 from labcal.errors import InputError
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
@@ -48,7 +48,7 @@ def close_loop(
             raise InputError("--measure needs a bench: say --bench FILE")
         closed = _measuring(run, bench, out, report, seed, sure=yes, force=force)
     else:
-        closed = session.close_loop(run, out, _progress, report=report, force=force)
+        closed = session.close_loop(run, out, step_line, report=report, force=force)
     if json_file is not None:
         write_json(closed.to_json(), json_file, "close-loop", inputs=read, force=force)
     if json_file != "-":
@@ -73,17 +73,12 @@ def _measuring(
 
     def progress(step: str) -> None:
         with display.aside():
-            _progress(step)
+            step_line(step)
 
     with shown("bar") as display:
         answer = display.ask if sys.stdin.isatty() and not sure else None
         talk = Talk(consent, answer, display.tell, progress)
         return close_by_measuring(run, bench, talk, out=out, report=report, seed=seed, force=force)
-
-
-def _progress(step: str) -> None:
-    if sys.stderr.isatty():
-        say(f"{step} …", err=True)
 
 
 def _show(closed: ClosedLoop) -> None:

@@ -54,6 +54,12 @@ def shown(how: str) -> Iterator[Display]:
         yield Bar(progress)
 
 
+def step_line(step: str) -> None:
+    """One step of what takes long, for who sits at a terminal."""
+    if sys.stderr.isatty():
+        say(f"{step} …", err=True)
+
+
 class Nothing:
     """Shows nothing; asks all the same."""
 

@@ -1,15 +1,18 @@
-"""`labcal approve`, `sign` and `verify`: from a draft to a file others can trust."""
+"""`labcal approve`, `sign` and `verify`: from a draft to a file others can trust, worked out again on the way."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import typer
 
 from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.keys import passphrase
+from labcal.cli.progress import step_line
+from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import say
+from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
     from labcal.certificate import Verification
@@ -21,19 +24,22 @@ CALIBRATION = typer.Argument(..., metavar="CAL", help="The calibration file.")
 def approve(
     calibration: Path = CALIBRATION, name: str = typer.Option(..., "--as", help="The approver; not the operator.")
 ) -> None:
-    """Write an approver into a draft, before any signature."""
+    """Write an approver into a draft, before any signature; refused where its run gives another calibration."""
     from labcal import session
 
-    approvers = session.approve(calibration, name).approvers
+    approvers = session.approve(calibration, name, step_line).approvers
     say(f"{calibration}: approved by {', '.join(approvers)}; their own signature makes it more than a name")
 
 
 @app.command(rich_help_panel="Certificate")
 def sign(calibration: Path = CALIBRATION, key: str = typer.Option(..., help="The person whose key signs.")) -> None:
-    """Sign a calibration: the signature goes to CAL.sshsig, a second person's to CAL.2.sshsig."""
+    """Sign a calibration: the signature goes to CAL.sshsig, a second person's to CAL.2.sshsig.
+
+    Where its run is in the store it is worked out again first, and refused where the run gives another.
+    """
     from labcal import session
 
-    say(session.sign(calibration, key, passphrase(f"Passphrase of {key}: ")))
+    say(session.sign(calibration, key, passphrase(f"Passphrase of {key}: "), step_line))
     if not session.load_calibration(calibration).approvers:
         say("PROVISIONAL: no approver is named, and after a signature none can be.")
 
@@ -43,13 +49,36 @@ def verify(
     calibration: Path = CALIBRATION,
     allowed_signers: Path | None = typer.Option(None, help="Trust this list instead of the lab's."),
     run: str | None = typer.Option(None, metavar="RUN", help="Check too that it came from this run."),
+    require: Literal["released"] | None = typer.Option(None, help="Exit code 1 also where it is only provisional."),
+    json_file: str | None = JSON,
+    force: bool = FORCE,
 ) -> int:
-    """Check every signature of a calibration. Exit code 0: valid; 1: not."""
+    """Check every signature of a calibration, and work it out again where its run is at hand.
+
+    Exit code 0: released or provisional; 1: not valid, not signed, or expired.
+    """
     from labcal import session
 
-    result = session.verify(calibration, allowed_signers, run)
-    _show(result)
-    return DONE if result.valid else NEGATIVE
+    read = [calibration, *([allowed_signers] if allowed_signers else []), *(session.paths(run) if run else [])]
+    claim("verify", json_path(json_file), inputs=read, force=force)
+    result = session.verify(calibration, allowed_signers, run, step_line)
+    if json_file is not None:
+        write_json(_document(result), json_file, "verify", inputs=read, force=force)
+    if json_file != "-":
+        _show(result)
+    return DONE if result.status in ("released", require or "provisional") else NEGATIVE
+
+
+def _document(result: Verification) -> dict[str, object]:
+    """The contract's JSON object."""
+    again = result.recomputed
+    return {
+        "valid": result.valid,
+        "status": result.status,
+        "signers": list(result.signers),
+        "recomputed": None if again is None else again.same,
+        "why": [*result.faults(), *(again.why if again else ()), *filter(None, [result.valid and result.provisional])],
+    }
 
 
 def _show(result: Verification) -> None:

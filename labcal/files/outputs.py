@@ -22,7 +22,17 @@ from labcal.files.atomic import replaceable, write_bytes
 from labcal.files.home import FILE, home, own_folder
 
 STORE = "store.sqlite"
-OWN = ("keys", "photos", "translations", "written", "window.ini", "laboratory.toml", "guardian.log", "last-fault.txt")
+OWN = (
+    "keys",
+    "photos",
+    "worked-out",
+    "translations",
+    "written",
+    "window.ini",
+    "laboratory.toml",
+    "guardian.log",
+    "last-fault.txt",
+)
 SQLITE = b"SQLite format 3\0"
 OF_A_STORE = re.compile(r"-(wal|shm|journal|writers)\Z")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -27,6 +28,7 @@ def draft_calibration(
     findings: Sequence[EffectRecord] = (),
     metrics: Mapping[str, Mapping[str, float]] | None = None,
     cage_sha256: str | None = None,
+    made_by: Mapping[str, Any] | None = None,
 ) -> Calibration:
     """The calibration that `found` makes of `run`, its effects those of the sensor, valid where the run has been.
 
@@ -58,6 +60,7 @@ def draft_calibration(
             name: value for e in found.effects if e.belongs_to == "sensor" for name, value in e.reference_value.items()
         },
         not_covered=not_covered(run),
+        made_by=made_by,
     )
     judged = with_conformity(made, run)
     return judged if found.sources is None else replace(judged, budget=as_json(budgets(made, found.sources, run)))

@@ -1,12 +1,13 @@
 """The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
 
-Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `instruments` (the bench
-without a procedure), and `measuring`, where the loop closes on the instruments.
+Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `working_out` (a calibration
+worked out again from its run), `instruments` (the bench without a procedure), and `measuring`, where the loop closes on
+the instruments.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -45,6 +46,7 @@ from labcal.session.records import (
 )
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
 from labcal.session.trust import new_key, revoke_keys, trust_keys, trusted_keys
+from labcal.session.working_out import Progress, keep, made_by, recomputed
 from labcal.store import Store
 from labcal.uncertainty.conformity import Changes, assess
 
@@ -164,22 +166,47 @@ def load_calibration(path: Path) -> Calibration:
     return certificate.read_calibration(path)
 
 
-def approve(calibration: Path, name: str) -> Calibration:
-    """Write the approver's name into a draft."""
-    return certificate.approve(calibration, name)
+def approve(calibration: Path, name: str, progress: Progress = lambda step: None) -> Calibration:
+    """Write the approver, somebody of the trust list, into a draft. Raises InputError where its run gives another."""
+    return certificate.approve(calibration, name, _same_as_its_run(calibration, progress))
 
 
-def sign(calibration: Path, name: str, passphrase: str) -> Path:
-    """Sign the calibration as `name`; returns the path of the signature."""
+def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
+    """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
     key = certificate.keys.open_key(home(), name, passphrase)
-    return certificate.sign(calibration, name, key, certificate.keys.trusted(home()))
+    examine = _same_as_its_run(calibration, progress)
+    return certificate.sign(calibration, name, key, certificate.keys.trusted(home()), examine)
 
 
-def verify(calibration: Path, allowed_signers: Path | None = None, run: Source | None = None) -> Verification:
-    """Check every signature of the calibration against the lab's trust list, or the one that is named."""
+def _same_as_its_run(path: Path, progress: Progress) -> Callable[[Calibration], None]:
+    def examine(stated: Calibration) -> None:
+        certificate.check_approvers(stated, path, certificate.keys.names(home()))
+        if (found := recomputed(stated, progress=progress)).same is False:
+            told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
+            raise InputError(f"{told}: make the draft again", file=path)
+
+    return examine
+
+
+def verify(
+    calibration: Path,
+    allowed_signers: Path | None = None,
+    run: Source | None = None,
+    progress: Progress = lambda step: None,
+    *,
+    only_kept: bool = False,
+) -> Verification:
+    """Check every signature of the calibration against the lab's trust list, or the one that is named.
+
+    Where one holds it is worked out again from its run, `run` or that of the store; with `only_kept` nothing is.
+    """
     signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
-    sha256 = None if run is None else run_bundle(run).sha256
-    return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+    bundle = None if run is None else run_bundle(run)
+    sha256 = None if bundle is None else bundle.sha256
+    found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+    if found.calibration is None or not found.valid:
+        return found
+    return replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
 
 
 def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
@@ -195,11 +222,14 @@ def filter_history(run: str, method: str) -> History:
     return history.filter_history(load_run(run), method)
 
 
-def draft(run: Source, found: Fit, out: Path, *, force: bool = False) -> Calibration:
-    """Write the draft calibration that a fit of `run` makes."""
+def draft(
+    run: Source, found: Fit, out: Path, channels: Sequence[str] | None = None, *, force: bool = False
+) -> Calibration:
+    """Write the draft calibration that a fit of `run`, by these `channels` alone where they are named, makes."""
     [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
-    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run))
+    how = made_by("fit", found.method, channels)
+    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run), made_by=how)
     with output.writing():
         write_bytes(out, certificate.calibration_bytes(made))
     return made
@@ -227,8 +257,10 @@ def close_loop(
         with outputs[report].writing():
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
+        drafted = made(cage_sha256=_cage_sha256(run), made_by=made_by("close-loop", closed.fit().method))
         with outputs[out].writing():
-            write_bytes(out, certificate.calibration_bytes(made(cage_sha256=_cage_sha256(run))))
+            write_bytes(out, certificate.calibration_bytes(drafted))
+        keep(drafted)
     return closed
 
 

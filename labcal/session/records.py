@@ -13,6 +13,7 @@ from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
 from labcal.session.sources import is_path, load_run, paths, run_bundle
+from labcal.session.working_out import keep_corrected
 from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
 from labcal.store import check_store as store_check
 from labcal.store.listing import FILE as STORE
@@ -46,6 +47,7 @@ def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -
         draft = certificate.read_calibration(path)
         corrected = replace(draft, dut=replace(draft.dut, serial=serial.strip()), run_sha256=bundle.sha256)
         write_bytes(path, certificate.calibration_bytes(corrected))
+        keep_corrected(draft, corrected)
 
 
 def keep_photo(path: Path) -> dict[str, str]:

@@ -10,11 +10,12 @@ import pytest
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import Signer, Verification, read_allowed_signers, read_calibration, sshsig
-from labcal.certificate.allowed_signers import own_line, same_person
+from labcal.certificate.allowed_signers import own_line
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.signing import approve, sign, sign_simulated, signature_files, verify
 from labcal.certificate.sshsig import public_key_blob
 from labcal.errors import InputError
+from labcal.record.person import same_person
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 Lab = tuple[Signer, ...]
@@ -265,6 +266,13 @@ def test_an_approver_who_is_the_operator_in_another_spelling_leaves_it_provision
         ("J. Doe", "J. Dow", False),
         ("ada", "ad.a+2", False),
         ("", " .", False),
+        ("ada", "\N{CYRILLIC SMALL LETTER A}d\N{CYRILLIC SMALL LETTER A}", True),
+        ("Beta Ore", "\N{GREEK CAPITAL LETTER BETA}eta \N{CYRILLIC CAPITAL LETTER O}re", True),
+        ("ada", "a\N{ZERO WIDTH SPACE}da", True),
+        ("Grace Häberli", "grace.haberli", True),
+        ("Grace Häberli", "grace.haeberli", True),
+        ("Søren", "soren", True),
+        ("Anna", "Anno", False),
     ],
 )
 def test_spelling_makes_no_second_person(one: str, other: str, same: bool):

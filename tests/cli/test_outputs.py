@@ -36,6 +36,7 @@ ASKED = {
     "close-loop --out": ("close-loop {bundle}", "cal.json"),
     "close-loop --json": ("close-loop {bundle}", "loop.json"),
     "close-loop --report": ("close-loop {bundle}", "loop.html"),
+    "verify --json": ("verify {calibration}", "verify.json"),
     "report --out": ("report {calibration}", "report.html"),
     "conformity --json": ("conformity {calibration} --specification {specification}", "lines.json"),
     "compare --json": ("compare {calibration} {calibration}", "changes.json"),
@@ -48,6 +49,7 @@ ASKED = {
 READS = {
     "demo --out": (), "runs --json": (), "bench cage --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
+    "verify --json": ("{calibration}",),
     "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),
     "bench serve --out": ("{bench}",),
 }  # fmt: skip

@@ -214,6 +214,7 @@ def signed_lab(tmp_path_factory, drafted):
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("LABCAL_HOME", str(home))
         session.new_key("jdoe@lab", "a long passphrase")
+        session.new_key("a.smith", "a long passphrase")
         session.approve(draft, "a.smith")
         session.sign(draft, "jdoe@lab", "a long passphrase")
     with window_at(home) as window:

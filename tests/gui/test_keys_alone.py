@@ -183,6 +183,12 @@ def signed(hands):
     """Approved by another person, then signed by both, each under a new key."""
     page = hands.window.page("Certificate")
     hands.until(lambda: page.list.count() == 1)
+    for name in ("a.smith", "jdoe@lab"):
+        hands.enter(page.signer, name)
+        for entry in (page.passphrase, page.again):
+            hands.enter(entry, f"passphrase of {name}")
+        hands.press(page.new_key)
+        hands.until(lambda n=name: n in page.said.text() and page.sign.isVisible())
     hands.enter(page.approver, "j.doe")
     hands.press(page.approve)
     hands.until(lambda: "is the operator" in page.fault.text.text())
@@ -191,10 +197,7 @@ def signed(hands):
     hands.until(lambda: "approved by a.smith" in page.standing.text())
     for name in ("jdoe@lab", "a.smith"):
         hands.enter(page.signer, name)
-        for entry in (page.passphrase, page.again):
-            hands.enter(entry, f"passphrase of {name}")
-        hands.press(page.new_key)
-        hands.until(lambda n=name: n in page.said.text() and page.sign.isVisible())
+        hands.enter(page.passphrase, f"passphrase of {name}")
         hands.press(page.sign)
         hands.until(lambda n=name: page.chosen() is not None and n in page.chosen().standing.signers)
     assert "PROVISIONAL" not in page.standing.text()

@@ -10,6 +10,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QInputDialog, QLineEdit, QPushButton
 
+from labcal import session
+
 LONG_MS = 180_000
 
 
@@ -60,6 +62,9 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     assert "No key can bear the name 'A. Smith'" in page.fault.text.text()
     assert page.approver.currentText() == "A. Smith"
     page.approver.setCurrentText("a.smith")
+    qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "a.smith is nobody of the trust list" in page.fault.text.text(), timeout=LONG_MS)
+    session.new_key("a.smith", "a long passphrase")
     qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "a.smith" in page.standing.text(), timeout=LONG_MS)
     assert not page.fault.isVisible()

@@ -86,8 +86,9 @@ def test_a_draft_is_approved_by_another_person_and_only_within_its_limits(
     assert found.carry is not None
     assert np.abs(found.carry.matrix_nT_per_A).max() < 5 * found.carry.u_matrix_nT_per_A  # the twin's coils are even
     out.unlink()
-    with pytest.raises(InputError, match="another person than the operator approves"):
-        session.approve_cage(measured, " j. doe ", out)
+    for same in (" j. doe ", "j.doe@lab", "J. D\N{CYRILLIC SMALL LETTER O}e"):
+        with pytest.raises(InputError, match="another person than the operator approves"):
+            session.approve_cage(measured, same, out)
     beyond = session.run("cage-calibration", bench, given | {"limit_ppm": "1"}, seed=4).run_id
     with pytest.raises(InputError, match="failed its limits: DUT: uncertainty of the matrix"):
         session.approve_cage(beyond, "R. Roe", out)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from itertools import islice
 from pathlib import Path
@@ -31,6 +31,7 @@ from labcal.gui.ipc.messages import (
     ListKeys,
     ListRuns,
     NewKey,
+    Progress,
     Sign,
     VerifyFile,
     WriteReport,
@@ -115,7 +116,7 @@ def _calibration(path: Path) -> CalibrationFile:
         findings=found.findings,
         operator=found.operator,
         approvers=found.approvers,
-        standing=_standing(path, session.verify(path)),
+        standing=_standing(path, session.verify(path, only_kept=True)),
         specification=stated_lines(found),
         left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
     )
@@ -130,7 +131,7 @@ def verify(channel: Channel, asked: VerifyFile) -> Standing:
     """Check a file that somebody dropped."""
     from labcal import session
 
-    return _standing(Path(asked.path), session.verify(Path(asked.path)))
+    return _standing(Path(asked.path), session.verify(Path(asked.path), progress=_telling(channel)))
 
 
 def _standing(path: Path, verification: Verification) -> Standing:
@@ -177,7 +178,7 @@ def approve(channel: Channel, asked: Approve) -> CalibrationFile:
     from labcal import session
 
     _may_sign(asked.name)
-    session.approve(Path(asked.path), asked.name)
+    session.approve(Path(asked.path), asked.name, _telling(channel))
     return _calibration(Path(asked.path))
 
 
@@ -185,7 +186,7 @@ def sign(channel: Channel, asked: Sign) -> CalibrationFile:
     """Sign; the passphrase is used and forgotten."""
     from labcal import session
 
-    session.sign(Path(asked.path), asked.name, asked.passphrase)
+    session.sign(Path(asked.path), asked.name, asked.passphrase, _telling(channel))
     return _calibration(Path(asked.path))
 
 
@@ -257,6 +258,11 @@ def simulated_bench(channel: Channel, asked: FindSimulatedBench) -> str:
     from labcal.demo import simulated_bench as found
 
     return str(found())
+
+
+def _telling(channel: Channel) -> Callable[[str], None]:
+    """What hears each step of working a calibration out again."""
+    return lambda step: channel.send(Progress(step))
 
 
 def _folder() -> Path:

@@ -65,6 +65,7 @@ class CertificatePage(QWidget):
         self.drop.dropped.connect(self.verify)
         column.addWidget(self.drop)
         app_state.calibrations_changed.connect(self._new)
+        app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
 
     def showEvent(self, event: object) -> None:
         """What there is now."""
@@ -324,10 +325,12 @@ class CertificatePage(QWidget):
         """`entry` is where the person goes on where it is refused."""
 
         def known(_: R) -> None:
+            self.said.clear()
             then()
             self.refresh()
 
         def refused(fault: Fault) -> None:
+            self.said.clear()
             self.fault.show_fault(fault)
             entry.setFocus()
 
@@ -406,6 +409,7 @@ class CertificatePage(QWidget):
         self._app_state.quick_worker.request(VerifyFile(path), self._verified, self.fault.show_fault)
 
     def _verified(self, said: Standing) -> None:
+        self.said.clear()
         shape = "✕" if not said.valid else "▲" if said.provisional else "✓"
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
         self.drop.words.setText(f"{shape} {Path(said.path).name}: {' '.join([*said.sentences, *faults])}")

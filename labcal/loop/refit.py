@@ -1,0 +1,75 @@
+"""The final fit alone: the map and the effects that are named, without looking for them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.errors import InputError
+from labcal.fit import Fit
+from labcal.fit.vector.observations import SCALAR
+from labcal.loop.close import Progress, prepare
+from labcal.loop.data.gaps import unresolved_gaps
+from labcal.loop.data.outliers import hampel_outliers
+from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.uncertainty import of_the_file, uncertainty_of
+from labcal.model import EffectRecord
+from labcal.model.effects import Term, family
+from labcal.record import Run
+
+Mask = NDArray[np.bool_]
+
+
+def refit(run: Run, effects: Sequence[EffectRecord], progress: Progress = lambda text: None) -> Fit:
+    """Fit `run` with these effects, as `close_loop` does in the end; what is not linear stays as each states it.
+
+    The effects come back with their parameters alone. Raises InputError where no installed package describes one, or
+    the run lacks what it rests on.
+    """
+    progress("fitting the base model")
+    here = run.select(~unresolved_gaps(run, {name for effect in effects for name in effect.channels}))
+    problem, _, _ = prepare(here)
+    progress("fitting the map with the effects that are named")
+    terms = [_term(here, effect) for effect in effects]
+    found = joint_fit(problem, terms)
+    if (outlying := _outliers(found)).any():
+        found = joint_fit(problem, terms, ~outlying)
+    uncertain = uncertainty_of(found)
+    parameters = found.parameters(uncertain.covariance)
+    of_file = of_the_file(found, uncertain, [effect.belongs_to == "sensor" for effect in effects])
+    return Fit(
+        method="closed-loop",
+        ok=True,
+        affine=found.problem.affine,
+        covariance=of_file.covariance,
+        covariance_of=of_file.names,
+        frame_known=not bool((problem.observations.kind == SCALAR).all()),
+        effects=tuple(replace(e, parameters=found) for e, found in zip(effects, parameters, strict=True)),
+        noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
+    )
+
+
+def _term(run: Run, effect: EffectRecord) -> Term:
+    """The form that `effect` describes, with the grids that this run would be searched on: they tell what has a u."""
+    if strangers := sorted(set(effect.channels) - {channel.name for channel in run.channels}):
+        raise InputError(f"the run has no channel {strangers[0]}, which {effect.effect} rests on")
+    kind = family(effect.effect)
+    stated = kind.restore(effect)
+    names = [shape.name for shape in stated.shape]
+    like = [t for t in kind.candidates(run) if t.channels == stated.channels and [s.name for s in t.shape] == names]
+    grids = {shape.name: shape.grid for term in like[:1] for shape in term.shape}
+    searched = {shape.name for shape in stated.shape if shape.kind.found_by not in ("grid", "own secant")}
+    shapes = (replace(s, grid=grids.get(s.name) or ((s.value,) if s.name in searched else ())) for s in stated.shape)
+    return replace(stated, shape=tuple(shapes))
+
+
+def _outliers(found: JointFit) -> Mask:
+    """Rows that stand out of what the fit leaves."""
+    problem = found.problem
+    added = sum(
+        (problem.columns(term) @ b for term, b in zip(found.terms, found.beta, strict=True)), np.zeros_like(problem.y)
+    )
+    return hampel_outliers(problem.y, problem.scene.segment, added)

@@ -1,0 +1,38 @@
+"""Whether two names are one person's, however they are spelled."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+_BETWEEN = re.compile(r"[\s._-]+")  # what one person writes in a name today, and leaves out tomorrow
+_LOOKS_LIKE = str.maketrans(  # small letters of other scripts, and what they are taken for
+    "авеһікмнорстухѕјԁԛԝӏ" + "αβεζικνορτυχ",
+    "abehikmhopctyxsjdqwl" + "abezikvoptyx",
+)
+_SPELLED_OUT = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "å": "aa", "ø": "oe", "æ": "ae", "œ": "oe"})
+_WITHOUT = str.maketrans({"ø": "o", "æ": "a", "œ": "o", "ł": "l", "đ": "d"})  # what does not come apart
+
+
+def same_person(one: str, other: str) -> bool:
+    """Whether two names are one person's: "J. Doe", "j doe", "j.doe" and "j.doe@lab" are.
+
+    Capitals, blanks, dots, hyphens, underscores and accents tell nobody apart, nor do letters of another script that
+    look the same; what stands behind an @ does where both say it.
+    """
+    if ("@" in one) != ("@" in other):
+        one, other = one.partition("@")[0], other.partition("@")[0]
+    return bool(_spellings(one) & _spellings(other))
+
+
+def _spellings(name: str) -> set[str]:
+    """What the name comes to, with ä as a and as ae; none for no name."""
+    plain = _BETWEEN.sub("", unicodedata.normalize("NFKC", name).casefold())
+    return {_letters(plain.translate(table)) for table in (_SPELLED_OUT, _WITHOUT)} - {""}
+
+
+def _letters(text: str) -> str:
+    apart = unicodedata.normalize("NFKD", text)
+    return "".join(letter for letter in apart if unicodedata.category(letter) not in ("Mn", "Cf")).translate(
+        _LOOKS_LIKE
+    )
