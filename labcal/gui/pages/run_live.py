@@ -235,13 +235,14 @@ class Live(QWidget):
 
     def _coils_known(self) -> None:
         """They were switched off after a run that failed: its card knows."""
+        self.prompt.say_coils(self._app_state.lab.state.now.coil_words)
         if (fault := self._run.fault) is not None:
             self.fault.say_coils(self._coils_left(fault))
 
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
         words = self._app_state.coil_words()
-        if self._app_state.lab.state.coils_at_zero is False:
+        if self._app_state.lab.state.now.coils_at_zero is False:
             return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
         return words
 

@@ -80,7 +80,7 @@ def set_primary(widget: QPushButton, primary: bool) -> None:
 
 
 def set_state(widget: QWidget, state: str) -> None:
-    """Colour a label by state: good, warning, bad or ""."""
+    """Colour a label by state: good, warning, bad, old (grey) or ""."""
     if (widget.property("state") or "") != state:
         widget.setProperty("state", state)
         widget.style().unpolish(widget)
@@ -180,10 +180,11 @@ class ReadoutGrid(QWidget):
         grid.setColumnStretch(1, 1)
 
     def show_row(self, row: int, value: str, word: str = "", state: str = "") -> None:
-        """Write one row; "–" stands for what is not known."""
+        """Write one row; "–" stands for what is not known. `state` colours both: "old" is grey."""
         self._values[row].setText(value)
         self._words[row].setText(word)
-        set_state(self._words[row], state)
+        for part in (self._values[row], self._words[row]):
+            set_state(part, state)
 
 
 class AutoSizeLabel(QLabel):
