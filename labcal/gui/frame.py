@@ -11,6 +11,8 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent, QS
 from PySide6.QtWidgets import (
     QApplication,
     QButtonGroup,
+    QDialog,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -26,7 +28,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
 from labcal.gui.viewmodels.number_format import format_field, format_number, step_title
-from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, set_state, shrinkable
+from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, plain, set_state, shrinkable
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 
@@ -44,12 +46,13 @@ class TopBar(Surface):
         row = QHBoxLayout(self)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         row.setSpacing(GRID)
-        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), label()
+        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), shrinkable(label())
         self.dut.setToolTip(self.tr("Serial number of the device under test: type it, or scan it at any moment"))
         self.operator.setToolTip(self.tr("Who works here now; stands in the record and in the calibration"))
         for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):
             value.setAccessibleName(caption)
             value.setPlaceholderText(self.tr("needed"))
+            value.setMinimumWidth(4 * GRID)
             value.editingFinished.connect(partial(value.setCursorPosition, 0))
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
@@ -74,7 +77,7 @@ class TopBar(Surface):
             if entry.text() != text and not (entry.hasFocus() and entry.isModified()):
                 entry.setText(text)
                 entry.setCursorPosition(0)  # of a long one its beginning is seen
-            entry.setToolTip(f"{text}\n{self._tips[entry]}" if text else self._tips[entry])
+            entry.setToolTip(plain(f"{text}\n{self._tips[entry]}") if text else self._tips[entry])
         self.bench.setText(state.bench or "–")
         self.simulated.setVisible(state.simulated)
 
@@ -170,6 +173,21 @@ class SidePanel(Surface):
             row.hide()
 
 
+def put_off_into(dialog: QDialog, coils_off: Callable[[], object]) -> None:
+    """A button of its own for Coils off in whatever dialog comes up: the window's cannot be clicked meanwhile."""
+    layout = dialog.layout()
+    if layout is None or dialog.findChild(QPushButton, "off") is not None:
+        return
+    off = named(QPushButton(translated("COILS OFF   F12")), "off")
+    off.setAutoDefault(False)
+    off.clicked.connect(coils_off)
+    if isinstance(layout, QGridLayout):
+        layout.addWidget(off, layout.rowCount(), 0, 1, -1)
+    else:
+        layout.addWidget(off)
+    off.show()
+
+
 class Frame(QMainWindow):
     """The main window: pages by name in the sidebar's order; `coils_off`: its button, or F12 with any focus."""
 
@@ -209,6 +227,7 @@ class Frame(QMainWindow):
         self.show_state(lab.state)
         self.set_scale(1.0)
         self.open_page(self._names[0])
+        QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)  # they would have no Coils off
         application = QApplication.instance()
         if application is not None:
             application.installEventFilter(self)
@@ -279,7 +298,7 @@ class Frame(QMainWindow):
         self._scale = scale
         self._give_room()
         for entry in (self.top.dut, self.top.operator):
-            entry.setFixedWidth(int(18 * GRID * scale))
+            entry.setMaximumWidth(int(18 * GRID * scale))
 
     def _give_room(self) -> None:
         """Sidebar and side panel, narrow where the window is: the page between them has what is left."""
@@ -302,6 +321,8 @@ class Frame(QMainWindow):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take F12 before anything else can, whatever has the focus and whatever card is open; then `key_handlers`."""
+        if event.type() == QEvent.Type.Show and isinstance(watched, QDialog):
+            put_off_into(watched, self.coils_off.emit)
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:

@@ -7,7 +7,7 @@ seconds of whatever clock the value was read on; `shifted` carries it to another
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
 
@@ -87,15 +87,15 @@ class FieldReading:
     seen_nT: Vector | None = None
     read_s: float | None = None
 
-    def seen(self, t_s: Sequence[float], field_nT: Sequence[Sequence[float]]) -> FieldReading:
+    def seen(self, t_s: Any, field_nT: Any) -> FieldReading:
         """With the mean of the last of what the reference sent, (n, 3) at `t_s` (n,); none changes nothing."""
         if len(t_s) == 0:
             return self
         x, y, z = (sum(float(v) for v in column) / len(column) for column in zip(*field_nT[-MEAN_OF:], strict=True))
         return FieldReading(self.set_nT, (x, y, z), float(t_s[-1]))
 
-    def asked(self, field_nT: Sequence[float] | None) -> FieldReading:
-        """With what was asked for."""
+    def asked(self, field_nT: Any) -> FieldReading:
+        """With what was asked for (3,), or None."""
         if field_nT is None:
             return replace(self, set_nT=None)
         x, y, z = map(float, field_nT)

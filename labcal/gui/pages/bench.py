@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Identified, Instrument
@@ -98,6 +98,7 @@ class BenchPage(QWidget):
         card = Card(self.tr("The cage"), " ")
         self.when = card.unit
         self.cage, self.cage_words = CageView(self._theme), label("", wrap=True)
+        self.cage_words.setTextFormat(Qt.TextFormat.RichText)
         row = QHBoxLayout()
         row.addWidget(self.cage, 3)
         row.addWidget(self.cage_words, 1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+from datetime import datetime
 from typing import Literal
 
 import numpy as np
@@ -50,6 +51,7 @@ class RunViewModel(QObject):
         self.nominal_nT_per_unit = nominal_nT_per_unit
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: RunProcedure | None = None
+        self.began = ""  # the time on the wall when it was ordered
         self.dut, self.reference = RingBuffer(3), RingBuffer(3)
         self.forget()
 
@@ -92,6 +94,7 @@ class RunViewModel(QObject):
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
+        self.began = f"{datetime.now():%Y-%m-%d %H:%M}"
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 

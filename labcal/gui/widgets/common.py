@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterator
 from contextlib import contextmanager
+from html import escape
 from typing import TypeVar
 
 from PySide6.QtCore import QRect, QRectF, Qt
@@ -37,12 +38,19 @@ def named(widget: W, name: str) -> W:
 
 def label(text: str = "", name: str = "", *, wrap: bool = False) -> QLabel:
     """A text; `name` is its style: title, caption, large, simulated."""
-    widget = QLabel(text)
+    widget = QLabel()
+    widget.setTextFormat(Qt.TextFormat.PlainText)  # nothing that was typed is ever markup
+    widget.setText(text)
     widget.setObjectName(name)
     widget.setWordWrap(wrap)
     widget.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return widget
+
+
+def plain(text: str) -> str:
+    """`text` for a tool tip, which Qt would read as markup where it looks like that."""
+    return f"<qt>{escape(text).replace(chr(10), '<br>')}</qt>" if "<" in text else text
 
 
 def shrinkable(widget: W) -> W:
@@ -194,6 +202,7 @@ class AutoSizeLabel(QLabel):
 
     def __init__(self) -> None:
         super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setWordWrap(True)
         self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)

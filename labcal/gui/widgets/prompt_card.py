@@ -164,7 +164,9 @@ class PromptCard(Card):
         if key is None:
             return button(words, self.tr("Answer: {0}").format(words))
         made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
-        made.setToolTip(self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_")))
+        words = self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_"))
+        made.setToolTip(words)
+        made.tapped.connect(lambda: self.hint.setText(self.tr("▲ Let go too early. {0}.").format(words)))
         return made
 
     def _enter(self) -> None:
