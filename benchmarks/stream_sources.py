@@ -45,7 +45,7 @@ def packet(number: int, t_s: float) -> bytes:
 
 def main() -> None:
     udp, to = socket.socket(socket.AF_INET, socket.SOCK_DGRAM), ("127.0.0.1", int(sys.argv[1]))
-    listener, pty = socket.create_server(("127.0.0.1", 0)), PtyOutlet("serial")
+    listener, pty = socket.create_server(("127.0.0.1", 0)), PtyOutlet("serial", 19200)
     lab = Numbered()
     hmr2300 = Hmr2300Emulator(lab, {}, SimpleNamespace(id=0))
     print(pty.url, listener.getsockname()[1], flush=True)

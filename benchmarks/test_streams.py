@@ -60,7 +60,7 @@ def lines() -> Iterator[tuple[RealClock, list[Any]]]:
         pty, tcp = sources.stdout.readline().split()
         settings = HmrSettings(format="binary", baud=19200, rate=154)
         drivers: list[Any] = [
-            Hmr2300("hmr2300", open_link(pty.replace("115200", "19200"), clock), clock, settings),
+            Hmr2300("hmr2300", open_link(pty, clock), clock, settings),
             CsvLine("csv-line", open_link(f"tcp://127.0.0.1:{tcp}", clock), clock, CsvSettings()),
             Ccsds("ccsds", udp, clock, CcsdsSettings(framing="datagram")),
         ]

@@ -13,12 +13,15 @@ from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links import Link
 from labcal.errors import InstrumentError
 
-CURRENT_MODE = 1
+CURRENT_MODE, REMOTE = 1, "SYST:REM ON"
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`gap_s`: the least pause after each message. Where its RS-232 echo mode is on, the link states `echo=1`."""
+    """`gap_s`: the least pause after each message. Where its RS-232 echo mode is on, the link states `echo=1`.
+
+    `remote`: it is told SYST:REM ON before it is told to act; without that its serial line does nothing.
+    """
 
     max_current_A: Positive = 3.0
     compliance_V: Positive = 20.0
@@ -26,6 +29,7 @@ class Settings:
     ramp_A_per_s: float = 4.0
     gap_s: NotNegative = 0.01
     timeout_s: Positive = 1.5
+    remote: bool = True
 
 
 class KepcoBop(CurrentSource):
@@ -54,16 +58,31 @@ class KepcoBop(CurrentSource):
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
         self.name, self.settings, self._link = name, settings, link
-        self._scpi = Scpi(name, link, clock, settings.timeout_s, settings.gap_s)
-        self.query, self.command, self.write = self._scpi.query, self._scpi.command, self._scpi.send
+        self._scpi = Scpi(name, link, clock, settings.timeout_s, settings.gap_s, may_echo=True)
+        self.query, self._remote = self._scpi.query, not settings.remote
         self.refuse_earlier = self._scpi.refuse_earlier
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
 
     def identify(self) -> Identity:
         """Ask who it is, and empty the error queue of the time before."""
+        self._remote = not self.settings.remote
         who = self._scpi.identify(lambda maker, model: "KEPCO" in maker, "a Kepco")
         self._scpi.empty_errors()
         return who
+
+    def command(self, text: str) -> None:
+        """Tell, under remote control. Raises InstrumentError with what the supply says."""
+        held, self._remote = self._remote, not self.settings.remote  # a fault may mean that it was switched off and on
+        if not held:
+            self._scpi.command(REMOTE)
+        self._scpi.command(text)
+        self._remote = True
+
+    def write(self, text: str) -> None:
+        """Tell, under remote control, and wait for nothing."""
+        if self.settings.remote:
+            self._scpi.send(REMOTE)
+        self._scpi.send(text)
 
     def output(self, on: bool) -> None:
         """Switch the output, confirmed. It goes on only in current mode, at zero, with its compliance set."""

@@ -7,32 +7,33 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.framing.in_step import MAKER, InStep
+from drivers.framing.in_step import MAKER
+from drivers.framing.korad import Conversation
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import quantity
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import NotNegative, Positive
 from labcal.bench.links import Link, quoted
-from labcal.bench.links.line import LONGEST, babbles
 from labcal.errors import InstrumentError
 
 IDENTITY = re.compile(r"(KORAD|TENMA|VELLEMAN|RND)\s*(.*?)\s*V?(\d+\.\d+)?\s*(?:SN:?\s*(\w+))?")
 OUTPUT_BIT, LENGTH = 6, 5  # of its status; of its numbers
-QUIET_S = 0.05  # a reply of unknown length has ended when nothing more came for so long
-OWED_S = 0.3  # after its question an answer that was given up is not waited for any longer
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`terminator`: "" for old firmware, "\\n" for some of version 5 and later."""
+    """`terminator`: "" for old firmware, "\\n" for some of version 5 and later.
+
+    `gap_s`: the least pause between commands; at 60 ms sets are lost, Tenma's own program waits 200.
+    """
 
     terminator: str = ""
     max_current_A: Positive = 3.0
     compliance_V: Positive = 20.0
     zero_current_A: float = 0.005
     ramp_A_per_s: float = 4.0
-    gap_s: NotNegative = 0.06
+    gap_s: NotNegative = 0.1
     timeout_s: Positive = 0.5
 
 
@@ -63,22 +64,21 @@ class KoradSupply(CurrentSource):
     sensed = quantity("IOUT1?", unit="A", doc="Measure the delivered current.", read=lambda reply: _decimal(reply, 3))
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
-        self.name, self.settings, self._link, self._clock = name, settings, link, clock
+        self.name, self.settings, self._link = name, settings, link
         self.zero_current_A, self.ramp_A_per_s = settings.zero_current_A, settings.ramp_A_per_s
-        self._free_s, self._owed_until_s = 0.0, -1e9
-        self._in_step = InStep(name, link, clock)
-        self.refuse_earlier = self._in_step.refuse_earlier
+        self._line = Conversation(name, link, clock, settings.terminator, settings.gap_s, settings.timeout_s)
+        self.write, self.refuse_earlier = self._line.tell, self._line.in_step.refuse_earlier
 
     def identify(self) -> Identity:
         """Ask who it is."""
-        reply = self._until_quiet(self._first("*IDN?"))
+        reply = self._line.words("*IDN?")
         if IDENTITY.fullmatch(reply) is None and MAKER.match(reply) is None:  # of an earlier question, or cut off
-            reply = self._until_quiet(self._first("*IDN?"))
+            reply = self._line.words("*IDN?")
         if (found := IDENTITY.fullmatch(reply)) is None:
             raise InstrumentError(
                 f"{self.name}: {quoted(reply)} answered, not a Korad or a clone.", fault="another instrument"
             )
-        self._in_step.heard("*IDN?", reply[:LENGTH])
+        self._line.in_step.heard("*IDN?", reply[:LENGTH])
         return Identity(found[1].title(), found[2], found[4] or "", found[3] or "")
 
     def close(self) -> None:
@@ -87,11 +87,7 @@ class KoradSupply(CurrentSource):
 
     def query(self, text: str) -> str:
         """Ask; one byte of status or five characters are the reply, whatever strays in after them."""
-        reply = self._first(text)
-        if text != "STATUS?":
-            reply += self._link.ask(b"", end=LENGTH - 1, timeout_s=self.settings.timeout_s)
-        self._owed_until_s = -1e9
-        return self._in_step.heard(text, reply.decode("latin-1"))
+        return self._line.answer(text, 1 if text == "STATUS?" else LENGTH)
 
     def set_current(self, current_A: float) -> None:
         """Set the current and read the set-point back."""
@@ -109,13 +105,6 @@ class KoradSupply(CurrentSource):
         """Tell. It never says whether it heard."""
         self.write(text)
 
-    def write(self, text: str) -> None:
-        """Tell, once it is ready to hear; what was left on the line is dropped."""
-        self._clock.wait_until(self._free_s)
-        self._link.flush()
-        self._link.send((text + self.settings.terminator).encode())
-        self._free_s = self._clock.now() + self.settings.gap_s
-
     def _tell_rest_twice(self, tell: Callable[[Any], None], value: float) -> None:
         try:
             tell(value)
@@ -123,39 +112,6 @@ class KoradSupply(CurrentSource):
             if value or fault.fault != "read-back":
                 raise
             tell(value)
-
-    def _first(self, question: str) -> bytes:
-        """The first byte of its answer. Raises InstrumentError (silent) where it was asked twice and nothing came."""
-        try:
-            return self._asked(question)
-        except InstrumentError as error:
-            if error.fault != "silent":
-                raise
-        return self._asked(question)
-
-    def _asked(self, question: str) -> bytes:
-        self._drop_owed()
-        self._in_step.settle()
-        self.write(question)
-        self._owed_until_s = self._clock.now() + OWED_S
-        return self._link.ask(b"", end=1, timeout_s=self.settings.timeout_s)
-
-    def _drop_owed(self) -> None:
-        """Drop the answer to the question before, if that was given up and it comes yet."""
-        came = False
-        while (left_s := self._owed_until_s - self._clock.now()) > 0:
-            pieces = self._link.receive(self._clock.now() + min(left_s, QUIET_S))
-            if came and not pieces:
-                return
-            came = bool(pieces)
-
-    def _until_quiet(self, reply: bytes) -> str:
-        while pieces := self._link.receive(self._clock.now() + QUIET_S):
-            reply += b"".join(piece for _, piece in pieces)
-            if len(reply) > LONGEST:
-                raise babbles(self._link.url, reply)
-        self._owed_until_s = -1e9
-        return reply.decode("latin-1").strip("\0\r\n ")
 
 
 def _decimal(reply: str, places: int) -> float:

@@ -13,7 +13,7 @@ from drivers.framing.newport import Axis
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_fast_homing
 from labcal.bench.driver_kit.roles import Identity
-from labcal.bench.driver_kit.settings import NotNegative, Positive
+from labcal.bench.driver_kit.settings import Count, NotNegative, Positive
 from labcal.bench.links import Link, quoted
 from labcal.errors import InstrumentError
 
@@ -22,6 +22,7 @@ HOMING, MOVING = (0x1E, 0x1F), (0x28,)
 READY = range(0x32, 0x36)
 DISABLED = range(0x3C, 0x3F)
 NO_ERROR = "@"
+POLLED = {"TS": "[0-9A-F]{6}", "TP": r"[-+.0-9E]+"}  # what may be asked again, and what its reply is
 ERRORS = {
     "A": "unknown message", "B": "wrong address", "C": "parameter out of range", "D": "not allowed",
     "E": "it homes already", "G": "beyond its range", "H": "it is not referenced", "I": "it is being configured",
@@ -32,13 +33,17 @@ ERRORS = {
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`tolerance_deg`: how far from its target a finished move may end."""
+    """`tolerance_deg`: how far from its target a finished move may end.
+
+    `tries`: how often its state or position is asked for where the reply comes garbled, as it does now and then.
+    """
 
     address: Annotated[int, Field(ge=1, le=31)] = 1
     tolerance_deg: Positive = 0.02
     max_rate_deg_per_s: Positive = 20.0
-    gap_s: NotNegative = 0.05
+    gap_s: NotNegative = 0.06
     timeout_s: Positive = 0.5
+    tries: Count = 10
 
 
 class Smc100Stage:
@@ -115,8 +120,6 @@ class Smc100Stage:
 
     def _status(self) -> tuple[int, int]:
         reply = self._ask("TS")
-        if not re.fullmatch("[0-9A-F]{6}", reply):
-            raise self._axis.wrong("TS", reply)
         return int(reply[:4], 16), int(reply[4:], 16)
 
     def _words(self, state: int) -> str:
@@ -129,16 +132,15 @@ class Smc100Stage:
             raise InstrumentError(f"{self.name}: {words} failed: {ERRORS.get(code, code)}.", fault="refused")
 
     def _ask(self, words: str) -> str:
-        self._send(words)
-        reply = (
-            self._link.ask(b"", end=b"\r\n", timeout_s=self.settings.timeout_s)
-            .strip(b" \r\n")
-            .decode("ascii", "replace")
-        )
-        prefix = f"{self.settings.address}{words.removesuffix('?')}"
-        if not reply.startswith(prefix):
-            raise self._axis.wrong(words, reply)
-        return reply.removeprefix(prefix).strip(" ")
+        """The reply without its prefix."""
+        form = re.compile(rf"{self.settings.address}{words.removesuffix('?')} *({POLLED.get(words, '.*')}) *", re.ASCII)
+        for _ in range(self.settings.tries if words in POLLED else 1):
+            self._send(words)
+            came = self._link.ask(b"", end=b"\r\n", timeout_s=self.settings.timeout_s).strip(b" \r\n")
+            reply = came.decode("ascii", "replace")
+            if found := form.fullmatch(reply):
+                return found[1].strip(" ")
+        raise self._axis.wrong(words, reply)
 
     def _send(self, words: str) -> None:
         self._clock.wait_until(self._free_s)

@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass
 from typing import Annotated
 
 from pydantic import Field
 
-from drivers.framing.zaber import NOT_HOMED, REPLY, SPEED_DATA, TOUCHED, UNASKED, Reply, checksum
+from drivers.framing.zaber import INTERRUPTED, NOT_HOMED, SPEED_DATA, TURNED, Conversation, Reply
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.arrival import refuse_elsewhere
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link, quoted
+from labcal.bench.links import Link
 from labcal.errors import InstrumentError
 
-WHOLE = re.compile(r"-?\d+", re.ASCII)
-MOST_OLD = 20  # older replies and what nobody asked for, before the reply to a request
+MOVES_AT_A_SPEED = (7, 25)  # firmware whose moves state their own; before it, each new one wears its memory
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +31,10 @@ class Settings:
 
 
 class ZaberStage:
-    """Absolute moves only. Idle is not arrived: warnings and position are looked at after every move."""
+    """Absolute moves only. Idle is not arrived: warnings and position are looked at after every move.
+
+    That it stalled is said until it is acknowledged, that its knob was turned until it moves: `home` does both.
+    """
 
     roles = ("platform",)
     never = (rb"system re", rb"renumber", rb"move (rel|vel|min|max|index|sin)", rb"set comm", rb"tools")
@@ -43,35 +44,50 @@ class ZaberStage:
         self.name, self.settings, self._link = name, settings, link
         self.max_rate_deg_per_s = settings.max_rate_deg_per_s
         self._steps_per_turn: int | None = None
+        self._version: tuple[int, ...] = ()
         self._target_deg: float | None = None
-        self._id, self._summed = 0, False  # summed: it has sent a checksum, so every reply must have one
+        self._stage = Conversation(name, link, settings.address, settings.axis, settings.timeout_s)
 
     def identify(self) -> Identity:
         """Ask for device id, serial number and firmware, and how many microsteps make a turn."""
-        device, serial, version = (self._ask(f"get {what}").data for what in ("deviceid", "system.serial", "version"))
-        self._steps_per_turn = self._number("get limit.cycle.dist")[0]
+        device, serial = (self._stage.ask(f"get {what}").data for what in ("deviceid", "system.serial"))
+        version = self._ask_version()
+        self._steps_per_turn = self._stage.number("get limit.cycle.dist")[0]
         return Identity("Zaber", f"device {device}", serial, version)
 
     def home(self, limit_deg_per_s: float = math.inf) -> None:
-        """Find the reference position, where the device says that it does not know it; it goes on while time passes.
+        """Find the reference position, where it is not known or may have been lost; it goes on while time passes.
 
-        A stage homes at the lesser of its `maxspeed` and of its own limit.approach.maxspeed (Zaber's EPICS driver).
+        What it reports is acknowledged first. A stage homes at the lesser of its `maxspeed` and of its own
+        limit.approach.maxspeed (Zaber's EPICS driver).
         """
-        if self._ask("").warning in NOT_HOMED:
-            if limit_deg_per_s < math.inf:
-                self._set_rate(min(limit_deg_per_s, self.max_rate_deg_per_s))
-            self._target_deg = 0.0
-            self._ask("home")
+        flags = self._stage.flags()
+        if any(flag.startswith("F") for flag in flags):
+            self._stage.ask("warnings clear")
+        elif flags.isdisjoint((*NOT_HOMED, TURNED, INTERRUPTED)):
+            return
+        if limit_deg_per_s < math.inf:
+            speed = self._speed(min(limit_deg_per_s, self.max_rate_deg_per_s))
+            if self._stage.number("get maxspeed")[0] > speed:
+                self._stage.ask(f"set maxspeed {speed}")
+        self._target_deg = 0.0
+        self._stage.ask("home")
 
     def move_to(self, angle_deg: float, rate_deg_per_s: float) -> None:
         """Begin an absolute move in the stage's own sense; sent once, never repeated."""
-        self._set_rate(rate_deg_per_s)
+        move, speed = f"move abs {round(angle_deg * self._steps_per_deg)}", self._speed(rate_deg_per_s)
+        if not self._version:
+            self._ask_version()
+        if self._version >= MOVES_AT_A_SPEED:
+            move += f" {speed}"
+        elif self._stage.number("get maxspeed")[0] != speed:
+            self._stage.ask(f"set maxspeed {speed}")
         self._target_deg = angle_deg
-        self._ask(f"move abs {round(angle_deg * self._steps_per_deg)}")
+        self._stage.ask(move)
 
     def moving(self) -> bool:
         """Whether it moves. Raises InstrumentError where it has stopped elsewhere than it should have."""
-        position, reply = self._number("get pos")
+        position, reply = self._stage.number("get pos")
         self._refuse_faults(reply)
         if not reply.busy:
             angle = position / self._steps_per_deg
@@ -84,67 +100,44 @@ class ZaberStage:
 
     def state(self) -> tuple[float, bool]:
         """Position [deg] and whether it is busy, in one reply."""
-        position, reply = self._number("get pos")
+        position, reply = self._stage.number("get pos")
         return position / self._steps_per_deg, reply.busy
 
     def make_safe(self) -> None:
         """Stop with a brake ramp."""
         self._target_deg = None
-        self._ask("stop")
+        self._stage.ask("stop")
 
     def close(self) -> None:
         """Let go of the link."""
         self._link.close()
 
-    def _set_rate(self, rate_deg_per_s: float) -> None:
-        self._ask(f"set maxspeed {round(rate_deg_per_s * self._steps_per_deg * SPEED_DATA)}")
-
     @property
     def _steps_per_deg(self) -> float:
         if self._steps_per_turn is None:
-            self._steps_per_turn = self._number("get limit.cycle.dist")[0]
+            self._steps_per_turn = self._stage.number("get limit.cycle.dist")[0]
         return self._steps_per_turn / 360
 
-    def _number(self, words: str) -> tuple[int, Reply]:
-        reply = self._ask(words)
-        if not WHOLE.fullmatch(reply.data):
-            raise InstrumentError(f"{self.name}: {words!r} was answered {quoted(reply.data)}.", fault="wrong reply")
-        return int(reply.data), reply
+    def _speed(self, rate_deg_per_s: float) -> int:
+        return round(rate_deg_per_s * self._steps_per_deg * SPEED_DATA)
 
-    def _ask(self, words: str) -> Reply:
-        self._id = (self._id + 1) % 96
-        text = f"/{self.settings.address} {self.settings.axis} {self._id:02d} {words}".rstrip()
-        request = text.encode() + b"\r\n"
-        for _ in range(MOST_OLD):
-            frame = self._link.ask(request, end=b"\r\n", timeout_s=self.settings.timeout_s).lstrip(b"\r\n")
-            if (reply := self._matched(frame, words)) is not None:
-                return reply
-            request = b""  # an older reply, another device's, or an alert: the one to this request is still to come
-        raise InstrumentError(f"{self.name}: it says much, but does not answer {words!r}.", fault="wrong reply")
-
-    def _matched(self, frame: bytes, words: str) -> Reply | None:
-        if frame.startswith(UNASKED):
-            return None
-        found = REPLY.fullmatch(frame)
-        if found is None or not self._sound(frame, found[8]):
-            raise InstrumentError(f"{self.name}: {quoted(frame)} is no valid reply.", fault="wrong reply")
-        if found[3] is None or (int(found[1]), int(found[3])) != (self.settings.address, self._id):
-            return None
-        if found[4] == b"RJ":
-            raise InstrumentError(f"{self.name}: {words!r} was rejected: {quoted(found[7])}.", fault="refused")
-        return Reply(found[7].decode(), found[5] == b"BUSY", found[6].decode())
-
-    def _sound(self, frame: bytes, sum_: bytes | None) -> bool:
-        fits = sum_ is not None and checksum(frame[1:-5]) == sum_.decode()
-        self._summed = self._summed or fits
-        return fits or (sum_ is None and not self._summed)
+    def _ask_version(self) -> str:
+        reply = self._stage.ask("get version")
+        try:
+            self._version = tuple(int(part) for part in reply.data.split("."))
+        except ValueError:
+            raise self._stage.wrong("get version", reply) from None
+        return reply.data
 
     def _refuse_faults(self, reply: Reply) -> None:
-        if reply.warning.startswith("F") or reply.warning in TOUCHED + NOT_HOMED:
-            touched = reply.warning in TOUCHED
-            raise InstrumentError(
-                f"{self.name}: warning {reply.warning}"
-                + (": somebody turned the knob." if touched else ": the stage reports a fault."),
-                fault="touched" if touched else "stage fault",
-                remedy="Home it and begin this step again.",
-            )
+        """NI is none: where a move was cut short, its place tells. WR at rest is one, for homing ends it."""
+        flag = reply.warning
+        if flag == TURNED:
+            said, fault = "somebody turned its knob", "touched"
+        elif flag.startswith("F") or (flag in NOT_HOMED and not reply.busy):
+            said, fault = "the stage reports a fault", "stage fault"
+        else:
+            return
+        raise InstrumentError(
+            f"{self.name}: warning {flag}: {said}.", fault=fault, remedy="Home it and begin this step again."
+        )

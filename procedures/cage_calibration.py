@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Annotated
 
 import numpy as np
@@ -12,11 +13,15 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, ready, record
+from labcal.bench.stated import as_positions
+from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, note, ready, record
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.fit.cage import CageFit, fit_cage
+from labcal.record import Run
 from labcal.record.stream import Event, Prompt
+from labcal.uncertainty import declared_errors
+from labcal.uncertainty.verdicts import u_declared, uncovered
 
 NEEDS, LASTS_MIN = "a vector reference, first at the DUT's place, then at its own", 5
 
@@ -79,7 +84,7 @@ def cage_calibration(
             yield from _reference_at(bench, place, position_m)
             yield from ready(bench, f"Each coil goes to ±{field_nT / 1000:g} µT in turn. Hands off?")
             sweep = yield from _sweep(bench, field_nT, rungs, dwell_s)
-            fit = fit_cage(sweep.currents_A, sweep.fields_nT, sweep.coil, sweep.t_s)
+            fit = _fit(sweep)
             found[place] = sweep, fit
             yield from _judge(bench, place, sweep, fit, limits)
         yield _draft(bench, found)
@@ -178,23 +183,57 @@ def _worst(found: Iterable[tuple[float, float]]) -> tuple[float, float]:
 
 
 def _judge(bench: Bench, place: str, sweep: Sweep, fit: CageFit, limits: tuple[float, ...]) -> Work[None]:
-    u_ppm = 1e6 * fit.u_matrix_nT_per_A / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
+    positions = as_positions(bench, sweep.fields_nT)
+    if left := uncovered(positions, ["the supplies' read-back", "where the reference was put"]):
+        yield note(bench, f"{place}: {left}")
+    u_matrix = np.hypot(fit.u_matrix_nT_per_A, u_of_matrix(sweep, fit, positions))
+    u_ppm = 1e6 * u_matrix / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
     yield from measured(bench, f"{place}: uncertainty of the matrix", u_ppm.max(), 0.0, "ppm", limits[0])
     if place == "DUT":
-        yield from measured(bench, "DUT: change from bench.toml", *change(bench, fit), "ppm", limits[1])
-    yield from measured(bench, f"{place}: polarity + less −", *polarities(sweep), "ppm", limits[2])
-    departure = float(np.abs(fit.residual_nT).max())
-    yield from measured(bench, f"{place}: departure from the line", departure, sweep.noise_nT / 3, "nT", limits[3])
-    yield from measured(bench, f"{place}: up less down", *hysteresis(sweep), "nT", limits[4])
+        yield from measured(bench, "DUT: change from bench.toml", *change(bench, fit, u_matrix), "ppm", limits[1])
+    for name, figure, unit, limit in (
+        ("polarity + less −", polarities, "ppm", limits[2]),
+        ("departure from the line", departure, "nT", limits[3]),
+        ("up less down", hysteresis, "nT", limits[4]),
+    ):
+        value, noise = figure(sweep)
+        u = float(np.hypot(noise, u_declared(positions, partial(_with_reference, figure, sweep))))
+        yield from measured(bench, f"{place}: {name}", value, u, unit, limit)
     yield from measured(bench, f"{place}: noise", sweep.noise_nT, 0.0, "nT")
     yield from measured(bench, f"{place}: settling time", sweep.settling_s, 0.0, "s")
 
 
-def change(bench: Bench, fit: CageFit) -> tuple[float, float]:
+def u_of_matrix(sweep: Sweep, fit: CageFit, positions: Run) -> Array:
+    """Standard uncertainty (3, 3) [nT/A] of the matrix by all that is declared of the reference."""
+    changed = (error.change(positions) for error in declared_errors(positions))
+    moved = [_fit(_seen_by(sweep, run)).matrix_nT_per_A - fit.matrix_nT_per_A for run in changed]
+    return np.asarray(np.sqrt(np.sum(np.square(moved), axis=0))) if moved else np.zeros((3, 3))
+
+
+def _seen_by(sweep: Sweep, positions: Run) -> Sweep:
+    """The sweep with the reference of these positions."""
+    assert positions.reference_vector is not None
+    return replace(sweep, fields_nT=positions.reference_vector)
+
+
+def departure(sweep: Sweep) -> tuple[float, float]:
+    """The largest residual of the fit [nT], and its standard uncertainty by noise."""
+    return float(np.abs(_fit(sweep).residual_nT).max()), sweep.noise_nT / 3
+
+
+def _fit(sweep: Sweep) -> CageFit:
+    return fit_cage(sweep.currents_A, sweep.fields_nT, sweep.coil, sweep.t_s)
+
+
+def _with_reference(figure: Callable[[Sweep], tuple[float, float]], sweep: Sweep, positions: Run) -> float:
+    return figure(_seen_by(sweep, positions))[0]
+
+
+def change(bench: Bench, fit: CageFit, u_matrix_nT_per_A: Array) -> tuple[float, float]:
     """The largest change of a matrix element from the bench's [ppm of its coil], and its standard uncertainty."""
     ppm = 1e6 / np.linalg.norm(fit.matrix_nT_per_A, axis=0)
     moved = (fit.matrix_nT_per_A - bench.cage.matrix_nT_per_A) * ppm
-    return _worst(zip(moved.ravel(), (fit.u_matrix_nT_per_A * ppm).ravel(), strict=True))
+    return _worst(zip(moved.ravel(), (u_matrix_nT_per_A * ppm).ravel(), strict=True))
 
 
 def _draft(bench: Bench, found: dict[str, tuple[Sweep, CageFit]]) -> Event:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
+from functools import partial
 from typing import Annotated, Literal
 
 import numpy as np
@@ -11,10 +12,13 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, attitude, set_up
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, rest, switch_mode
+from labcal.bench.stated import as_positions
+from labcal.bench.steps import Plan, Procedure, coils_off, dut_nT, energise, measured, note, rest, switch_mode
 from labcal.bench.streams.samples import samples
 from labcal.geometry import unit
+from labcal.record import Run
 from labcal.record.stream import Event
+from labcal.uncertainty.verdicts import in_body, u_declared, uncovered
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage", 3
 
@@ -36,6 +40,7 @@ def linearity(
     dwell_s: Annotated[float, Limits(0.5, 600, unit="s"), "recorded at each step"] = 4.0,
     mode: Annotated[str, "the DUT's power mode"] = "nominal",
     limit_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "largest departure that passes"] = 200.0,
+    u_mounting_deg: Annotated[float, Limits(0, 10, unit="deg"), "how well the axis is mounted; 0: not stated"] = 0.0,
 ) -> Procedure:
     """Step the field along a body axis (or two together) and measure the departure from a straight line."""
     at_zero = attitude(bench, axis)
@@ -49,18 +54,31 @@ def linearity(
         yield from set_up(bench, axis, 10.0, f"The field steps up to ±{field_nT / 1000:g} µT.")
         yield from switch_mode(bench, mode)
         yield plan.begin(bench, "field steps")
-        seen: list[tuple[float, float]] = []
+        fields, readings = list[Array](), list[Array]()
         for number, fraction in enumerate(ladder):
             yield from energise(bench, fraction * field_nT * (along_B @ at_zero))
             name = f"step-{number}-{fraction * field_nT / 1000:+.3g}uT"
             blocks = yield from rest(bench, name, dwell_s, mode=mode, body_from_cage=at_zero)
-            true = at_zero @ samples(blocks, "reference").mean
-            seen.append((float(along_B @ true), float(along_B @ dut_nT(bench, blocks).mean)))
+            fields.append(samples(blocks, "reference").mean)
+            readings.append(dut_nT(bench, blocks).mean)
         yield from coils_off(bench)
-    slope, worst, u = straightness(*np.array(seen).T)
-    yield from measured(bench, "slope", slope, u / field_nT, "")
-    yield from measured(bench, "departure from a straight line", worst, u, "nT", limit_nT)
+    positions = as_positions(bench, fields, [at_zero] * len(fields), u_mounting_deg)
+    unknown = [] if u_mounting_deg else ["the DUT's mounting"]
+    if left := uncovered(positions, ["the reference's own linearity", *unknown]):
+        yield note(bench, left)
+    along_DUT = np.array(readings) @ along_B
+    true = in_body(positions) @ along_B
+    slope, worst, u = straightness(true, along_DUT)
+    declared = [u_declared(positions, partial(_figure, which, along_B, along_DUT)) for which in (0, 1)]
+    yield from measured(bench, "slope", slope, float(np.hypot(u / field_nT, declared[0])), "")
+    yield from measured(bench, "departure from a straight line", worst, float(np.hypot(u, declared[1])), "nT", limit_nT)
+    seen = np.column_stack([true, along_DUT]).tolist()
     yield Event(bench.clock.now(), "linearity", "field and reading along the direction", {"field_reading_nT": seen})
+
+
+def _figure(which: int, along_B: Array, along_DUT: Array, positions: Run) -> float:
+    """Slope (0) or departure (1) with the reference of these positions."""
+    return straightness(in_body(positions) @ along_B, along_DUT)[which]
 
 
 def straightness(field_nT: Array, reading_nT: Array) -> tuple[float, float, float]:

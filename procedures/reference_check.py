@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measured, ready, record
+from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measured, note, ready, record
 from labcal.bench.streams.samples import Samples, samples
 from labcal.errors import InputError, LimitNotMet
 from labcal.geometry import rotation
@@ -33,6 +33,9 @@ def reference_check(
     zero_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "largest zero that passes"] = 50.0,
     scale_ppm: Annotated[float, Limits(1, 1e6, unit="ppm"), "largest spread of the magnitude that passes"] = 5_000.0,
     standard_nT: Annotated[float, Limits(0, 1e5, unit="nT"), "ambient magnitude by a standard; 0: none"] = 0.0,
+    u_standard_nT: Annotated[float, Limits(0, 1e5, unit="nT"), "of the standard; 0: not stated"] = 0.0,
+    u_turn_deg: Annotated[float, Limits(0, 10, unit="deg"), "how truly it is turned by 180°; 0: not stated"] = 0.0,
+    u_cage_ppm: Annotated[float, Limits(0, 1e6, unit="ppm"), "of the cage's field, by direction; 0: not stated"] = 0.0,
 ) -> Procedure:
     """Check the reference's due date, its zero by 180° turns, and its magnitude against direction and a standard."""
     if bench.config.reference.kind != "vector":
@@ -43,14 +46,23 @@ def reference_check(
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "zero by half turns")
         yield from coils_off(bench)
-        ambient, u = yield from _zero(bench, dwell_s, zero_nT)
+        stated = {
+            "the standard": u_standard_nT or not standard_nT,
+            "the half turns": u_turn_deg,
+            "the cage": u_cage_ppm,
+        }
+        if left := [name for name, u in stated.items() if not u]:
+            yield note(bench, f"Not covered by the uncertainties, because it is not stated: {', '.join(left)}.")
+        ambient, u = yield from _zero(bench, dwell_s, zero_nT, u_turn_deg)
         if standard_nT:
             off = float(np.linalg.norm(ambient)) - standard_nT
-            yield from measured(bench, "magnitude less the standard's", off, u, "nT", zero_nT)
+            yield from measured(
+                bench, "magnitude less the standard's", off, float(np.hypot(u, u_standard_nT)), "nT", zero_nT
+            )
         yield plan.begin(bench, "six directions")
         bench.cage.ambient_nT = ambient
         yield from ready(bench, f"The field goes to {magnitude_nT / 1000:g} µT in six directions. Hands off?")
-        yield from _six_directions(bench, dwell_s, magnitude_nT, scale_ppm)
+        yield from _six_directions(bench, dwell_s, magnitude_nT, scale_ppm, u_cage_ppm)
         yield from coils_off(bench)
 
 
@@ -64,10 +76,12 @@ def _enforce_due_date(bench: Bench, due_days: int) -> None:
         raise LimitNotMet(f"the reference's calibration of {stated.group()} is {age} days old, beyond {due_days}")
 
 
-def _zero(bench: Bench, dwell_s: float, limit_nT: float) -> Work[tuple[Array, float]]:
+def _zero(bench: Bench, dwell_s: float, limit_nT: float, u_turn_deg: float) -> Work[tuple[Array, float]]:
     """Four attitudes that add up to nothing: the mean reading is the zero.
 
-    Returns the ambient field (3,) [nT, C] without it, and the standard uncertainty of one component by noise.
+    An attitude that is missed by a small turn w reads w × b too much: with three of four turned to, each on its own,
+    the mean is uncertain by sqrt(3) / 4 |b| u_w along an axis at the most. Returns the ambient field (3,) [nT, C]
+    without the zero, and the standard uncertainty of one component.
     """
     turned = np.asarray(bench.config.reference.cage_from_sensor)
     seen = [(yield from _standing(bench, "as it always stands", np.eye(3), dwell_s))]
@@ -75,7 +89,9 @@ def _zero(bench: Bench, dwell_s: float, limit_nT: float) -> Work[tuple[Array, fl
         seen.append((yield from _standing(bench, f"turned by 180° about its own {name}", half, dwell_s)))
     yield from _ask_to_turn(bench, "as it always stands", np.eye(3))
     zero = np.mean([turned.T @ standing.mean for standing in seen], axis=0)
-    u = float(np.linalg.norm([standing.u_mean.max() for standing in seen])) / len(seen)
+    noise = float(np.linalg.norm([standing.u_mean.max() for standing in seen])) / len(seen)
+    missed = np.radians(u_turn_deg) * float(np.linalg.norm(seen[0].mean)) * np.sqrt(len(HALF_TURNS)) / len(seen)
+    u = float(np.hypot(noise, missed))
     for name, value in zip("xyz", zero, strict=True):
         yield from measured(bench, f"zero {name}", value, u, "nT", limit_nT)
     return np.asarray(seen[0].mean - turned @ zero), float(np.hypot(u, seen[0].u_mean.max()))
@@ -92,7 +108,9 @@ def _ask_to_turn(bench: Bench, how: str, half: Array) -> Work[None]:
     yield Prompt(bench.clock.now(), "turn-reference", f"Put the reference {how}.", acts=True, drawing=drawing)
 
 
-def _six_directions(bench: Bench, dwell_s: float, magnitude_nT: float, limit_ppm: float) -> Work[None]:
+def _six_directions(
+    bench: Bench, dwell_s: float, magnitude_nT: float, limit_ppm: float, u_cage_ppm: float
+) -> Work[None]:
     """One applied field in six directions: what the magnitude departs from its mean is scale and orthogonality."""
     ratios, u_nT = list[float](), 0.0
     for direction in (*np.eye(3), *-np.eye(3)):
@@ -103,4 +121,5 @@ def _six_directions(bench: Bench, dwell_s: float, magnitude_nT: float, limit_ppm
         ratios.append(float(np.linalg.norm(seen.mean)) / applied)
         u_nT = max(u_nT, float(seen.u_mean.max()))
     spread_ppm, u_ppm = 1e6 * (max(ratios) - min(ratios)) / 2, 1e6 * u_nT / magnitude_nT / np.sqrt(2)
-    yield from measured(bench, "magnitude against direction", spread_ppm, u_ppm, "ppm", limit_ppm)
+    u = float(np.hypot(u_ppm, u_cage_ppm / np.sqrt(2)))  # half the difference of two directions
+    yield from measured(bench, "magnitude against direction", spread_ppm, u, "ppm", limit_ppm)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import partial
 from typing import Annotated, Literal
 
 import numpy as np
@@ -14,6 +16,7 @@ from labcal.bench.mounting import AXES, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.position import position
 from labcal.bench.rotation import Rotation
+from labcal.bench.stated import as_positions
 from labcal.bench.steps import (
     Plan,
     Procedure,
@@ -21,17 +24,20 @@ from labcal.bench.steps import (
     coils_off,
     energise,
     measured,
+    note,
     record,
     recorded,
     switch_mode,
     turn,
 )
 from labcal.bench.streams.samples import samples
-from labcal.geometry import rotate, shortest_rotation
+from labcal.geometry import rotation, shortest_rotation
 from labcal.model import Calibration
 from labcal.model.apply import apply
 from labcal.model.readings import Readings
+from labcal.record import Run
 from labcal.record.stream import Block
+from labcal.uncertainty.verdicts import in_body, u_declared, uncovered
 
 NEEDS, LASTS_MIN = "the DUT on the platform, its calibration file", 8
 
@@ -42,14 +48,14 @@ ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitt
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Seen:
-    """Means at each position: `reading` (n, 3) [DUT unit], `true` (n, 3) [nT, B but for one phase], channels (n,).
+    """Means at each position: `reading` (n, 3) [DUT unit], the reference and attitudes as a run, channels (n,).
 
     `u_nT` is the standard uncertainty of one component of DUT less reference, by noise.
     """
 
     t_s: Array
     reading: Array
-    true: Array
+    positions: Run  # B but for one phase
     u_nT: float
     channels: dict[str, Array]
 
@@ -65,6 +71,7 @@ def verify(
     mode: Annotated[str, "the DUT's power mode"] = "nominal",
     heading_deg: Annotated[float, Limits(0.001, 180, unit="deg"), "rms heading error that passes"] = 0.3,
     error_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "rms magnitude error that passes"] = 50.0,
+    u_mounting_deg: Annotated[float, Limits(0, 10, unit="deg"), "how well the axis is mounted; 0: not stated"] = 0.0,
     calibration: Calibration | None = None,
 ) -> Procedure:
     """Measure heading and magnitude error at independent positions; `--set calibration=CAL.json` judges that file."""
@@ -82,7 +89,9 @@ def verify(
             still = Rotation(step.replace(" ", "-"), AXES[axis], mode, rate_deg_per_s, mounting=axis).segment(bench)
             found.append((yield from recorded(bench, still, record(bench, dwell_s))))
         yield from coils_off(bench)
-    seen = _seen(bench, found, axis)
+    seen = _seen(bench, found, axis, u_mounting_deg)
+    if left := uncovered(seen.positions, [] if u_mounting_deg else ["the DUT's mounting"]):
+        yield note(bench, left)
     yield from _judge(bench, "before", seen.reading * bench.config.dut.nominal_nT_per_unit, seen, axis)
     if calibration is not None:
         names, modes = np.full(positions, "verify"), np.full(positions, mode)
@@ -100,18 +109,19 @@ def spread(bench: Bench, count: int, magnitude_nT: float) -> tuple[Array, Array]
     return 360 * np.mod(n * GOLDEN**2 + 0.13, 1.0), magnitude_nT * directions
 
 
-def _seen(bench: Bench, found: list[list[Block]], axis: str) -> Seen:
+def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: float) -> Seen:
     platform_axis = bench.config.platform.axis_cage
     at_zero = shortest_rotation(platform_axis, AXES[axis])
     dut = [samples(blocks, "dut") for blocks in found]
     spots = [position(bench, blocks) for blocks in found]
     angle = np.array([samples(blocks, "angle", "angle_deg").mean[0] for blocks in found])
     reference = np.array([spot.reference for spot in spots])
-    true = rotate(np.asarray(AXES[axis]), -np.radians(angle), reference @ at_zero.T)
+    attitudes = np.array([rotation(AXES[axis], -np.radians(deg)) @ at_zero for deg in angle])
+    positions = as_positions(bench, reference, attitudes, u_mounting_deg)
     u = float(np.sqrt(np.mean([spot.u**2 for spot in spots])))
     names = [channel.name for channel in bench.dut.channels]
     channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}
-    return Seen(np.array([s.t_s.mean() for s in dut]), np.array([s.mean for s in dut]), true, u, channels)
+    return Seen(np.array([s.t_s.mean() for s in dut]), np.array([s.mean for s in dut]), positions, u, channels)
 
 
 def _judge(
@@ -123,13 +133,29 @@ def _judge(
     heading_deg: float | None = None,
     error_nT: float | None = None,
 ) -> Work[None]:
-    heading, magnitude = errors(field_nT, seen.true, np.asarray(AXES[axis]))
-    u_heading = float(np.degrees(seen.u_nT / np.median(np.linalg.norm(seen.true, axis=1))))
-    rows = (("heading", heading, u_heading, "deg", heading_deg), ("magnitude", magnitude, seen.u_nT, "nT", error_nT))
-    for name, values, u, unit, limit in rows:
-        rms = float(np.sqrt(np.mean(values**2)))
-        yield from measured(bench, f"{when}: rms {name} error", rms, u / np.sqrt(len(values)), unit, limit)
-        yield from measured(bench, f"{when}: largest {name} error", float(np.abs(values).max()), 0.0, unit)
+    level = float(np.median(np.linalg.norm(in_body(seen.positions), axis=1)))
+    rows = (("heading", np.degrees(seen.u_nT / level), "deg", heading_deg), ("magnitude", seen.u_nT, "nT", error_nT))
+    for which, (name, u, unit, limit) in enumerate(rows):
+        judged = (("rms", rms, u / np.sqrt(len(field_nT)), limit), ("largest", largest, u, None))
+        for what, figure, noise, allowed in judged:
+            of = partial(_figure, figure, which, field_nT, axis)
+            spread = float(np.hypot(noise, u_declared(seen.positions, of)))
+            yield from measured(bench, f"{when}: {what} {name} error", of(seen.positions), spread, unit, allowed)
+
+
+def rms(values: Array) -> float:
+    """Root mean square."""
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def largest(values: Array) -> float:
+    """The largest size."""
+    return float(np.abs(values).max())
+
+
+def _figure(figure: Callable[[Array], float], which: int, field_nT: Array, axis: str, positions: Run) -> float:
+    """A figure of the heading errors (`which` 0) or of the magnitude errors (1)."""
+    return figure(errors(field_nT, in_body(positions), np.asarray(AXES[axis]))[which])
 
 
 def errors(field_nT: Array, true_nT: Array, axis: Array) -> tuple[Array, Array]:

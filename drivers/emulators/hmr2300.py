@@ -15,8 +15,8 @@ from drivers.emulators.streaming import Beat
 
 COMMAND = re.compile(r"\*(\d\d)(.+)")
 RATE = re.compile(r"R=(0?[1-6]0|0?25|100|123|154)")
-SWITCHES = {"A": "ASCII_ON", "B": "BINARY_ON", "ZF": "ZERO_OFF", "ZN": "ZERO_ON", "VF": "AVG_OFF", "VN": "AVG_ON",
-            "TN": "S/R_ON", "TF": "S/R_OFF", "Y": "OK", "N": "OK", "SP": "DONE"}  # fmt: skip
+SWITCHES = {"A": "ASCII ON", "B": "BINARY ON", "ZF": "ZERO OFF", "ZN": "ZERO ON", "VF": "AVG OFF", "VN": "AVG ON",
+            "TN": "S/R ON", "TF": "S/R OFF", "Y": "OK", "N": "OK", "SP": "DONE"}  # fmt: skip
 SAYS = {"WE": "OK", "#": "SER# 0000000000012345", "F": "S/W vers: 00104", "H": "H/W vers: 00021",
         "]S": "SET", "]R": "RST"}  # fmt: skip
 TOGGLES = ("T", "Z", "V")
@@ -28,7 +28,7 @@ class Hmr2300Emulator(Answers):
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, end=b"\r", delay_s=0.004)
-        self._lab, self._id = lab, settings.id
+        self._lab, self._id, self.baud = lab, settings.id, getattr(settings, "baud", 9600)
         self._format, self._rate, self._may_write = "A", 20, False
         self._on = {"T": True, "Z": False, "V": False}
         self._beat: Beat | None = None
@@ -60,13 +60,13 @@ class Hmr2300Emulator(Answers):
         may_write, self._may_write = self._may_write, found[2] == "WE"
         words = found[2]
         if words in SWITCHES or words in TOGGLES or RATE.fullmatch(words):
-            return self._change(words) if may_write else b"WE_OFF\r"
+            return self._change(words) if may_write else b"WE OFF\r"
         if words == "C":
             self._beat = Beat(self._rate, t_s)
             return b""
         if words == "P":
             return self._frames(np.array([t_s]))[0]
-        says = {**SAYS, "ID=": f"ID= {self._id:02d}", "Q": self._setup()}
+        says = {**SAYS, **dict.fromkeys(("ID", "ID="), f"ID= {self._id:02d}"), "Q": self._setup()}
         return says.get(words, "Re-enter").encode() + b"\r"
 
     def _change(self, words: str) -> bytes:
@@ -90,11 +90,10 @@ class Hmr2300Emulator(Answers):
         counts = self._lab.reference_nT(times)
         if self._format == "B":
             return [row.tobytes() + b"\r" for row in counts.astype(">i2")]
-        return ["  ".join(map(_column, row)).encode() + b"  \r" for row in counts.astype(int).tolist()]
+        return ["  ".join(map(column, row)).encode() + b"  \r" for row in counts.astype(int).tolist()]
 
 
 @cache  # there are 40 000 counts
-def _column(count: int) -> str:
-    """`- 1,234`: sign, thousands in two places, comma, three digits."""
-    thousands, rest = divmod(abs(count), 1000)
-    return f"{'-' if count < 0 else ' '}{thousands:2d},{rest:03d}"
+def column(count: int) -> str:
+    """`- 1,234` or `-   123`: the sign, and six places with blanks for what is not there."""
+    return f"{'-' if count < 0 else ' '}{abs(count):6,d}"

@@ -4,25 +4,21 @@ from __future__ import annotations
 
 import math
 import re
-from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.emulators.line import QUEUE, Answers, Lab
+from drivers.emulators.line import Answers, Lab
+from drivers.emulators.scpi import RANGE, Messages
 
 NUMBER = r"\d+\.?\d*|\.\d+"
 COMMAND = re.compile(
     rf"(VOLT|CURR|OUTP|MEAS:CURR|MEAS:VOLT)(?:(\?)(?: \(@([123])\))?| ({NUMBER}|ON|OFF)(?:,\(@([123])\))?)"
 )
 TRIPPED = re.compile(r"(VOLT|CURR):PROT:TRIP\?(?: \(@([123])\))?")
-WATCH = re.compile(r"OUTP:PROT:WDOG(:DEL)?(?::STAT)?(?:(\?)| (\d+|ON|OFF))")
-SELECT = re.compile(r"INST:(?:NSEL |SEL (?:CH|OUTP(?:UT)?))([123])")
+WATCH = re.compile(r"OUTP:PROT:WDOG(:DEL)?(?:(\?)| (\d+|ON|OFF))")
+SELECT = re.compile(r"INST(?::NSEL |(?::SEL)? (?:CH|OUTP(?:UT)?))([123])")
 APPLY = re.compile(rf"APPL (?:(?:CH|OUTP(?:UT)?)([123]),)?({NUMBER}),({NUMBER})(?:,\(@([123])\))?")
-LONG = re.compile(
-    r"(CURR|VOLT|OUTP|MEAS|SYST|ERR|INST|N?SEL|APPL|REM|LOC|RWL|PROT|DEL|CLE)"
-    r"(?:ENT|AGE|UT|URE|EM|OR|RUMENT|ECTION|ECT|AY|Y|OTE|AL|OCK|AR)\b"
-)
 MAX = {1: {"VOLT": 6.18, "CURR": 5.15}, 2: {"VOLT": 25.75, "CURR": 1.03}, 3: {"VOLT": 25.75, "CURR": 1.03}}
 
 
@@ -46,20 +42,24 @@ class KeysightEmulator(Answers):
     wire = "tcp"
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
-        super().__init__(self._reply, delay_s=0.005)
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
-        self._serial = f"MY5912{ord(min(roles)[-1])}"
-        self._errors = deque[str](maxlen=QUEUE)
+        who = f"Keysight Technologies,E36312A,MY5912{ord(min(roles)[-1])},1.0.3-1.0.4-1.01"
+        self._scpi = Messages(who, self._do, self._reset, none='+0,"No error"')
+        super().__init__(self._line, delay_s=0.005)
         self.tripped = ""  # by which of VOLT and CURR
         self.has_watchdog, self._watching, self._delay_wd_s, self._ends_s = True, False, 60, math.inf
         self.pairing, self.tracking, self._selected = "OFF", "0", min(self._outputs)
 
-    def _reply(self, t_s: float, text: str) -> bytes:
-        try:
-            said = self._do(t_s, text)
-        except KeyError:  # nothing is wired to that output
-            said = self._fault('-222,"Data out of range"')
-        return said.encode() + b"\n" if said else b""
+    def _line(self, t_s: float, text: str) -> bytes:
+        self._hear(t_s)
+        return self._scpi.line(t_s, text)
+
+    def _reset(self, t_s: float) -> None:
+        self._watching, self._ends_s = False, math.inf
+        for output in self._outputs.values():
+            output.VOLT, output.CURR, output.on = 0.0, 0.0, False
+            output.coil.drive(t_s, 0.0, 0.0, False)
+        self._hear(t_s)
 
     def _hear(self, t_s: float) -> None:
         """Whatever it hears puts the watchdog off, unless it has tripped."""
@@ -76,18 +76,12 @@ class KeysightEmulator(Answers):
         elif not delay and value in ("0", "1", "ON", "OFF"):
             self._watching = value in ("1", "ON")
         else:
-            return self._fault('-222,"Data out of range"')
+            return self._scpi.fault(RANGE)
         self._hear(t_s)
         return ""
 
-    def _do(self, t_s: float, text: str) -> str:
-        self._hear(t_s)
-        short = LONG.sub(r"\1", text.upper().lstrip(":"))
+    def _do(self, t_s: float, short: str) -> str | None:
         match short:
-            case "*IDN?":
-                return f"Keysight Technologies,E36312A,{self._serial},1.0.3-1.0.4-1.01"
-            case "SYST:ERR?":
-                return self._errors.popleft() if self._errors else '+0,"No error"'
             case "OUTP:PAIR?":
                 return self.pairing
             case "OUTP:TRAC?":
@@ -113,7 +107,7 @@ class KeysightEmulator(Answers):
             number = self._wired(found[3] or found[5])
             return self._read(t_s, number, found[1]) if found[2] else self._set(t_s, number, found[1], found[4])
         else:
-            return self._fault('-113,"Undefined header"')
+            return None
         return ""
 
     def _wired(self, stated: str | None) -> int:
@@ -129,7 +123,7 @@ class KeysightEmulator(Answers):
         if what == "OUTP":
             return f"{output.on:d}"
         if what.startswith("MEAS"):
-            return f"{current if what.endswith('CURR') else current * output.coil.resistance_ohm:+.8E}"
+            return f"{round(current * (1 if what.endswith('CURR') else output.coil.resistance_ohm), 5):+.8E}"
         return f"{getattr(output, what):+.8E}"
 
     def _set(self, t_s: float, number: int, what: str, value: str) -> str:
@@ -139,10 +133,6 @@ class KeysightEmulator(Answers):
         elif what in MAX[number] and value not in ("ON", "OFF") and float(value) <= MAX[number][what]:
             setattr(output, what, float(value))
         else:
-            return self._fault('-222,"Data out of range"')
+            return self._scpi.fault(RANGE)
         output.coil.drive(t_s, output.CURR, output.VOLT, output.on)
-        return ""
-
-    def _fault(self, text: str) -> str:
-        self._errors.append(text)
         return ""

@@ -8,13 +8,15 @@ from typing import Any
 
 from drivers.emulators.line import Lab, Replies
 
-BUSY_S, REPLY_S = 0.05, 0.015
+BUSY_S, REPLY_S = 0.08, 0.015
 MAX = {"V": 31.0, "I": 5.1}
 SET = re.compile(r"([VI])SET1:(\d+\.?\d*)")
 
 
 class KoradEmulator(Replies):
-    """Each arrival is one command; what comes within 50 ms of the last one is dropped without a word."""
+    """Each arrival is one command; what comes within 80 ms of the last one is dropped without a word."""
+
+    baud = 9600
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__()

@@ -21,7 +21,12 @@ TEXTS = {
 
 
 class Esp301Emulator(Answers):
-    """Moves the twin's turntable; its motor is off until it is switched on."""
+    """Moves the twin's turntable; its motor is off until it is switched on.
+
+    WS: what comes after it is worked off when it has stopped, and so many milliseconds later.
+    """
+
+    baud = 19200
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, end=b"\r", delay_s=0.004)
@@ -30,8 +35,8 @@ class Esp301Emulator(Answers):
         self._errors = deque[int](maxlen=QUEUE)
 
     def _reply(self, t_s: float, text: str) -> bytes:
-        said = self._do(t_s, text)
-        return said.encode() + b"\r\n" if said else b""
+        said = [self._do(max(t_s, self._free_s), one.strip()) for one in text.split(";")]
+        return b"".join(one.encode() + b"\r\n" for one in said if one)
 
     def _do(self, t_s: float, text: str) -> str:
         found = COMMAND.fullmatch(text.upper())
@@ -53,6 +58,10 @@ class Esp301Emulator(Answers):
                 return f"{self._rates[speed]:.4f}"
             case ("", "TE", "?"):
                 return str(self._errors.popleft() if self._errors else 0)
+            case ("1", "MO", "?"):
+                return f"{self._on:d}"
+            case ("1", "SL" | "SR" as side, "?"):
+                return "-720" if side == "SL" else "720"
             case ("1", "PA", "?"):
                 return f"{self._platform.now(t_s)[0]:.4f}"
             case ("1", what, value):
@@ -69,6 +78,8 @@ class Esp301Emulator(Answers):
                 self._on = False
             case "ST":
                 self._platform.stop(t_s)
+            case "WS":
+                self._free_s = max(t_s, self._platform.pieces[-1][0]) + float(value or 0) / 1000
             case "VA" | "OH" | "OL" | "PA" if value in ("", "?"):
                 self._errors.append(MISSING)
             case "VA" | "OH" | "OL" if 0 < float(value) <= MAX_RATE:

@@ -16,6 +16,8 @@ MAX_RATE = HOME_RATE = 20.0
 class Smc100Emulator(Answers):
     """Replies repeat address and command; the letter of the last error is asked for with TE."""
 
+    baud = 57600
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(self._reply, end=b"\r\n", delay_s=0.005)
         self._platform, self._address, self._rate = lab.platform, settings.address, 20.0
@@ -44,6 +46,10 @@ class Smc100Emulator(Answers):
                 return f"{self._platform.now(t_s)[0]:.5f}"
             case "OH", "?":
                 return f"{HOME_RATE:g}"
+            case "AC", "?":
+                return "80"
+            case "PW", "?":
+                return "0"
             case "TE", _:
                 error, self._error = self._error, "@"
                 return error
@@ -64,7 +70,7 @@ class Smc100Emulator(Answers):
         match what:
             case "ST":
                 self._platform.stop(t_s)
-            case "VA" | "PA" if value in ("", "?"):
+            case "VA" | "PA" | "PR" if value in ("", "?"):
                 return "C"
             case "OR" if self._state(t_s) == NOT_REFERENCED:
                 self._homed = self._homing = True
@@ -73,7 +79,9 @@ class Smc100Emulator(Answers):
                 self._rate = float(value)
             case "PA" if self._state(t_s) == READY:
                 self._platform.move(t_s, float(value), self._rate)
-            case "PA":
+            case "PR" if self._state(t_s) == READY:
+                self._platform.move(t_s, self._platform.now(t_s)[0] + float(value), self._rate)
+            case "PA" | "PR":
                 return "H" if not self._homed else "M"
             case "VA":
                 return "C"

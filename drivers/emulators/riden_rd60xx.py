@@ -17,6 +17,7 @@ from drivers.emulators.modbus_rtu import (
 )
 
 PER_V, PER_A = 100, 1000
+REGISTERS = 120  # all are there to be read, in blocks as long as one likes
 V, I, OUTPUT, OVP, OCP = 8, 9, 18, 82, 83  # noqa: E741  the symbols of the manual
 FIXED = {0: 60062, 1: 0, 3: 135, 4: 0, 5: 27, 14: 2410, 15: 0, 20: 0, 68: 0}
 
@@ -47,9 +48,9 @@ class Riden:
         measured = {10: voltage * PER_V, 11: current * PER_A, 12: power >> 16, 13: power & 0xFFFF, 16: self._protection}
         limited = self._held[OUTPUT] and voltage * PER_V > self._held[V] - 1
         known = {**self._fixed, **self._held, **measured, 17: int(not limited)}
-        if function != READ_HOLDING or not all(address + k in known for k in range(count)):
+        if function != READ_HOLDING or address + count > REGISTERS:
             raise Refused(ILLEGAL_ADDRESS)
-        return [round(known[address + k]) for k in range(count)]
+        return [round(known.get(address + k, 0)) for k in range(count)]
 
     def _put(self, t_s: float, function: int, address: int, values: list[int]) -> None:
         told = dict(enumerate(values, address))

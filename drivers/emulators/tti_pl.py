@@ -8,10 +8,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from drivers.emulators.line import Answers, Lab
+from drivers.emulators.scpi import COMMAND_ERROR, EXECUTION_ERROR, Messages
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?"  # the manual's NRF
-COMMAND = re.compile(rf"(V|I|OP|OVP|OCP|LSR)(\d)([OV]?)(\?| {NUMBER})")
-STEP = re.compile(rf"(INC|DEC|DELTA)(V|I)(\d)(?: ({NUMBER}))?")
+COMMAND = re.compile(rf"(V|I|OP|OVP|OCP|LSR|IRANGE)(\d)([OV]?)(\?| {NUMBER})")
+STEP = re.compile(rf"(INC|DEC|DELTA)(V|I)(\d)(\?| {NUMBER})?")
+OUT_OF_RANGE, WITH_OUTPUT_ON = 100, 104
 MAX = {"V": 30.0, "I": 3.0, "OVP": 40.0, "OCP": 3.5}
 
 
@@ -26,6 +28,8 @@ class Output:
     OCP: float = 3.5
     on: bool = False
     limited: bool = False
+    IRANGE: int = 2
+    tripped: int = 0  # bits of its limit event register
     steps: dict[str, float] = field(default_factory=lambda: {"V": 0.0, "I": 0.0})
 
 
@@ -35,31 +39,33 @@ class TtiEmulator(Answers):
     wire = "tcp"
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
-        super().__init__(self._reply, delay_s=0.008)
         self._outputs = {int(s.get("output", 1)): Output(lab.coils[role[-1]]) for role, s in roles.items()}
-        self._events, self._error, self._locked = 128, 0, False
-        self._serial = 512_340 + sum(ord(role[-1]) - ord("x") for role in roles)
+        self._error, self._locked = 0, False
+        serial = 512_340 + sum(ord(role[-1]) - ord("x") for role in roles)
+        who = f"THURLBY THANDAR, PL303QMT-P, {serial}, 3.02-4.06"
+        self._words = Messages(who, self._do, self._reset, none="", end="\r\n", words=str.upper)
+        super().__init__(self._words.line, delay_s=0.008)
 
-    def _reply(self, t_s: float, text: str) -> bytes:
-        said = self._do(t_s, text.upper())
-        return f"{said}\r\n".encode() if said else b""
+    def _reset(self, t_s: float) -> None:
+        for output in self._outputs.values():
+            output.V, output.I, output.OVP, output.OCP, output.on, output.tripped = 0.0, 0.0, 40.0, 3.5, False, 0
+            output.coil.drive(t_s, 0.0, 0.0, False)
 
-    def _do(self, t_s: float, text: str) -> str:
+    def _do(self, t_s: float, text: str) -> str | None:
         match text:
-            case "*IDN?":
-                return f"THURLBY THANDAR, PL303QMT-P, {self._serial}, 3.02-4.06"
             case "IFLOCK" | "IFLOCK?" | "IFUNLOCK":
                 self._locked = self._locked if text.endswith("?") else text == "IFLOCK"
                 return f"{self._locked:d}"
-            case "*ESR?":
-                events, self._events = self._events, 0
-                return f"{events}"
             case "EER?":
                 error, self._error = self._error, 0
                 return f"{error}"
             case "QER?":
                 return "0"
-            case "TRIPRST" | "LOCAL":
+            case "TRIPRST":
+                for output in self._outputs.values():
+                    output.tripped = 0
+                return ""
+            case "LOCAL":
                 return ""
             case "OPALL 0" | "OPALL 1":
                 for output in self._outputs.values():
@@ -67,13 +73,14 @@ class TtiEmulator(Answers):
                 return ""
         return self._of_one_output(t_s, text)
 
-    def _of_one_output(self, t_s: float, text: str) -> str:
+    def _of_one_output(self, t_s: float, text: str) -> str | None:
         found, step = COMMAND.fullmatch(text), STEP.fullmatch(text)
         number = int(found[2]) if found else int(step[3]) if step else 0
         if number not in self._outputs:
-            self._events |= 32
-            return ""
+            return None
         output = self._outputs[number]
+        if step and step[1] == "DELTA" and step[4] == "?":
+            return f"DELTA{step[2]}{number} {output.steps[step[2]]:.3f}"
         if step:
             self._step(t_s, output, step)
         elif found and found[4] == "?":
@@ -86,8 +93,11 @@ class TtiEmulator(Answers):
         what, number = found[1], found[2]
         if what == "OP":
             return f"{output.on:d}"
+        if what == "IRANGE":
+            return f"{output.IRANGE}"
         if what == "LSR":
-            return f"{output.on * (1 if output.limited else 2)}"
+            tripped, output.tripped = output.tripped, 0
+            return f"{tripped | output.on * (1 if output.limited else 2)}"
         if found[3] != "O":
             prefix, digits = what.removeprefix("O"), 4 if what == "I" else 3
             return f"{prefix}{number} {getattr(output, what):.{digits}f}"
@@ -101,15 +111,24 @@ class TtiEmulator(Answers):
         elif how != "DELTA" and not step[4]:
             self._set(t_s, output, what, getattr(output, what) + output.steps[what] * (1 if how == "INC" else -1))
         else:
-            self._events |= 32
+            self._words.events |= COMMAND_ERROR
 
     def _set(self, t_s: float, output: Output, what: str, value: float) -> None:
         if what == "OP":
             output.on = bool(value)
+        elif what == "IRANGE" and output.on:
+            self._refuse(WITH_OUTPUT_ON)
+        elif what == "IRANGE" and value in (1, 2):
+            output.IRANGE = int(value)
         elif what not in MAX:
-            self._events |= 32
+            self._words.events |= COMMAND_ERROR
         elif not 0 <= value <= MAX[what]:
-            self._events, self._error = self._events | 16, 100
+            self._refuse(OUT_OF_RANGE)
         else:
             setattr(output, what, round(value, 4))
+        if output.on and (output.V > output.OVP or output.I > output.OCP):
+            output.on, output.tripped = False, 4 if output.V > output.OVP else 8
         output.limited = output.coil.drive(t_s, output.I, output.V, output.on)
+
+    def _refuse(self, error: int) -> None:
+        self._words.events, self._error = self._words.events | EXECUTION_ERROR, error

@@ -28,6 +28,8 @@ class InterlockEmulator(RtuSlave):
     beats.
     """
 
+    baud = 9600
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(settings.address, self._get, self._put)
         self._coils, self._wired = lab.coils, settings.relay

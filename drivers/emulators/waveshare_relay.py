@@ -25,6 +25,8 @@ class WaveshareEmulator(RtuSlave):
 
     more, of_all = (WRITE_COILS,), (READ_HOLDING,)
 
+    baud = 9600
+
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__(settings.address, self._get, self._put)
         wired = {axis: getattr(settings, axis) for axis in "xyz"}

@@ -9,8 +9,9 @@ from collections.abc import Iterable
 
 END = b"\r"
 LENGTH = 7  # of a binary frame, its end sign included
-AXIS = rb"([ +-])([ \d]\d),(\d{3})"
-ASCII_FRAME = re.compile(rb"%b  %b  %b  \r" % (AXIS, AXIS, AXIS))  # a byte that is lost or too much is noticed
+COLUMNS = (slice(7), slice(9, 16), slice(18, 25))  # of a frame's 28 bytes; a byte lost or too much is noticed
+BETWEEN = re.compile(rb".{7}  .{7}  .{7}  \r", re.DOTALL)
+COUNT = re.compile(rb" *([+-]?) *(\d\d?,\d{3}|\d{1,5})")  # below 1000 blanks stand for digits and comma
 UPPER = frozenset((0, 2, 4))  # places of the bytes that stand still where the field does
 LONG, SHORT = 16, 4  # frames that are waited for where places are in doubt, and where they are as before
 
@@ -46,12 +47,11 @@ class TextFrames:
         return samples[skipped:]
 
     def _take(self, frame: bytes, samples: list[Sample]) -> None:
-        if (found := ASCII_FRAME.fullmatch(frame)) is None:
+        found = [one for column in COLUMNS if (one := COUNT.fullmatch(frame[column]))]
+        if len(found) < len(COLUMNS) or not BETWEEN.fullmatch(frame):
             self.bad.append(self._stamp)
             return
-        parts = found.groups()
-        counts = [(-1 if parts[k] == b"-" else 1) * int(parts[k + 1] + parts[k + 2]) for k in (0, 3, 6)]
-        samples.append((self._stamp, counts, frame))
+        samples.append((self._stamp, [int(one[1] + one[2].replace(b",", b"")) for one in found], frame))
 
 
 class BinaryFrames:

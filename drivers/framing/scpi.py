@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -13,6 +14,7 @@ from labcal.bench.links import Link, abridged, quoted
 from labcal.errors import InstrumentError
 
 LONGEST_QUEUE = 64
+MOST_ECHOES = 8  # that may still be on their way
 FLOW = b"\x11\x13"  # XON, XOFF that an adapter let through
 NAK = b"\x15"  # of a Kepco whose input queue overran
 CODE = re.compile(r"[+-]?\d+,")  # with which an answer to "which errors?" begins
@@ -20,7 +22,10 @@ CODE = re.compile(r"[+-]?\d+,")  # with which an answer to "which errors?" begin
 
 @dataclass
 class Scpi:
-    """`gap_s`: the least pause after each message. `errors`: what asks for the oldest error in its queue."""
+    """`gap_s`: the least pause after each message. `errors`: what asks for the oldest error in its queue.
+
+    `may_echo`: it may send back what it is told before it answers; that is no answer, whenever it comes.
+    """
 
     name: str
     link: Link
@@ -28,7 +33,9 @@ class Scpi:
     timeout_s: float
     gap_s: float = 0.0
     errors: str = "SYST:ERR?"
+    may_echo: bool = False
     _free_s: float = field(default=float("-inf"), init=False)
+    _told: deque[bytes] = field(default_factory=lambda: deque(maxlen=MOST_ECHOES), init=False)
 
     def __post_init__(self) -> None:
         self._in_step = InStep(self.name, self.link, self.clock)
@@ -38,7 +45,10 @@ class Scpi:
         """Ask and return the reply. Raises InstrumentError: silent, or refused where the question was lost."""
         self._in_step.settle()
         self.send(text)
-        reply = self.link.ask(b"", end=b"\n", timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
+        reply = self._line()
+        for _ in range(MOST_ECHOES * self.may_echo):
+            if reply in self._told:
+                reply = self._line()
         self._free_s = self.clock.now() + self.gap_s
         if NAK in reply:
             raise InstrumentError(f"{self.name}: it lost {text!r}: its input queue overran.", fault="refused")
@@ -59,7 +69,11 @@ class Scpi:
         self.clock.wait_until(self._free_s)
         self.link.flush()
         self.link.send(text.encode() + b"\n")
+        self._told.append(text.encode())
         self._free_s = self.clock.now() + self.gap_s
+
+    def _line(self) -> bytes:
+        return self.link.ask(b"", end=b"\n", timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
 
     def identify(self, fits: Callable[[str, str], bool], kind: str) -> Identity:
         """Who it says it is. Raises InstrumentError where maker and model do not fit: it is no `kind`.
@@ -69,7 +83,7 @@ class Scpi:
         said = self.query("*IDN?")
         if self._in_step.ask_again(said):
             said = self.query("*IDN?")
-        maker, model, serial, firmware = (*map(str.strip, said.split(",")), "", "", "")[:4]
+        maker, model, serial, firmware = (*map(_evenly, said.split(",")), "", "", "")[:4]
         if not fits(maker.upper(), model):
             self.refuse_earlier("*IDN?", said)
             raise InstrumentError(
@@ -89,6 +103,11 @@ def refused(name: str, text: str, why: str) -> InstrumentError:
     """The error for a command that a supply did not take."""
     remedy = "Look at the supply's panel."
     return InstrumentError(f"{name}: {text!r} failed: {abridged(why)}.", fault="refused", remedy=remedy)
+
+
+def _evenly(words: str) -> str:
+    """One blank between words: some makers pad them."""
+    return " ".join(words.split())
 
 
 def _none(error: str) -> bool:

@@ -30,6 +30,7 @@ from labcal.bench.driver_kit.roles import (
     Magnetometer,
     RotationPlatform,
 )
+from labcal.bench.greeting import greeted, lines_apart
 from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
@@ -142,7 +143,7 @@ class Bench:
 
         A supply that answers at the links of two coils is another for both.
         """
-        self._known = {name: instrument.identify() for name, instrument in self._instruments.items()}
+        self._known = greeted(self._instruments, lines_apart(self.config), self.clock)
         links = {name: one.link for name, one in self.config.instruments.items() if one.role.startswith("coil-")}
         refuse_one_at_two_links({name: self._known[name] for name in links}, links)
         return dict(self._known)
@@ -165,6 +166,19 @@ class Bench:
         """What the record may call the field at the DUT: a remote reference that nothing carries there is none."""
         stated = self.config.reference
         return "none" if stated.place == "remote" and self.carry is None else stated.kind
+
+    @property
+    def reference_stated(self) -> ReferenceConfig:
+        """What is stated of the reference; carried to the DUT, with the uncertainty of that in scale and zero."""
+        stated, carry = self.config.reference, self.carry
+        if carry is None:
+            return stated
+        ppm = 1e6 * carry.u_matrix_nT_per_A / float(np.linalg.norm(self.cage.matrix_nT_per_A, axis=0).min())
+        wider = {
+            "u_scale_ppm": stated.u_scale_ppm and float(np.hypot(stated.u_scale_ppm, ppm)),
+            "u_offset_nT": stated.u_offset_nT and float(np.hypot(stated.u_offset_nT, carry.u_offset_nT)),
+        }
+        return stated.model_copy(update=wider)
 
     def start(self) -> None:
         """Begin all streams; from here on nothing that arrives is lost, ramps included."""

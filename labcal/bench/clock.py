@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from typing import Protocol
 
@@ -44,6 +46,7 @@ class RealClock:
     def __init__(self) -> None:
         self._start = time.monotonic()
         self._looks: list[Callable[[], None]] = []
+        self._here = threading.local()
 
     def now(self) -> float:
         """Seconds since the bench was opened."""
@@ -53,8 +56,17 @@ class RealClock:
         """Sleep until `t_s`, in slices, with a look at every line between them."""
         while (left := t_s - self.now()) > 0:
             time.sleep(min(left, LOOK_S))
-            for look in self._looks:
+            for look in () if getattr(self._here, "apart", False) else self._looks:
                 look()
+
+    @contextmanager
+    def apart(self) -> Iterator[None]:
+        """In this thread, waiting looks at nothing: another thread does, and looks are not made for two."""
+        self._here.apart = True
+        try:
+            yield
+        finally:
+            self._here.apart = False
 
     def while_waiting(self, look: Callable[[], None]) -> None:
         """Call `look` every few milliseconds of waiting."""

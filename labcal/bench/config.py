@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from datetime import date
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
@@ -41,6 +42,13 @@ def _for_people(value: str) -> str:
     return value
 
 
+def _day(value: Any) -> str:
+    try:
+        return date.fromisoformat(str(value)).isoformat()
+    except ValueError:
+        raise ValueError("must be a date such as 2026-03-02") from None
+
+
 def _group_name(value: str) -> str:
     if not re.fullmatch(r"\w[\w.@-]{0,31}", value):
         raise ValueError("must be the name of a group of this computer's users")
@@ -66,6 +74,7 @@ Currents = Annotated[tuple[Current_A, Current_A, Current_A], BeforeValidator(_ea
 Constants = Annotated[tuple[Field_nT, Field_nT, Field_nT], BeforeValidator(_each_axis)]
 Three_nT = tuple[PerAmpere, PerAmpere, PerAmpere]
 Text = Annotated[str, AfterValidator(_for_people)]
+Day = Annotated[str, BeforeValidator(_day)]
 Unit = Annotated[Vector, AfterValidator(_of_length_one)]
 
 
@@ -123,6 +132,24 @@ class PlatformConfig(_Table):
     u_axis_cage_deg: Positive | None = None
 
 
+class CertificateConfig(_Table):
+    """The certificate of the reference's own calibration."""
+
+    number: Text | None = None
+    issuer: Text | None = None
+    date: Day | None = None
+    due: Day | None = None
+    temperature_C: Finite | None = None  # at which it holds
+
+
+class EnvironmentConfig(_Table):
+    """The room, and the field's gradients where device and reference stand."""
+
+    temperature_C: Finite | None = None
+    gradient_nT_per_m: Positive | None = None  # with the coils at zero, of any component along any direction
+    gradient_ppm_per_m: Positive | None = None  # of what the coils make
+
+
 class ReferenceConfig(_Table):
     """The reference sensor as far as it is stated. `cage_from_sensor` turns its axes into C."""
 
@@ -137,6 +164,13 @@ class ReferenceConfig(_Table):
     u_align_deg: Positive | None = None
     u_time_s: Positive | None = None
     calibration: str | None = None
+    tc_ppm_per_K: Finite | None = None  # what is known of it and not corrected; each with its own uncertainty
+    u_tc_ppm_per_K: Positive | None = None
+    tc_nT_per_K: Finite | None = None
+    u_tc_nT_per_K: Positive | None = None
+    drift_nT_per_year: Finite | None = None
+    u_drift_nT_per_year: Positive | None = None
+    certificate: CertificateConfig | None = None
     silent_s: Positive = 3.0  # without a sample so long, it is silent
     stuck_s: Positive = 60.0  # with the same reading so long, it is stuck
 
@@ -172,6 +206,7 @@ class DutConfig(_Table):
     silent_s: Positive = 30.0
     stuck_s: Positive = 120.0
     limits: DutLimits = DutLimits()
+    specification: dict[str, Any] | str | None = None  # a table, or a file: labcal.bench.specification
 
 
 class SafetyConfig(_Table):
@@ -206,6 +241,7 @@ class BenchConfig(_Table):
     reference: ReferenceConfig = ReferenceConfig()
     dut: DutConfig
     safety: SafetyConfig = SafetyConfig()
+    environment: EnvironmentConfig = EnvironmentConfig()
     instruments: dict[str, InstrumentConfig]
     twin: dict[str, Any] = Field(default={}, exclude=True, repr=False)
 

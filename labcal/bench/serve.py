@@ -22,8 +22,11 @@ STEP_S = 0.002  # how often an emulator is looked at that does not foresee its n
 UNHEARD_S = 1.0  # and one whose line is full, as nobody reads it
 LONGEST_S = 3600.0  # that select is asked to wait
 
+BAUD = 115_200  # of an emulator that states none
+
 if sys.platform != "win32":
     import pty
+    import termios
     import tty
 
     def open_pty() -> tuple[int, int, str]:
@@ -32,7 +35,28 @@ if sys.platform != "win32":
         tty.setraw(slave)
         os.set_blocking(master, False)
         return master, slave, os.ttyname(slave)
+
+    def set_baud(slave: int, baud: int) -> None:
+        """8N1 at this rate."""
+        state = termios.tcgetattr(slave)
+        state[2] = state[2] & ~FRAME | termios.CS8
+        state[4] = state[5] = getattr(termios, f"B{baud}")
+        termios.tcsetattr(slave, termios.TCSANOW, state)
+
+    def line_of(slave: int) -> tuple[int, ...]:
+        """How the host has set its line, as far as the terminal tells: Linux keeps stop bits and odd, not even."""
+        state = termios.tcgetattr(slave)
+        return state[4], state[5], state[2] & FRAME
+
+    FRAME = termios.PARENB | termios.PARODD | termios.CSTOPB | termios.CSIZE
 else:
+
+    def set_baud(slave: int, baud: int) -> None:
+        """There is none."""
+
+    def line_of(slave: int) -> tuple[int, ...]:
+        """There is none."""
+        return ()
 
     def open_pty() -> tuple[int, int, str]:
         """There is none."""
@@ -66,12 +90,16 @@ class Outlet(Protocol):
 
 
 class PtyOutlet:
-    """A pseudo terminal, for what has a serial line."""
+    """A pseudo terminal, for what has a serial line; a host that has set it otherwise than 8N1 at `baud` is not heard
+    and hears nothing, as far as the terminal tells.
+    """
 
-    def __init__(self, scheme: str) -> None:
+    def __init__(self, scheme: str, baud: int = BAUD) -> None:
         self._master, self._slave, name = open_pty()
-        self.url = f"{scheme}://{name}?baud=115200"
+        self.url = f"{scheme}://{name}?baud={baud}"
         self._full = list[int]()
+        set_baud(self._slave, baud)
+        self._line = line_of(self._slave)
 
     def files(self) -> list[int]:
         """The end that the host does not have."""
@@ -85,13 +113,14 @@ class PtyOutlet:
     def read(self) -> bytes:
         """What the host sent."""
         with suppress(BlockingIOError):
-            return os.read(self._master, 65536)
+            data = os.read(self._master, 65536)
+            return data if line_of(self._slave) == self._line else b""
         return b""
 
     def write(self, data: bytes) -> None:
         """Put bytes on the line."""
         with suppress(BlockingIOError):
-            if not self._full:
+            if not self._full and line_of(self._slave) == self._line:
                 os.write(self._master, data)
 
     def close(self) -> None:
@@ -186,7 +215,12 @@ def _outlet(emulator: Emulator, modbus: bool) -> Outlet:
     scheme = "modbus-rtu" if modbus else "serial"
     if getattr(emulator, "wire", "serial") == "tcp":
         return TcpOutlet("tcp")
-    return TcpOutlet(scheme) if sys.platform == "win32" else PtyOutlet(scheme)
+    return TcpOutlet(scheme) if sys.platform == "win32" else PtyOutlet(scheme, baud_of(emulator))
+
+
+def baud_of(emulator: Emulator) -> int:
+    """The rate at which an emulated instrument speaks: its own `baud`, where it has one."""
+    return int(getattr(emulator, "baud", BAUD))
 
 
 def _pump(lines: list[tuple[Outlet, Emulator]], clock: Clock) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -26,11 +26,12 @@ from labcal.loop.selection.equivalents import Equivalent
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
-from labcal.loop.uncertainty import Uncertainty, of_the_file, uncertainty_of
+from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord, Parameter
-from labcal.model.calibration import Rival
+from labcal.model.calibration import Rival, k_means
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
+from labcal.uncertainty import Sources
 
 Array = NDArray[np.float64]
 
@@ -46,6 +47,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     uncertain = uncertainty_of(after)
     accepted = [*of_the_data, *_records(found, after, uncertain)]
     unsupported = working_range.unsupported(run, found.accepted, after)
+    shipping = [one for i, one in enumerate(accepted[len(of_the_data) :]) if i not in unsupported]
     shipped, errors = _shipped(found, after, unsupported)
     of_file = of_the_file(
         shipped,
@@ -72,6 +74,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         affine=shipped.problem.affine,
         covariance=of_file.covariance,
         covariance_of=of_file.names,
+        sources=of_file.sources,
         frame_known=not bool((problem.observations.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
         findings=noticed,
@@ -80,9 +83,15 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         unsupported=frozenset(len(of_the_data) + i for i in unsupported),
         shipped=errors,
         twins=confounded(problem, [c.scored.candidate.family for rivals in found.equivalents for c in rivals]),
-        remarks=(tests_text(tests["after"]), *(finding.says for finding in noticed)),
+        remarks=(tests_text(tests["after"]), *(finding.says for finding in noticed), *_meaning(shipping)),
         pictures=replace(residual_pictures(before.problem, after.problem), held_out_nT=_both(found.cv_error)),
     )
+
+
+def _meaning(shipping: Sequence[EffectRecord]) -> list[str]:
+    """What k belongs to, beside the sensor's effects among those that are shipped."""
+    means = k_means([effect for effect in shipping if effect.belongs_to == "sensor"])
+    return [f"k is the offset {means}."] if means else []
 
 
 def as_shipped(cv_error: HeldOutErrors, in_sample: float, *, added: bool = True) -> HeldOutErrors:
@@ -155,7 +164,7 @@ def _correlated(found: Evidence) -> bool:
     return serially_correlated(left, found.pool.whole.scene.segment)
 
 
-def _records(found: Evidence, after: JointFit, uncertain: Uncertainty) -> list[EffectRecord]:
+def _records(found: Evidence, after: JointFit, uncertain: Sources) -> list[EffectRecord]:
     out, stated = [], after.parameters(uncertain.covariance)
     lists = zip(found.accepted, after.terms, stated, found.contributions, found.equivalents, strict=True)
     for chosen, term, parameters, step, rivals in lists:

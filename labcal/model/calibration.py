@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -116,12 +116,7 @@ class Calibration:
 
     def k_means(self) -> str:
         """What k belongs to, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""
-        stated = {name: value for effect in self.effects for name, value in effect.reference_value.items()}
-        units = {name: _unit_of_drive(effect) for effect in self.effects for name in effect.channels[:1]}
-        said = [
-            f"{name} = {value:.4g} {units.get(name, '')}".rstrip() for name, value in {**stated, **self.k_at}.items()
-        ]
-        return f"at {', '.join(said)}" if said else ""
+        return k_means(self.effects, self.k_at)
 
     def apply(
         self,
@@ -174,6 +169,16 @@ class Calibration:
 
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is no number, and says so in its row
             return apply(self, readings_of(reading, t_s, segment, mode, channels))
+
+
+def k_means(effects: Sequence[EffectRecord], k_at: Mapping[str, float] | None = None) -> str:
+    """What k belongs to beside these effects, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""
+    stated = {name: value for effect in effects for name, value in effect.reference_value.items()}
+    units = {name: _unit_of_drive(effect) for effect in effects for name in effect.channels[:1]}
+    said = [
+        f"{name} = {value:.4g} {units.get(name, '')}".rstrip() for name, value in {**stated, **(k_at or {})}.items()
+    ]
+    return f"at {', '.join(said)}" if said else ""
 
 
 def _unit_of_drive(effect: EffectRecord) -> str:

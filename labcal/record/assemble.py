@@ -60,7 +60,9 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         reference_magnitude=_at(t, *_readings(references, ("ref_f",)))[:, 0] if kind == "scalar" else None,
         angle_deg=_angle(t, angles) if angles else None,
         row_mode=_modes(t, items),
+        environment=header.environment,
         channels=_channels(header, t, items),
+        specification=header.specification,
     )
 
 

@@ -9,6 +9,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.record.specification import Specification
+
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
@@ -66,6 +68,13 @@ class Reference:
     u_align_deg: float | None = None
     u_time_s: float | None = None
     calibration: str | None = None
+    tc_ppm_per_K: float | None = None  # what is known of it and not corrected
+    u_tc_ppm_per_K: float | None = None
+    tc_nT_per_K: float | None = None
+    u_tc_nT_per_K: float | None = None
+    drift_nT_per_year: float | None = None
+    u_drift_nT_per_year: float | None = None
+    certificate: Mapping[str, str | float] | None = None  # number, issuer, date, due, temperature_C
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,7 +110,9 @@ class Run:
     reference_magnitude: Array | None = None  # (n,)
     angle_deg: Array | None = None  # (n,)
     row_mode: NDArray[np.str_] | None = None  # (n,) where rows state it, "" where not
+    environment: Mapping[str, float] | None = None  # temperature_C, gradient_nT_per_m, gradient_ppm_per_m
     channels: tuple[Channel, ...] = ()
+    specification: Specification | None = None  # of the DUT, chosen before the run began
 
     def __post_init__(self) -> None:
         for value in (getattr(self, f.name) for f in fields(self)):

@@ -6,7 +6,7 @@ import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
-from datetime import datetime
+from datetime import date, datetime
 from difflib import get_close_matches
 from functools import lru_cache
 from typing import Annotated, Any, Literal, NoReturn, Self
@@ -16,7 +16,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 
 from labcal.errors import InputError
 from labcal.files.text_safety import checked_text, replace_control
-from labcal.record import Dut, Reference, Run, Segment
+from labcal.record import Dut, Reference, Run, Segment, Specification
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
 from labcal.record.run_id import checked_run_id
@@ -85,6 +85,14 @@ def _iso_8601(text: str) -> str:
     return text
 
 
+def _iso_day(text: str) -> str:
+    try:
+        date.fromisoformat(text)
+    except ValueError:
+        raise ValueError("expected a date in ISO 8601, such as 2026-03-02") from None
+    return text
+
+
 def _one_line(text: str) -> str:
     if "\n" in text or "\t" in text:
         raise ValueError("expected one line without tabs")
@@ -98,6 +106,8 @@ Utc = Annotated[str, AfterValidator(_iso_8601)]
 Axis = Annotated[Vector, AfterValidator(_unit_axis)]
 Rotation = Annotated[Matrix, AfterValidator(_rotation)]
 Spread = Annotated[float, Field(ge=0)]
+Day = Annotated[str, AfterValidator(_iso_day)]
+Celsius = Annotated[float, Field(ge=-273.15, le=1000)]
 Nanotesla = Annotated[float, Field(ge=0, le=LARGEST_FIELD_nT)]
 
 
@@ -137,6 +147,24 @@ class DutPart(_Part):
     noise_nT: Nanotesla | None = None
 
 
+class CertificatePart(_Part):
+    """The certificate of the reference's own calibration."""
+
+    number: Text | None = None
+    issuer: Text | None = None
+    date: Day | None = None
+    due: Day | None = None
+    temperature_C: Celsius | None = None  # at which it holds
+
+
+class EnvironmentPart(_Part):
+    """The room, and the field's gradients where device and reference stand."""
+
+    temperature_C: Celsius | None = None
+    gradient_nT_per_m: Nanotesla | None = None  # with the coils at zero, of any component along any direction
+    gradient_ppm_per_m: Spread | None = None  # of what the coils make
+
+
 class ReferencePart(_Part):
     """The reference sensor and what is stated about it."""
 
@@ -150,6 +178,17 @@ class ReferencePart(_Part):
     u_align_deg: Spread | None = None
     u_time_s: Spread | None = None
     calibration: Text | None = None
+    tc_ppm_per_K: float | None = None
+    u_tc_ppm_per_K: Spread | None = None
+    tc_nT_per_K: float | None = None
+    u_tc_nT_per_K: Spread | None = None
+    drift_nT_per_year: float | None = None
+    u_drift_nT_per_year: Spread | None = None
+    certificate: CertificatePart | None = None
+
+    def known(self) -> dict[str, Any]:
+        """The keys of the format, by name."""
+        return super().known() | {"certificate": _plain(self.certificate)}
 
 
 class SegmentPart(_Part):
@@ -207,6 +246,8 @@ class RunJson(_Part):
     reference: ReferencePart
     segments: tuple[SegmentPart, ...] = Field(min_length=1)
     channels: dict[Name, ChannelPart] = {}
+    specification: Specification | None = None
+    environment: EnvironmentPart | None = None
 
     @model_validator(mode="after")
     def _names(self) -> Self:
@@ -221,9 +262,19 @@ class RunJson(_Part):
                 raise ValueError(f"a channel cannot be called {name!r}: samples.csv has a column of that name")
         return self
 
+    def stated_environment(self) -> dict[str, float] | None:
+        """The environment as the record knows it."""
+        return _plain(self.environment)
+
     def record_segments(self) -> tuple[Segment, ...]:
         """The segments as the record knows them."""
         return tuple(Segment(**segment.known()) for segment in self.segments)
+
+
+def _plain(part: _Part | None) -> dict[str, Any] | None:
+    """What a part states, by name; None where it states nothing."""
+    stated = {} if part is None else {name: value for name, value in part.known().items() if value is not None}
+    return stated or None
 
 
 def read_run_json(data: bytes, *, file: object, of_store: bool = False) -> RunJson:
@@ -261,7 +312,18 @@ def write_run_json(run: Run) -> bytes:
         "segments": [_stated(segment) for segment in run.segments],
         "channels": {c.name: {"unit": c.unit, "quantity": c.quantity, "role": c.role} for c in run.channels},
     }
+    if run.specification is not None:
+        header["specification"] = stated_specification(run.specification)
+    if run.environment is not None:
+        header["environment"] = dict(run.environment)
     return (json.dumps(replace_control(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def stated_specification(specification: Specification) -> dict[str, Any]:
+    """A specification as run.json has it: the limits that are stated, the rule and its r, and a title."""
+    limits = {name: asdict(limit) for name, limit in specification.limits.items()}
+    title = {"title": specification.title} if specification.title else {}
+    return {**title, **limits, "rule": specification.rule, "r": specification.r}
 
 
 def _stated(part: Dut | Reference | Segment) -> dict[str, Any]:

@@ -2,7 +2,8 @@
 
 Standard uncertainties, normal, constant through the run: a common factor of the reference, a zero for each of its axes,
 a turn of the reference's axes, of the platform's axes in the cage and of those in the body, each independent about
-every axis, and an offset between the clocks. What is not declared is not here.
+every axis, and an offset between the clocks. What became of the reference since its certificate is in
+`labcal.uncertainty.conditions`. What is not declared is not here.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 
 from labcal.geometry import rotation_vector
 from labcal.record import Run, Segment
+from labcal.uncertainty import conditions
 
 Array = NDArray[np.float64]
 Change = Callable[[Run], Run]
@@ -33,7 +35,7 @@ class DeclaredError:
 
 def declared_errors(run: Run) -> tuple[DeclaredError, ...]:
     """Every error that `run` declares, each independent of the others."""
-    return (*_of_the_reference(run), *_of_the_mounting(run), *_of_the_clocks(run))
+    return (*_of_the_reference(run), *_of_its_conditions(run), *_of_the_mounting(run), *_of_the_clocks(run))
 
 
 def _of_the_reference(run: Run) -> list[DeclaredError]:
@@ -51,6 +53,21 @@ def _of_the_reference(run: Run) -> list[DeclaredError]:
         for name, turn in _turns():
             change = partial(_reference_turned, by=np.radians(deg) * turn)
             found.append(DeclaredError(f"reference alignment about {name}", deg, "deg", change))
+    return found
+
+
+def _of_its_conditions(run: Run) -> list[DeclaredError]:
+    """Its temperature, its drift since its certificate, the gradient between it and the device."""
+    vector, found = run.reference.kind == "vector", list[DeclaredError]()
+    if run.reference.kind == "none":
+        return found
+    axes = "xyz" if vector else " "
+    for source, u, unit, by in conditions.zeros(run):
+        for number, axis in enumerate(axes):
+            change = partial(conditions.with_zero, by=by, axis=number)
+            found.append(DeclaredError(f"{source} {axis}".strip(), u, unit, change))
+    for source, u, unit, by in conditions.factors(run):
+        found.append(DeclaredError(source, u, unit, partial(conditions.with_factors, by=by)))
     return found
 
 

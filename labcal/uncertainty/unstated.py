@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from labcal.record import Reference, Run
+from labcal.uncertainty import conditions
 
 ALL_COVERED = "All that the run states of its reference and mounting is covered."
 
@@ -26,10 +27,31 @@ def not_covered(run: Run) -> tuple[str, ...]:
     said = list(not_stated(run))
     if said == [ALL_COVERED]:
         said = []
-    if run.reference.place != "dut":
+    if _gradient_open(run):
         said.append("The field's gradient between the reference and the device.")
-    said.append("The reference's temperature, and its drift since its own calibration.")
-    return tuple(said)
+    if left := _since_its_certificate(run):
+        said.append(f"The reference's {', and its '.join(left)}.")
+    return tuple(said) or (ALL_COVERED,)
+
+
+def _gradient_open(run: Run) -> bool:
+    """Whether reference and device are, or may be, apart, and nothing says what the field does between them."""
+    stated = run.environment or {}
+    known = "gradient_nT_per_m" in stated and "gradient_ppm_per_m" in stated
+    apart = conditions.distance_m(run) > 0 or (run.reference.position_m is None and run.reference.place != "dut")
+    return run.reference.place == "remote" or (apart and not (known and run.reference.position_m))
+
+
+def _since_its_certificate(run: Run) -> list[str]:
+    """What is not known of the reference since its own calibration: neither a coefficient nor what it acts on."""
+    reference = run.reference
+    coefficients = (
+        conditions.whole(reference.tc_ppm_per_K, reference.u_tc_ppm_per_K),
+        conditions.whole(reference.tc_nT_per_K, reference.u_tc_nT_per_K),
+    )
+    left = [] if all(coefficients) and conditions.warmer_K(run) is not None else ["temperature"]
+    drift = conditions.whole(reference.drift_nT_per_year, reference.u_drift_nT_per_year)
+    return left if drift and conditions.years_since(run) is not None else [*left, "drift since its own calibration"]
 
 
 def _of_the_reference(reference: Reference) -> list[str]:

@@ -4,18 +4,25 @@ from __future__ import annotations
 
 import math
 import os
+import select
 import socket
 import sys
 import threading
 from contextlib import suppress
-from typing import Any
+from importlib.metadata import entry_points
+from typing import Any, get_type_hints
 from urllib.parse import urlsplit
 
 import pytest
+import serial
 from served_lab import LONG_S, Stop, until
 
 from labcal.bench.clock import RealClock
-from labcal.bench.serve import PtyOutlet, TcpOutlet, _pump
+from labcal.bench.serve import PtyOutlet, TcpOutlet, _pump, baud_of
+from labcal.twin import open_twin
+
+if sys.platform != "win32":
+    import termios
 
 DELAY_S = 0.3
 
@@ -83,6 +90,51 @@ def test_it_looks_at_an_emulator_only_when_something_is_due() -> None:
     emulator = Late()
     assert answered(emulator) == b"?"
     assert emulator.looks <= 8  # begun, a host, its word, the reply, the host gone, the end; it may wake too early
+
+
+def host_on(outlet: PtyOutlet, **line: Any) -> serial.Serial:
+    """A program's own way to the line."""
+    return serial.Serial(urlsplit(outlet.url).path, timeout=0, **line)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+@pytest.mark.parametrize("wrong", [{"baudrate": 115200}, {"baudrate": 9600}, {"baudrate": 19200, "stopbits": 2}])
+def test_a_host_with_another_baud_rate_or_frame_is_not_heard_and_hears_nothing(wrong: dict[str, Any]) -> None:
+    outlet = PtyOutlet("serial", 19200)
+    assert outlet.url.endswith("?baud=19200")
+    for line, right in ((wrong, False), ({"baudrate": 19200}, True)):
+        with host_on(outlet, **line) as host:
+            host.write(b"who?\n")
+            select.select(outlet.files(), [], [], LONG_S)
+            assert outlet.read() == (b"who?\n" if right else b"")
+            outlet.write(b"I\n")
+            assert bool(select.select([host], [], [], LONG_S if right else 0)[0]) == right
+    outlet.close()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="what a terminal keeps of a parity is Linux's")
+def test_odd_parity_is_told_by_the_terminal_and_not_heard() -> None:
+    outlet = PtyOutlet("serial", 19200)
+    host = os.open(urlsplit(outlet.url).path, os.O_RDWR | os.O_NOCTTY)
+    state = termios.tcgetattr(host)
+    state[2] |= termios.PARENB | termios.PARODD
+    termios.tcsetattr(host, termios.TCSANOW, state)
+    os.write(host, b"who?\n")
+    select.select(outlet.files(), [], [], LONG_S)
+    assert outlet.read() == b""
+    os.close(host)
+    outlet.close()
+
+
+def test_each_emulated_instrument_is_served_at_its_own_rate() -> None:
+    bauds = {"hmr2300": 9600, "zaber": 115200, "newport-esp301": 19200, "newport-smc100": 57600, "korad-ka3005p": 9600,
+             "kepco-bop": 9600, "riden-rd60xx": 115200, "waveshare-relay": 9600}  # fmt: skip
+    twin = open_twin({}, 1)
+    for name, baud in bauds.items():
+        driver = next(iter(entry_points(group="labcal.drivers", name=name))).load()
+        emulator = next(iter(entry_points(group="labcal.emulators", name=name))).load()
+        settings = get_type_hints(driver.__init__)["settings"]()
+        assert baud_of(emulator(twin, {"coil-x": {}}, settings)) == baud, name
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")

@@ -43,8 +43,8 @@ def bench_text(kind: str) -> str:
         new = of_tti.replace("tti-pl", DRIVERS[kind])
         if kind == "riden-pair":
             new = new.replace("emulated://", "emulated://pair") + f"\nsettings = {{ address = {number} }}"
-        if kind == "korad":  # deaf for 50 ms after each command, as it sees them: the lab's process may see one late
-            new += "\nsettings = { gap_s = 0.1 }"
+        if kind == "korad":  # deaf for 80 ms after each command, as it sees them: the lab's process may see one late
+            new += "\nsettings = { gap_s = 0.13 }"
         if kind == WITH_WATCHDOGS:
             new += f"\nsettings = {{ watchdog_s = {WATCHDOG_S} }}"
         text = text.replace(of_tti, new)

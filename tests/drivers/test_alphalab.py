@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.alphalab import AlphaLab
+from drivers.alphalab import AlphaLab, Settings
+from drivers.emulators.alphalab import AlphaLabEmulator
 from drivers.framing import alphalab
+from labcal.bench.clock import VirtualClock
 from labcal.bench.driver_kit.testing import Exchange, scripted
+from labcal.bench.links import EmulatedLink
 from labcal.errors import InstrumentError
+from labcal.twin import open_twin
 
 
 def ask(code: int) -> bytes:
@@ -27,6 +33,7 @@ FINE: Exchange = (ask(0x02), b"RELATIVE=0:ZERO=OFF\x07")
 def test_the_block_is_32_bits_with_sign_and_places() -> None:
     assert alphalab.block(bytes.fromhex("10 09 0001 0001")) == -6553.7  # not only the last two bytes
     assert alphalab.block(bytes.fromhex("00 01 0000 0001")) is None
+    assert alphalab.block(bytes.fromhex("50 01 0000 0001")) is None
 
 
 def test_lists_come_in_chunks_and_each_is_acknowledged() -> None:
@@ -42,6 +49,50 @@ def test_a_meter_that_shows_differences_is_refused(zeroed: bytes) -> None:
     with scripted(AlphaLab, [STOP, ABOUT, (ask(0x02), zeroed)]) as meter, pytest.raises(InstrumentError) as caught:
         meter.identify()
     assert caught.value.fault == "wrong mode"
+
+
+@pytest.mark.parametrize(
+    ("about", "settings", "nT"),
+    [
+        (b"MODEL=MR3:\x07", b"ZERO=0:\x07", 100.0),
+        (b"MODEL=VGM:\x07", b"ZERO=0:\x07", 1e5),
+        (b"MODEL=VGM:UNITS=MILLIGAUSS:\x07", b"ZERO=0:\x07", 100.0),
+        (b"MODEL=MR3:UNITS=mG:\x07", b"UNIT=Gauss:\x07", 1e5),
+    ],
+)
+def test_the_unit_is_what_it_says_or_its_models(about: bytes, settings: bytes, nT: float) -> None:
+    field = bytes.fromhex("10 00 0000 04D2  10 04 0000 0141  10 00 0000 0000  10 00 0000 0000  10 04 0000 0141  08")
+    wire: list[Exchange] = [STOP, (ask(0x01), about), *[(ask(0x02), settings)] * 2, (ask(0x03), field)]
+    with scripted(AlphaLab, wire) as meter:
+        meter.identify()
+        meter.start()
+        values = meter.read_until(meter._clock.now())[0].values
+    np.testing.assert_allclose(values, [[0.0321 * nT, 0.0, 0.0]])
+
+
+@pytest.mark.parametrize(("unit", "stated"), [(b"GAUSS", 100.0), (b"OERSTED", 0.0)])
+def test_a_unit_that_is_another_or_not_known_is_refused(unit: bytes, stated: float) -> None:
+    wire: list[Exchange] = [STOP, (ask(0x01), b"UNITS=" + unit + b":\x07")]
+    with scripted(AlphaLab, wire, nT_per_unit=stated) as meter, pytest.raises(InstrumentError) as caught:
+        meter.identify()
+    assert caught.value.fault == "wrong set-up"
+
+
+@pytest.mark.parametrize("gauss", [False, True])
+def test_the_emulated_meter_is_read_in_either_unit(gauss: bool) -> None:
+    clock, lab = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), open_twin({}, 1)
+    lab.coils["x"].drive(clock.now(), 0.5, 30.0, True)
+    emulator = AlphaLabEmulator(lab, {}, Settings())
+    emulator.gauss = gauss
+    if gauss:
+        emulator.lists[0x01] = b"MODEL=VGM:SERIAL=7:FIRMWARE=1.6:"
+    meter = AlphaLab("ref", EmulatedLink("emulated://x", emulator, clock), clock, Settings())
+    meter.identify()
+    meter.start()
+    seen = meter.read_until(clock.now() + 1.0)[-1].values[-1]
+    true = lab.reference_nT(np.array([clock.now()]))[0] * lab.reference_nT_per_unit
+    assert np.linalg.norm(true) > 10_000
+    np.testing.assert_allclose(seen, true, atol=60.0)
 
 
 def polled(*replies: object) -> tuple[np.ndarray, dict[str, int]]:

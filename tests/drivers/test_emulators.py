@@ -14,7 +14,8 @@ from labcal.bench.links import EmulatedLink
 from labcal.twin import open_twin
 
 ROLES = {
-    "zaber": "platform", "oriental-az": "platform", "hmr2300": "reference", "metrolab": "reference",
+    "zaber": "platform", "oriental-az": "platform", "newport-esp301": "platform", "newport-smc100": "platform",
+    "hmr2300": "reference", "metrolab": "reference",
     "waveshare-relay": "polarity",
 }  # fmt: skip
 WIRING: dict[str, dict[str, Any]] = {"waveshare-relay": {"x": 0}, "riden-rd60xx": {"address": 1}}
@@ -26,12 +27,17 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"/home\r\n", b"@01 0 OK IDLE -- 0:8D\r\n"),
         (b"/1 0 move abs 10000:41\r\n", b"@01 0 OK BUSY -- 0:68\r\n"),
         (b"/1 0 move abs 10000:42\r\n/2 get pos\n", b""),
+        (b"/1 get system.axiscount\n", b"@01 0 OK IDLE -- 1:8C\r\n"),
+        (b"/1 1 07 move abs 384000 83886\n/1 1 08 stop\n/1 1 09 warnings\n",
+         b"@01 1 07 OK BUSY -- 0:E0\r\n@01 1 08 OK BUSY NI 0:A2\r\n@01 1 09 OK IDLE NI 01 NI:DE\r\n"),
+        (b"/1 1 move vel 9000\n", b"@01 1 OK BUSY -- 0:67\r\n"),
     ]),
     ("hmr2300", [
         (b"*00q\r", b"ASCII POLLED S/R ON ZERO OFF AVG OFF R ON ID= 00 20 sps\r"),
-        (b"*99ID=\r", b"ID= 00\r"),
-        (b"*00T\r", b"WE_OFF\r"),
-        (b"*00WE\r*00T\r", b"OK\rS/R_OFF\r"),
+        (b"*99ID=\r*99ID\r", b"ID= 00\rID= 00\r"),
+        (b"*00T\r", b"WE OFF\r"),
+        (b"*00WE\r*00T\r", b"OK\rS/R OFF\r"),
+        (b"*00WE\r*00B\r", b"OK\rBINARY ON\r"),
         (b"*00WE\r*00R=21\r", b"OK\rRe-enter\r"),
         (b"*00]S\r", b"SET\r"),
     ]),
@@ -41,6 +47,11 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"DELTAI1 0.1\nINCI1\nINCI1\nDECI1\nI1?\n", b"I1 0.1000\r\n"),
         (b"opall 1\nop1?\nLSR1?\nTRIPRST\nQER?\n", b"1\r\n2\r\n0\r\n"),
         (b"I1 1e9\n*ESR?\nEER?\n", b"16\r\n100\r\n"),
+        (b"*RST;V1 5;I1 0.5\nV1?;I1?;*OPT?\n", b"V1 5.000;I1 0.5000;0\r\n"),
+        (b"DELTAV1 0.1\nDELTAV1?\nIRANGE1 1;IRANGE1?\n", b"DELTAV1 0.100\r\n1\r\n"),
+        (b"OP1 1;IRANGE1 2;*ESR?;EER?\n", b"16;104\r\n"),
+        (b"OCP1 0.6\nOP1?\nI1 0.7\nOP1?;LSR1?;LSR1?\n", b"1\r\n0;8;0\r\n"),
+        (b"WHAT?\n*ESR?;*ESR?\n*OPC?;*TST?\n", b"32;0\r\n1;0\r\n"),
     ]),
     ("rigol-dp800", [
         (b":APPL CH1,5.0,1.0\nAPPLY? CH1\n", b"CH1:30V/3A,5.000,1.0000\n"),
@@ -48,6 +59,11 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b":OUTP:OVP:QUES? CH1\n:STAT:QUES:INST:ISUM1:COND?\n:SYST:RWL ON\n", b"NO\n0\n"),
         (b":SOUR1:CURR .\nsystem:error?\n", b'-113,"Undefined header"\n'),
         (b":SOUR1:CURR 99\n:SYST:ERR?\n:SYST:ERR?\n", b'-222,"Data out of range"\n0,"No error"\n'),
+        (b":INST:NSEL 1\n:VOLT 5;CURR 1;:OUTP ON\n:OUTP?;:INST?;:VOLT?\n", b"ON;CH1;5.000\n"),
+        (b":OUTP:OCP:VAL CH1,0.8;:OUTP:OCP CH1,ON\n:OUTP? CH1\n:SOUR1:CURR 0.9\n", b"ON\n"),
+        (b":OUTP:OCP:QUES? CH1\n:OUTP? CH1\n:STAT:QUES:INST:ISUM1:COND?\n", b"YES\nOFF\n8\n"),
+        (b":OUTPut:OCP:CLEAR CH1\n:OUTPut:OCP:QUES? CH1\n*RST;*CLS;*OPC?\n:SOURce1:VOLTage?\n", b"NO\n1\n0.000\n"),
+        (b":INST:NSEL 2;:SYSTem:ERRor?\n*ESR?;*STB?;*OPT?\n", b'-222,"Data out of range"\n16;0;0\n'),
     ]),
     ("waveshare-relay", [
         (bytes.fromhex("0105 00FF FF00 BC0A"), bytes.fromhex("0105 00FF FF00 BC0A")),
@@ -92,11 +108,36 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"APPLY 2.5,0.25,(@1)\nINST:SEL OUTPUT1\nOUTP ON\nOUTP?\nCURR?\n", b"1\n+2.50000000E-01\n"),
         (b"INST:SEL CH2\nSYST:ERR?\nAPPL 99,1\nSYST:ERR?\n", b'-222,"Data out of range"\n' * 2),
         (b"SYST:LOC\nSYST:ERR?\n", b'+0,"No error"\n'),
+        (b"VOLT 5.5, (@1)\nVOLT? (@1)\nsource:voltage:level:immediate:amplitude 4\nVOLT?\n",
+         b"+5.50000000E+00\n+4.00000000E+00\n"),
+        (b"OUTPut:STATe (@1)\n*CLS\nOUTP OFF,(@1)\n", b""),
+        (b"MEASure:SCALar:CURRent:DC? (@1);:OUTPut:STATe? (@1)\n", b"+0.00000000E+00;0\n"),
+        (b"*RST;*WAI;OUTP?;*OPC?\nNONSENSE\n*ESR?;*STB?;*CLS;*STB?\n", b"0;1\n32;4;0\n"),
+    ]),
+    ("kepco-bop", [
+        (b"CURR 1\nSYST:ERR?\n*ESR?\n", b'-221,"Settings conflict"\n144\n'),
+        (b"SYSTEM:REMOTE ON;:FUNCTION:MODE CURRENT;:VOLTAGE:LEVEL 20;:CURRENT 0.1;:OUTPUT ON\n", b""),
+        (b"CURR?;OUTP?;FUNC:MODE?;:VOLT?\n", b"1.000E-1;1;1;2.000E1\n"),
+        (b"*OPC?;*OPT?;*TST?;SYST:REM?\n*RST\nOUTP?;SYST:ERR?\n", b'1;0;0;1\n0;0,"No error"\n'),
+    ]),
+    ("newport-esp301", [
+        (b"1MO?\r1SL?\r1SR?\r", b"0\r\n-720\r\n720\r\n"),
+        (b"1MO;1VA10;1PA1;1WS200;1TP;1MD?\r", b""),
+        (b"", b"1.0000\r\n1\r\n"),  # 1.1 s later
+    ]),
+    ("newport-smc100", [
+        (b"1AC?\r\n1PW?\r\n", b"1AC80\r\n1PW0\r\n"),
+        (b"1PR5\r\n1TE\r\n", b"1TEH\r\n"),
+        (b"1OR\r\n1PR0.01\r\n1TE\r\n", b"1TE@\r\n"),
+        (b"1TP\r\n", b"1TP0.01000\r\n"),
     ]),
     ("metrolab", [
         (b":FETC:TIM?;:FETC:TEMP?;*STB?\n", b"0x0;8123;0\n"),
         (b":INIT;:FETC:TIM?\n", b"0x3c336080\n"),  # 1.01 s
         (b":READ:ARR:X? 1,1;:FETC:X? 1;:FETC:TIM?\n", b"0.0T;0.0T;0x77ce2a80\n"),  # 2.01 s
+        (b":READ? 3\n:FETCH:SCALAR:FLUX:Y? 2;:FETC:ARR:X? 3,4\n", b"0.000T\n0.00T;0.0000T,0.0000T,0.0000T\n"),
+        (b":AVERAGE:COUNT 7;:AVER:COUN?;:SYSTEM:ERROR?\n", b'7;0,"No error"\n'),
+        (b"*RST;:AVER:COUN?\n*OPC?;*ESR?\n", b"1\n1;128\n"),
     ]),
 ]  # fmt: skip
 

@@ -148,7 +148,7 @@ WIRES: dict[str, Wire] = {
     ),
     "newport-smc100": Wire(
         always(b"1TP\r\n", b"1TP30.5\r\n"), angle, 30.5, b"1TP99.0\r\n", nonsense=(b"2TP30.5\r\n", b"1TS000033\r\n"),
-        timeout_s=0.5,
+        timeout_s=0.5, settings={"tries": 1},
     ),
     "oriental-az": Wire(
         always(*read("0103 00CC 0002", words(1525))), angle, 30.5, read("0103 00CC 0002", words(111))[1]
@@ -222,6 +222,7 @@ class InHalves:
                 for part in (reply[: len(reply) // 2], reply[len(reply) // 2 :]) if isinstance(reply, bytes) else ():
                     host.sendall(part)
                     time.sleep(PAUSE_S)
+            host.recv(1)  # until the host has gone: one that is late still finds its line
 
     def ended(self) -> bool:
         """Whether the whole script has been asked for and answered."""
@@ -240,8 +241,8 @@ def test_a_reply_that_comes_in_two_parts_over_a_real_line_is_one_reply(name: str
     driver = DRIVERS[name](name, link, clock, hints["settings"](**wire.settings, **patient))
     wire.prepare(driver)
     assert [wire.call(driver), wire.call(driver)] == pytest.approx([wire.value] * 2)
-    assert port.ended()
     line.close()
+    assert port.ended()
 
 
 @pytest.mark.parametrize("name", ASKING)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any, get_type_hints
 
@@ -17,6 +17,7 @@ from frames import rtu
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from drivers.framing.zaber import checksum
 from drivers.kepco_bop import KepcoBop
 from drivers.keysight_e36300 import KeysightSupply
 from drivers.korad_ka3005p import KoradSupply
@@ -25,7 +26,7 @@ from drivers.newport_esp301 import Esp301Stage
 from drivers.newport_smc100 import Smc100Stage
 from drivers.rigol_dp800 import RigolSupply
 from drivers.tti_pl import TtiSupply
-from drivers.zaber import ZaberStage, checksum
+from drivers.zaber import ZaberStage
 from labcal.bench.clock import VirtualClock
 from labcal.bench.links import EmulatedLink
 from labcal.bench.links.modbus import ModbusLink
@@ -67,6 +68,7 @@ class Target:
     ask: Callable[[Any], float]
     sent: Callable[[int], float]
     read: Callable[[bytes], set[float]] | None
+    settings: dict[str, Any] = field(default_factory=dict)
 
 
 def numbers(form: str) -> Callable[[bytes], set[float]]:
@@ -90,7 +92,7 @@ def zaber(k: int) -> bytes:
 
 
 def zaber_stage(driver: Any) -> float:
-    driver._steps_per_turn, driver._summed = 360, True
+    driver._steps_per_turn, driver._stage.summed = 360, True
     return float(driver.angle_deg())
 
 
@@ -134,6 +136,7 @@ TARGETS = {
         lambda d: d.angle_deg(),
         lambda k: k / 4,
         numbers("1TP *NUMBER"),
+        {"tries": 1},
     ),
     "zaber": Target(ZaberStage, zaber, zaber_stage, lambda k: 1000.0 * k, None),
     "metrolab": Target(
@@ -160,7 +163,7 @@ def survives(target: Target, damages: list[Damage]) -> None:
     replies, hurt = damaged(target, damages), {number for number, *_ in damages}
     clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
     link, hints = EmulatedLink("emulated://fuzz", Replier(list(replies)), clock), get_type_hints(target.driver.__init__)
-    driver = target.driver("fuzz", link, clock, hints["settings"]())
+    driver = target.driver("fuzz", link, clock, hints["settings"](**target.settings))
     after = False  # a reply cut short may cost the one after it
     for k in range(FRAMES):
         try:

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.framing.hmr2300 import BinaryFrames
+from drivers.emulators.hmr2300 import column
+from drivers.framing.hmr2300 import BinaryFrames, TextFrames
 from drivers.hmr2300 import NT_PER_COUNT, Hmr2300, Settings
 from labcal.bench.driver_kit.testing import scripted
 from labcal.errors import InstrumentError
@@ -39,6 +40,41 @@ def reading(fmt: str, pieces: list[bytes]) -> np.ndarray:
 def test_ascii_of_the_datasheet_in_pieces() -> None:
     frame = b"  1,234  - 1,234   15,000  \r"
     np.testing.assert_allclose(reading("ascii", [frame[:5], frame[5:9], frame[9:] + frame]), [[1234, -1234, 15000]] * 2)
+
+
+@pytest.mark.parametrize(
+    ("frame", "counts"),
+    [
+        (b"     67  -   123      999  \r", [67, -123, 999]),
+        (b"      0  -     7   15,000  \r", [0, -7, 15000]),
+        (b"    -67     +123    1,000  \r", [-67, 123, 1000]),
+        (b"  0,067  - 0,123  - 15000  \r", [67, -123, -15000]),
+    ],
+)
+def test_below_a_thousand_counts_blanks_stand_for_digits_and_comma(frame: bytes, counts: list[int]) -> None:
+    np.testing.assert_allclose(reading("ascii", [frame, frame]), [counts] * 2)
+
+
+@pytest.mark.parametrize("bad", [b"     6 7  -   123      999  \r", b"    67  -   123      999  \r",
+                                 b"     67  -   123      99   \r", b"     67  -   1 3      999  \r",
+                                 b"         -   123      999  \r", b"     67  - - 123      999  \r"])  # fmt: skip
+def test_a_frame_whose_columns_do_not_fit_is_no_value(bad: bytes) -> None:
+    assert len(reading("ascii", [bad])) == 0
+
+
+def test_its_words_may_have_blanks_where_the_data_sheet_prints_lines() -> None:
+    wire = [
+        (said, reply.replace(b"_", b" ") if isinstance(reply, bytes) else reply) for said, reply in started("binary")
+    ]
+    with scripted(Hmr2300, [*wire, (b"*00C\r", None)], format="binary") as sensor:
+        sensor.start()
+
+
+@pytest.mark.parametrize("count", [0, 7, -67, 999, 1000, -1234, 15000, -30000])
+def test_what_the_emulated_one_sends_is_read_as_it_was(count: int) -> None:
+    frame = "  ".join(column(k) for k in (count, -count, 1)).encode() + b"  \r"
+    assert len(frame) == 28
+    assert TextFrames().feed([(0.0, frame)])[0][1] == [count, -count, 1]
 
 
 def test_binary_of_the_datasheet_with_a_carriage_return_inside() -> None:

@@ -16,6 +16,7 @@ from labcal.errors import InstrumentError, LimitError
 from labcal.twin import open_twin
 
 OK = (b"SYST:ERR?\n", b'0,"No error"\n')
+REMOTE = [(b"SYST:REM ON\n", SILENT), OK]
 
 
 def told(text: bytes, ask: bytes, reply: bytes) -> list[tuple[bytes, bytes | None]]:
@@ -24,6 +25,7 @@ def told(text: bytes, ask: bytes, reply: bytes) -> list[tuple[bytes, bytes | Non
 
 SWITCHED_ON = [
     (b"OUTP?\n", b"0\n"),
+    *REMOTE,
     *told(b"FUNC:MODE CURR", b"FUNC:MODE?", b"1"),
     *told(b"VOLT 20.000", b"VOLT?", b"20.000"),
     *told(b"CURR 0.0000", b"CURR?", b"0.0000"),
@@ -45,7 +47,7 @@ def test_a_supply_that_regulates_voltage_is_a_fault() -> None:
 
 @pytest.mark.parametrize("amps", [-1.25, 2.5])
 def test_a_current_has_a_sign(amps: float) -> None:
-    with scripted(KepcoBop, told(b"CURR %.4f" % amps, b"CURR?", b"%+.4E" % amps)) as supply:
+    with scripted(KepcoBop, [*REMOTE, *told(b"CURR %.4f" % amps, b"CURR?", b"%+.4E" % amps)]) as supply:
         supply.set_current(amps)
 
 
@@ -56,16 +58,69 @@ def test_beyond_the_limit_nothing_is_sent(amps: float) -> None:
 
 
 def test_a_read_back_of_the_other_sign_is_a_fault() -> None:
-    wire = told(b"CURR 0.5000", b"CURR?", b"-0.5000")
+    wire = [*REMOTE, *told(b"CURR 0.5000", b"CURR?", b"-0.5000")]
     with scripted(KepcoBop, wire) as supply, pytest.raises(InstrumentError) as caught:
         supply.set_current(0.5)
     assert caught.value.fault == "read-back"
 
 
 def test_what_it_refuses_is_said_in_its_words() -> None:
-    wire = [(b"CURR 0.5000\n", SILENT), (b"SYST:ERR?\n", b'-222,"Data out of range"\n')]
+    wire = [*REMOTE, (b"CURR 0.5000\n", SILENT), (b"SYST:ERR?\n", b'-222,"Data out of range"\n')]
     with scripted(KepcoBop, wire) as supply, pytest.raises(InstrumentError, match="Data out of range"):
         supply.set_current(0.5)
+
+
+def test_it_is_put_under_remote_control_once_and_again_after_a_fault() -> None:
+    lost = [(b"CURR 0.2000\n", SILENT), (b"SYST:ERR?\n", b'-221,"Settings conflict"\n')]
+    wire = [*REMOTE, *told(b"CURR 0.1000", b"CURR?", b"9.989E-2"), *lost,
+            *REMOTE, *told(b"CURR 0.2000", b"CURR?", b"1.998E-1")]  # fmt: skip
+    with scripted(KepcoBop, wire) as supply:
+        supply.set_current(0.1)
+        with pytest.raises(InstrumentError, match="Settings conflict"):
+            supply.set_current(0.2)
+        supply.set_current(0.2)
+
+
+def test_on_the_way_to_zero_remote_control_is_asked_for_each_time() -> None:
+    wire = [(b"SYST:REM ON\n", SILENT), (b"CURR 0.0000\n", SILENT), (b"SYST:REM ON\n", SILENT), (b"OUTP 0\n", SILENT)]
+    with scripted(KepcoBop, wire) as supply:
+        supply.write_current(0.0)
+        supply.write_off()
+
+
+def test_a_card_that_knows_no_remote_control_is_a_setting() -> None:
+    wire = [*told(b"CURR 0.1000", b"CURR?", b"0.1"), (b"CURR 0.0000\n", SILENT)]
+    with scripted(KepcoBop, wire, remote=False) as supply:
+        supply.set_current(0.1)
+        supply.write_current(0.0)
+
+
+def test_what_a_network_card_echoes_is_no_answer() -> None:
+    wire = [(b"SYST:REM ON\n", b"SYST:REM ON\r\n"), (b"SYST:ERR?\n", b'SYST:ERR?\r\n0,"No error"\r\n'),
+            (b"CURR 0.1000\n", SILENT),  # its echo comes late
+            (b"SYST:ERR?\n", [b"CURR 0.1000\r\n", b"SYST:ERR?\r\n", b'0,"No error"\r\n']),
+            (b"CURR?\n", b"CURR?\r\n9.989E-2\r\n")]  # fmt: skip
+    with scripted(KepcoBop, wire) as supply:
+        supply.set_current(0.1)
+
+
+def test_a_real_card_pads_its_name() -> None:
+    said = b"KEPCO,BIT 4886 36-12  08-04-2023,H249977,4.04-1.82\r\n"
+    with scripted(KepcoBop, [(b"*IDN?\n", said), OK]) as supply:
+        who = supply.identify()
+    assert (who.model, who.serial, who.firmware) == ("BIT 4886 36-12 08-04-2023", "H249977", "4.04-1.82")
+
+
+@pytest.mark.parametrize("echoes", [False, True])
+def test_the_emulated_supply_does_nothing_until_it_is_under_remote_control(echoes: bool) -> None:
+    clock, lab = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), open_twin({}, 1)
+    emulator = KepcoEmulator(lab, {"coil-x": {}}, Settings())
+    emulator.echoes = echoes
+    link = EmulatedLink("emulated://x", emulator, clock)
+    local, remote = KepcoBop("x", link, clock, Settings(remote=False)), KepcoBop("x", link, clock, Settings())
+    with pytest.raises(InstrumentError, match="Settings conflict"):
+        local.set_current(0.5)
+    remote.set_current(0.5)
 
 
 def test_in_echo_mode_a_changed_character_is_a_fault() -> None:
@@ -114,7 +169,7 @@ def test_zero_is_reported_as_not_open() -> None:
 
 
 def test_a_current_that_comes_where_errors_were_asked_for_is_no_refusal() -> None:
-    wire = [(b"MEAS:CURR?\n", b"0.0013\n"), (b"OUTP 0\n", SILENT), (b"SYST:ERR?\n", b"-0.0004\n")]
+    wire = [(b"MEAS:CURR?\n", b"0.0013\n"), *REMOTE, (b"OUTP 0\n", SILENT), (b"SYST:ERR?\n", b"-0.0004\n")]
     with scripted(KepcoBop, wire) as supply:
         supply.measure_current()
         with pytest.raises(InstrumentError, match=r"an answer of an earlier question came to 'SYST:ERR\?': '-0\.0004'"):

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
+
 import pytest
 
-from drivers.korad_ka3005p import KoradSupply
+from drivers.emulators.korad_ka3005p import KoradEmulator
+from drivers.korad_ka3005p import KoradSupply, Settings
+from labcal.bench.clock import VirtualClock
 from labcal.bench.driver_kit.testing import SILENT, scripted
+from labcal.bench.links import EmulatedLink
 from labcal.errors import InstrumentError, LimitError
+from labcal.twin import open_twin
 
 
 def test_a_set_has_no_line_end_and_its_read_back_a_stray_sixth_byte() -> None:
@@ -66,6 +72,18 @@ def test_a_set_that_nothing_confirms_is_not_sent_again() -> None:
     with scripted(KoradSupply, wire) as supply, pytest.raises(InstrumentError) as caught:
         supply.set_current(0.5)
     assert caught.value.fault == "silent"
+
+
+def test_sets_that_follow_each_other_at_once_reach_it_and_at_60_ms_they_are_lost() -> None:
+    clock, lab = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), open_twin({}, 1)
+    link = EmulatedLink("emulated://x", KoradEmulator(lab, {"coil-x": {}}, Settings()), clock)
+    KoradSupply("x", link, clock, Settings()).set_current(0.25)
+    clock.wait_until(clock.now() + 1.0)
+    hasty = KoradSupply("x", link, clock, Settings(gap_s=0.06))
+    hasty.write_off()
+    with pytest.raises(InstrumentError) as caught:
+        hasty.set_current(0.5)
+    assert caught.value.fault == "read-back"
 
 
 def test_an_output_that_stays_on_is_a_fault() -> None:

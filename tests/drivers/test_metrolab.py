@@ -59,6 +59,11 @@ def test_out_of_range_is_a_fault(reply: bytes) -> None:
     assert caught.value.fault == "overloaded"
 
 
+@pytest.mark.parametrize("text", ["0.0000205T", "0.0000205 T", " 2.05E-5  T ", "20.5 uT", "20500nT", ".205 G"])
+def test_a_blank_may_stand_between_value_and_unit(text: str) -> None:
+    assert nanotesla(text) == pytest.approx(20_500.0)
+
+
 def test_a_setting_that_it_refuses_is_a_fault_with_its_words() -> None:
     wire = [*begun(), (b":SENS:FLUX:RANG 0.1T\n", None), (CHECK, b'-222,"Data out of range";4\n')]
     with scripted(Metrolab, wire, range_T="0.1") as meter, pytest.raises(InstrumentError, match="out of range"):

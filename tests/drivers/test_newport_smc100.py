@@ -67,6 +67,24 @@ def test_ready_off_the_target_is_not_arrived() -> None:
     assert caught.value.fault == "not arrived"
 
 
+def test_a_garbled_state_or_position_is_asked_for_again_ten_times_at_most() -> None:
+    wire = [(b"1TS\r\n", b"1TS00\xff033\r\n"), (b"1TS\r\n", b"TS000033\r\n"), status(b"000033"),
+            (b"1TP\r\n", b"1TP3 0.5\r\n"), (b"1TP\r\n", b"1TP30.5\r\n"),
+            *[(b"1TP\r\n", b"1TP\x7f0.5\r\n")] * 10]  # fmt: skip
+    with scripted(Smc100Stage, wire) as stage:
+        assert not stage.moving()
+        with pytest.raises(InstrumentError) as caught:
+            stage.angle_deg()
+    assert caught.value.fault == "wrong reply"
+
+
+def test_commands_are_60_ms_apart() -> None:
+    with scripted(Smc100Stage, [(b"1ST\r\n", SILENT), FINE]) as stage:
+        begun_s = stage._clock.now()
+        stage.make_safe()
+        assert stage._clock.now() - begun_s >= 0.06
+
+
 def test_ready_on_the_target_is_arrived() -> None:
     wire = [*MOVE, status(b"000033"), (b"1TP\r\n", b"1TP30.500\r\n")]
     with scripted(Smc100Stage, wire) as stage:

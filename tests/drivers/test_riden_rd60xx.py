@@ -124,6 +124,17 @@ def test_calibration_presets_options_and_boot_loader_cannot_be_written(address: 
     assert caught.value.fault == "forbidden"
 
 
+def test_the_emulated_one_answers_a_block_of_84_registers() -> None:
+    clock = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    emulator = RidenEmulator(open_twin({}, 1), {"coil-x": {"address": 1}}, Settings())
+    link = ModbusLink(EmulatedLink("emulated://x", emulator, clock), clock)
+    whole = link.read_holding(1, 0, 84)
+    assert whole[0] == 60062
+    assert [whole[k] for k in (3, 8, 9, 18, 82, 83)] == [link.read_holding(1, k, 1)[0] for k in (3, 8, 9, 18, 82, 83)]
+    with pytest.raises(InstrumentError):
+        link.read_holding(1, 100, 84)
+
+
 def test_three_supplies_share_one_pair() -> None:
     clock, lab = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), open_twin({}, 1)
     roles = {f"coil-{axis}": {"address": n} for n, axis in enumerate("xyz", 1)}

@@ -7,6 +7,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from threading import RLock
 from typing import Protocol
 
 import serial
@@ -71,6 +72,7 @@ class WiredLink:
         self._give_back_port: Callable[[], None] = lambda: None
         self._failure: InstrumentError | None = None
         self._stumbled = False  # the last look failed, and the port was there
+        self._looking = RLock()  # who waits looks at every line, and another thread may be asking on this one
         self.reopen()
         clock.while_waiting(self.look)
 
@@ -107,10 +109,11 @@ class WiredLink:
     def receive(self, until_s: float) -> list[tuple[float, bytes]]:
         """All that arrives up to `until_s`, in pieces stamped at their first byte."""
         self._clock.wait_until(until_s)
-        self.look()
-        if not self._arrived:
-            self._open_port()
-        pieces, self._arrived, self._unread = self._arrived, [], 0
+        with self._looking:
+            self.look()
+            if not self._arrived:
+                self._open_port()
+            pieces, self._arrived, self._unread = self._arrived, [], 0
         return pieces if self._echo is None else self._echo.taken_off(pieces)
 
     def ask(self, request: bytes, *, end: bytes | int, timeout_s: float) -> bytes:
@@ -121,8 +124,9 @@ class WiredLink:
 
     def give_back(self, t_s: float, data: bytes) -> None:
         """Put bytes that were read too far back at the head of the line."""
-        self._arrived.insert(0, (t_s, data))
-        self._unread += len(data)
+        with self._looking:
+            self._arrived.insert(0, (t_s, data))
+            self._unread += len(data)
 
     def flush(self) -> None:
         """Drop what has arrived and was not read."""
@@ -130,10 +134,11 @@ class WiredLink:
 
     def close(self) -> None:
         """Let go of the line."""
-        if self._port is not None:
+        with self._looking:
+            port, self._port = self._port, None
+        if port is not None:
             with suppress(OSError):
-                self._port.close()
-        self._port = None
+                port.close()
         self._give_back_port()
         self._give_back_port = lambda: None
 
@@ -143,15 +148,16 @@ class WiredLink:
         A line that is lost is told to whoever uses it next, not to who waits now. One call that fails while the port is
         there is none: the next look tells.
         """
-        if self._port is None:
-            return
-        try:
-            self._take_in(self._port)
-            self._stumbled = False
-        except OSError as error:
-            if self._stumbled or is_gone(error) or not self._port.there():
-                self._failure = self._given_up(self._port, "reading", error)
-            self._stumbled = True
+        with self._looking:
+            if self._port is None:
+                return
+            try:
+                self._take_in(self._port)
+                self._stumbled = False
+            except OSError as error:
+                if self._stumbled or is_gone(error) or not self._port.there():
+                    self._failure = self._given_up(self._port, "reading", error)
+                self._stumbled = True
 
     def _take_in(self, port: Port) -> None:
         most, until_s = min(self._unread + LOOK_BYTES, UNREAD_BYTES), time.monotonic() + LOOK_S

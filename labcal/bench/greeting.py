@@ -1,0 +1,64 @@
+"""Who is there: instruments whose lines are apart are asked at the same time, those on one line one after another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+
+from labcal.bench.clock import Clock, RealClock
+from labcal.bench.config import BenchConfig
+from labcal.bench.driver_kit.roles import Identity, Instrument
+from labcal.errors import InstrumentError
+
+LOOK_S = 0.005  # how often it is seen whether the others have answered
+Answers = dict[str, Identity | InstrumentError]
+
+
+def greeted(instruments: Mapping[str, Instrument], apart: Mapping[str, str], clock: Clock) -> dict[str, Identity]:
+    """Each one's identity by name. Raises the InstrumentError of the first, in their order, that is silent or another.
+
+    `apart`: the lines of those that may be asked in a thread of their own. All others are asked here, one after
+    another; meanwhile, and until all have answered, this thread alone looks at every line, as waiting does.
+    """
+    lines: dict[str, list[str]] = {}
+    for name, line in apart.items() if isinstance(clock, RealClock) else ():
+        lines.setdefault(line, []).append(name)
+    elsewhere = {name for names in lines.values() for name in names}
+    with ThreadPoolExecutor(max(len(lines), 1), "greeting") as pool:
+        begun = [pool.submit(_apart, clock, instruments, names) for names in lines.values()]
+        answers = _asked(instruments, (name for name in instruments if name not in elsewhere))
+        while not all(one.done() for one in begun):
+            clock.wait_until(clock.now() + LOOK_S)
+    for one in begun:
+        answers |= one.result()
+    return {name: _said(answers[name]) for name in instruments}  # one that was not asked comes after one at fault
+
+
+def lines_apart(config: BenchConfig) -> dict[str, str]:
+    """The lines of the session's own instruments that are real ones, and not the guardian's."""
+    ours = ((name, one.link) for name, one in config.instruments.items() if one.link not in config.guarded_links)
+    return {name: link for name, link in ours if not link.startswith(("emulated://", "manual://"))}
+
+
+def _apart(clock: Clock, instruments: Mapping[str, Instrument], names: Iterable[str]) -> Answers:
+    assert isinstance(clock, RealClock)
+    with clock.apart():
+        return _asked(instruments, names)
+
+
+def _asked(instruments: Mapping[str, Instrument], names: Iterable[str]) -> Answers:
+    """Their answers, up to the first that is none."""
+    answers = Answers()
+    for name in names:
+        try:
+            answers[name] = instruments[name].identify()
+        except InstrumentError as fault:
+            answers[name] = fault
+            break
+    return answers
+
+
+def _said(answer: Identity | InstrumentError) -> Identity:
+    if isinstance(answer, InstrumentError):
+        raise answer
+    return answer

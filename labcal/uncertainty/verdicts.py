@@ -1,0 +1,61 @@
+"""How uncertain a procedure's figure is: all that is declared of the reference, through the figure itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.record import Run, Segment
+from labcal.uncertainty.declared import DeclaredError, declared_errors
+from labcal.uncertainty.unstated import ALL_COVERED, not_covered
+
+Array = NDArray[np.float64]
+Figure = Callable[[Run], float]
+
+
+def u_declared(run: Run, figure: Figure) -> float:
+    """Standard uncertainty of `figure` by all that `run` declares, each independent of the others (GUM, 5.1.2)."""
+    return float(np.linalg.norm([u_by(run, error, figure) for error in declared_errors(run)] or [0.0]))
+
+
+def u_by(run: Run, error: DeclaredError, figure: Figure) -> float:
+    """What one declared error does: root mean square of the changes by one standard deviation either way.
+
+    It is |c u| of a smooth figure (GUM, 5.1.3, note 2). A root mean square that begins at zero has no slope there: then
+    it is how large the error alone makes it.
+    """
+    here, there = figure(run), error.change(run)
+    return float(np.hypot(figure(there) - here, figure(_other_way(run, there)) - here) / np.sqrt(2))
+
+
+def in_body(run: Run) -> Array:
+    """The reference (n, 3) [nT] carried into B by each segment's attitude."""
+    assert run.reference_vector is not None
+    attitudes = np.array([segment.body_from_cage for segment in run.segments])[run.segment_index]
+    return np.asarray(np.einsum("nij,nj->ni", attitudes, run.reference_vector))
+
+
+def uncovered(run: Run, more: Iterable[str] = ()) -> str:
+    """One sentence that names what no uncertainty of a procedure's figures covers; empty where that is nothing."""
+    left = [said for said in not_covered(run) if said != ALL_COVERED]
+    left += [f"{said[:1].upper()}{said[1:]}." for said in more]
+    return f"Not covered by the uncertainties: {' '.join(left)}" if left else ""
+
+
+def _other_way(run: Run, changed: Run) -> Run:
+    """The run with the opposite error, from the run with an error: vectors mirrored, attitudes turned back."""
+    assert run.reference_vector is not None
+    assert changed.reference_vector is not None
+    segments = tuple(map(_turned_back, run.segments, changed.segments))
+    return replace(run, reference_vector=2 * run.reference_vector - changed.reference_vector, segments=segments)
+
+
+def _turned_back(here: Segment, there: Segment) -> Segment:
+    if here.body_from_cage is None or there.body_from_cage is None or here is there:
+        return here
+    R, turned = np.array(here.body_from_cage), np.array(there.body_from_cage)
+    x, y, z = ((float(a), float(b), float(c)) for a, b, c in R @ turned.T @ R)
+    return replace(here, body_from_cage=(x, y, z))

@@ -1,0 +1,71 @@
+"""A verdict is as uncertain as the reference that it rests on, and what nobody stated is named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from labcal.record.stream import Event
+
+Run = Callable[..., Any]
+WORSE = (("u_scale_ppm = 50.0", "u_scale_ppm = 5000.0"), ("u_offset_nT = 3.0", "u_offset_nT = 300.0"))
+SMALL = {"positions": 4, "dwell_s": 1}
+
+
+def notes(found: Any) -> str:
+    return " ".join(i.text for i in found.items if isinstance(i, Event) and i.kind == "note")
+
+
+def test_verify_is_as_uncertain_as_its_reference(ran: Run) -> None:
+    good, bad = ran("verify", **SMALL), ran("verify", edits=WORSE, **SMALL)
+    for name in ("before: rms magnitude error", "before: largest magnitude error"):
+        assert good.value(name) == pytest.approx(bad.value(name))
+        assert bad.measured[name].u > 20 * good.measured[name].u
+    # the DUT reads some thousand nT wrong at each position: the scale, 0.5 % of 35 µT, moves each error by 175 nT
+    scale_and_zero = np.hypot(5e-3 * 35_000, 300 / np.sqrt(3))
+    assert 0.3 * scale_and_zero < bad.measured["before: rms magnitude error"].u < 2 * scale_and_zero
+    assert "alignment" in notes(good)
+    assert "The DUT's mounting." in notes(good)
+
+
+def test_a_mounting_that_is_stated_is_in_the_heading(ran: Run) -> None:
+    stated = ran("verify", u_mounting_deg=0.5, **SMALL)
+    open_ = ran("verify", **SMALL)
+    heading = "before: rms heading error"
+    assert stated.measured[heading].u > 0.05 > 5 * open_.measured[heading].u
+    assert "The DUT's mounting." not in notes(stated)
+
+
+def test_linearity_s_slope_is_as_uncertain_as_the_reference_s_scale_and_its_departure_is_not(ran: Run) -> None:
+    short = {"steps": 2, "dwell_s": 1}
+    good, bad = ran("linearity", **short), ran("linearity", edits=WORSE, **short)
+    assert bad.measured["slope"].u == pytest.approx(5e-3 * bad.value("slope"), rel=0.05)
+    assert good.measured["slope"].u < 2e-4
+    name = "departure from a straight line"
+    assert bad.measured[name].u == pytest.approx(good.measured[name].u, rel=0.1)
+    assert "The reference's own linearity." in notes(good)
+
+
+def test_a_cage_s_matrix_is_as_uncertain_as_the_reference_s_scale(ran: Run) -> None:
+    short = {"steps": 2, "dwell_s": 1, "limit_ppm": 20_000}
+    good, bad = ran("cage-calibration", **short), ran("cage-calibration", edits=WORSE, **short)
+    u = "DUT: uncertainty of the matrix"
+    assert bad.value(u) == pytest.approx(5_000, rel=0.05)  # ppm of the coil's own constant
+    assert 50 <= good.value(u) < 0.1 * bad.value(u)
+    assert bad.measured["DUT: change from bench.toml"].u > 20 * good.measured["DUT: change from bench.toml"].u
+    assert "The supplies' read-back." in notes(good)
+
+
+def test_a_half_turn_that_is_missed_is_in_the_zero_and_one_that_nobody_states_is_named(ran: Run) -> None:
+    open_ = ran("reference-check", dwell_s=1)
+    stated = ran("reference-check", dwell_s=1, u_turn_deg=0.1, u_cage_ppm=100)
+    ambient_nT = np.linalg.norm([20_400, 1_150, -43_700])
+    missed = np.radians(0.1) * ambient_nT * np.sqrt(3) / 4
+    assert stated.measured["zero x"].u == pytest.approx(np.hypot(missed, open_.measured["zero x"].u), rel=0.02)
+    spread = "magnitude against direction"
+    assert stated.measured[spread].u == pytest.approx(np.hypot(100 / np.sqrt(2), open_.measured[spread].u), rel=0.02)
+    assert "the half turns, the cage" in notes(open_)
+    assert "not stated" not in notes(stated)

@@ -1,0 +1,140 @@
+"""Temperature, age and distance of the reference, from run.json to the map; what is not stated is named."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal.errors import InputError
+from labcal.fit import fit
+from labcal.record import Channel, Run
+from labcal.store import bundle_of, load_bundle, save_bundle
+from labcal.uncertainty import declared_errors
+from labcal.uncertainty.unstated import not_covered
+from labcal.uncertainty.verdicts import in_body, u_by, u_declared, uncovered
+
+RUN = Path(__file__).parents[2] / "examples" / "short-preflight" / "run.zip"
+STATED = {
+    "tc_ppm_per_K": 30.0,
+    "u_tc_ppm_per_K": 40.0,
+    "tc_nT_per_K": -3.0,
+    "u_tc_nT_per_K": 4.0,
+    "drift_nT_per_year": 6.0,
+    "u_drift_nT_per_year": 8.0,
+    "certificate": {"number": "M-1", "issuer": "PTB", "date": "2025-01-01", "due": "2027-01-01", "temperature_C": 23.0},
+}
+ROOM = {"temperature_C": 27.0, "gradient_nT_per_m": 100.0, "gradient_ppm_per_m": 2_000.0}
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    """Everything stated, two years after the certificate, 4 K warmer, 0.2 m apart."""
+    recorded = load_bundle(RUN).run()
+    reference = replace(recorded.reference, position_m=(0.0, 0.12, 0.16), place="dut", u_align_deg=0.1, **STATED)
+    return replace(recorded, reference=reference, environment=ROOM, started_utc="2027-01-01T12:00:00Z")
+
+
+def changed(run: Run) -> dict[str, np.ndarray]:
+    assert run.reference_vector is not None
+    return {e.source: e.change(run).reference_vector - run.reference_vector for e in declared_errors(run)}
+
+
+def test_what_is_stated_moves_the_reference_by_so_much(run: Run) -> None:
+    by, field = changed(run), run.reference_vector
+    assert by["reference's temperature, scale"] == pytest.approx(field * 50e-6 * 4.0, rel=1e-6)  # 50 = hypot(30, 40)
+    x = np.broadcast_to(np.eye(3)[0], field.shape)
+    assert by["reference's temperature, zero x"] == pytest.approx(5.0 * 4.0 * x, abs=1e-9)
+    aged = by["reference's drift since its certificate x"]
+    assert aged == pytest.approx(10.0 * 730.0 / 365.25 * x, rel=1e-3, abs=1e-9)
+    assert by["gradient over the distance x"] == pytest.approx(0.2 * 100.0 * x, abs=1e-9)
+    along_y = field * np.eye(3)[1]
+    assert by["coils' gradient over the distance y"] == pytest.approx(0.2 * 2_000e-6 * along_y, rel=1e-6, abs=1e-9)
+
+
+def test_the_room_s_own_thermometer_goes_before_one_number(run: Run) -> None:
+    warm = Channel("t_room", "degC", "temperature", np.linspace(22.0, 24.0, len(run)), "room")
+    by = changed(replace(run, channels=(*run.channels, warm)))
+    assert by["reference's temperature, zero y"][[0, -1], 1] == pytest.approx([-5.0, 5.0], abs=0.01)
+
+
+def test_a_bundle_keeps_it_and_a_fault_is_named(run: Run, tmp_path: Path) -> None:
+    save_bundle(bundle_of(run), tmp_path / "b")
+    again = load_bundle(tmp_path / "b").run()
+    assert again.reference == run.reference
+    assert again.environment == ROOM
+    path = tmp_path / "b" / "run.json"
+    for old, new, said in (
+        ("2025-01-01", "1.1.2025", "ISO 8601"),
+        ('"u_tc_nT_per_K": 4.0', '"u_tc_nT_per_K": -4.0', "0"),
+    ):
+        text = path.read_text()
+        path.write_text(text.replace(old, new))
+        with pytest.raises(InputError, match=said):
+            load_bundle(tmp_path / "b").run()
+        path.write_text(text)
+    assert json.loads(path.read_text())["environment"] == ROOM
+
+
+def test_the_map_follows(run: Run) -> None:
+    """A zero that is 20 nT uncertain for its age alone is in k."""
+    bare = replace(run.reference, drift_nT_per_year=None, u_drift_nT_per_year=None)
+    wide, narrow = (fit(one, holdout=False) for one in (run, replace(run, reference=bare)))
+    more = np.diag(wide.covariance - narrow.covariance)[9:]
+    drift_nT = 10.0 * 730.0 / 365.25
+    assert np.sqrt(more) == pytest.approx([drift_nT] * 3, rel=0.6)
+    assert (more > 0).all()
+
+
+def test_what_is_not_stated_is_named(run: Run) -> None:
+    assert not any("temperature" in said or "gradient" in said for said in not_covered(run))
+    cold = replace(run, reference=replace(run.reference, certificate={"number": "M-1"}))
+    assert "The reference's temperature, and its drift since its own calibration." in not_covered(cold)
+    apart = replace(run, environment=None)
+    assert "The field's gradient between the reference and the device." in not_covered(apart)
+
+
+def figure_rms(run: Run) -> float:
+    return float(np.sqrt(np.mean((np.linalg.norm(in_body(run), axis=1) - 50_000.0) ** 2)))
+
+
+def positions(run: Run, **stated: float) -> Run:
+    """Six standstills along the axes of the body, all of 50 µT."""
+    field = 50_000.0 * np.vstack([np.eye(3), -np.eye(3)])
+    same = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    part = replace(run.segments[0], body_from_cage=same, u_axis_body_deg=None, u_axis_cage_deg=None, u_time_s=None)
+    bare = dict.fromkeys(("u_scale_ppm", "u_offset_nT", "u_align_deg", "u_time_s", "position_m", *STATED))
+    cut = run.select(np.arange(6))
+    return replace(
+        cut,
+        reference=replace(run.reference, **{**bare, **stated}),
+        segments=tuple(replace(part, id=str(i)) for i in range(6)),
+        segment_index=np.arange(6),
+        reference_vector=field,
+        environment=None,
+    )
+
+
+def test_an_rms_that_begins_at_zero_is_as_large_as_the_error_alone_makes_it(run: Run) -> None:
+    assert u_declared(positions(run, u_scale_ppm=400.0), figure_rms) == pytest.approx(20.0, rel=1e-6)
+    one = u_declared(positions(run, u_offset_nT=30.0), figure_rms)
+    assert one == pytest.approx(30.0, rel=1e-3)  # each axis is met in a third of the positions: sqrt(3 · 30² / 3)
+    assert u_declared(positions(run), figure_rms) == 0.0
+
+
+def test_an_error_that_could_hide_the_figure_does_not_hide_the_uncertainty(run: Run) -> None:
+    """Of 25 nT too much an error of −50 nT leaves the size as it is: the other way makes it 75."""
+    off = positions(run, u_scale_ppm=1_000.0)
+    off = replace(off, reference_vector=off.reference_vector * (1 + 25.0 / 50_000.0))
+    (error,) = declared_errors(off)
+    assert u_by(off, error, figure_rms) == pytest.approx(50.0 / np.sqrt(2), rel=0.01)
+
+
+def test_one_sentence_names_what_a_verdict_leaves_out(run: Run) -> None:
+    said = uncovered(positions(run), ["the supplies' read-back"])
+    assert said.startswith("Not covered by the uncertainties: ")
+    assert said.endswith("The supplies' read-back.")
+    assert "scale, zero, alignment" in said
