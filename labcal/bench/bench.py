@@ -17,7 +17,7 @@ from labcal.bench.coils.at_zero import words_of_slow_zero
 from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.cage_file import Place
 from labcal.bench.coils.doubt import StoredDoubt
-from labcal.bench.coils.state import CoilReading, Heard, LabState
+from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState
 from labcal.bench.config import AXES, BenchConfig, ReferenceConfig
 from labcal.bench.driver_kit.identities import refuse_one_at_two_links, refuse_other
 from labcal.bench.driver_kit.roles import (
@@ -112,6 +112,7 @@ class Bench:
         self.look: Callable[[], None] = lambda: None  # while anybody waits; what it raises ends the waiting
         self._next_angle_s = self._next_coils_s = math.inf
         self._heard_s: dict[str, float] = {}  # what is polled, by name
+        self._field = FieldReading()
         self._look = Look(self._at_rest_only(), self._ask_again)
 
     def state(self) -> LabState:
@@ -120,7 +121,8 @@ class Bench:
         coils = {self.cage.supplies[coil.axis].name: coil for coil in self.cage.coils()}
         heard = [self._heard(name, watched | self._heard_s, coils.get(name)) for name in self._instruments]
         alive = None if self._guardian is None else self._guardian.alive
-        return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard))
+        field = self._field.asked(self.cage.asked_nT)
+        return LabState(self.cage.coils(), self.cage.witness, alive, tuple(heard), field)
 
     def sentence(self) -> str:
         """What may be said of the coils now."""
@@ -300,6 +302,7 @@ class Bench:
         for block in readings[1]:
             if block.values.shape[1] == 3:
                 self.cage.check.see(block.t_s, block.values)
+                self._field = self._field.seen(block.t_s, block.values)
         for stream, watch, blocks in zip(self._streams, self._watches, readings, strict=True):
             try:
                 watch.see(blocks, now, stream.wrong)

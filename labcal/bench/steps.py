@@ -238,8 +238,10 @@ def not_used(bench: Bench, segments: Sequence[str], reason: str) -> Event:
 
 
 def switch_mode(bench: Bench, mode: str) -> Work[None]:
-    """Ask the person to bring the DUT into the power mode `mode`."""
+    """Coils off where they are on, as hands go near; then ask the person to bring the DUT into `mode`."""
     bench.config.dut.limits.refuse_mode(mode)
+    if bench.cage.on:
+        yield from coils_off(bench)
     text = f"Switch the DUT to power mode {mode}."
     yield Prompt(bench.clock.now(), f"mode-{mode}", text, acts=True, drawing={"mode": mode})
     yield ModeChanged(bench.clock.now(), mode)

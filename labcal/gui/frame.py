@@ -11,6 +11,8 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent, QS
 from PySide6.QtWidgets import (
     QApplication,
     QButtonGroup,
+    QDialog,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -21,21 +23,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from labcal.bench.coils.state import AT_ZERO, NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
 from labcal.gui.viewmodels.number_format import format_field, format_number, step_title
-from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, set_state, shrinkable
+from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, plain, set_state, shrinkable
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 
-LIGHT_SHAPES = {
-    "ok": ("✓", "good", "answers"),
-    "waiting": ("…", "", "not heard yet"),
-    "fault": ("✕", "bad", "failed"),
-    "absent": ("○", "", "not asked"),
-}
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
@@ -50,12 +46,13 @@ class TopBar(Surface):
         row = QHBoxLayout(self)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
         row.setSpacing(GRID)
-        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), label()
+        self.dut, self.operator, self.bench = QLineEdit(), QLineEdit(), shrinkable(label())
         self.dut.setToolTip(self.tr("Serial number of the device under test: type it, or scan it at any moment"))
         self.operator.setToolTip(self.tr("Who works here now; stands in the record and in the calibration"))
         for caption, value in ((self.tr("DUT"), self.dut), (self.tr("Operator"), self.operator)):
             value.setAccessibleName(caption)
             value.setPlaceholderText(self.tr("needed"))
+            value.setMinimumWidth(4 * GRID)
             value.editingFinished.connect(partial(value.setCursorPosition, 0))
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
@@ -80,7 +77,7 @@ class TopBar(Surface):
             if entry.text() != text and not (entry.hasFocus() and entry.isModified()):
                 entry.setText(text)
                 entry.setCursorPosition(0)  # of a long one its beginning is seen
-            entry.setToolTip(f"{text}\n{self._tips[entry]}" if text else self._tips[entry])
+            entry.setToolTip(plain(f"{text}\n{self._tips[entry]}") if text else self._tips[entry])
         self.bench.setText(state.bench or "–")
         self.simulated.setVisible(state.simulated)
 
@@ -100,14 +97,20 @@ class SidePanel(Surface):
         self.unit.clicked.connect(self._next_unit)
         head = QHBoxLayout()
         head.addWidget(label(self.tr("FIELD"), "caption"))
+        self._field_old = label("", "caption")
+        head.addWidget(self._field_old)
         head.addStretch()
         head.addWidget(self.unit)
         self._column.addLayout(head)
         self._field = ReadoutGrid(("set", "measured", "U (k=2)", "x", "y", "z"))
         self._column.addWidget(self._field)
         self._column.addSpacing(GRID)
-        self._coils_head = label(self.tr("COILS   A"), "caption")
-        self._column.addWidget(self._coils_head)
+        coils_head = QHBoxLayout()
+        self._coils_old = label("", "caption")
+        coils_head.addWidget(label(self.tr("COILS   A"), "caption"))
+        coils_head.addWidget(self._coils_old)
+        coils_head.addStretch()
+        self._column.addLayout(coils_head)
         self._coils = ReadoutGrid(("x", "y", "z"))
         self._column.addWidget(self._coils)
         self._zero = label("", wrap=True)
@@ -128,10 +131,13 @@ class SidePanel(Surface):
         """Write the field, the coils and the lights."""
         self.unit.setText(state.unit)
         self._show_field(state)
-        for row, axis in enumerate(state.coil_A or (None,) * 3):
-            self._coils.show_row(row, "–" if axis is None else format_number(axis, 3))
-        shape, mark = mark_of(state.coil_words)
-        self._zero.setText(f"{shape} {state.coil_words}".strip())
+        now = state.now
+        old = "" if now.coil_old_s is None else "old"
+        self._coils_old.setText(age_words(now.coil_old_s))
+        for row, axis in enumerate(now.coil_A):
+            self._coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
+        shape, mark = mark_of(now.coil_words)
+        self._zero.setText(f"{shape} {now.coil_words}".strip())
         set_state(self._zero, mark)
         self._show_lights(state)
 
@@ -139,37 +145,47 @@ class SidePanel(Surface):
         def size(vector: tuple[float, float, float] | None) -> str:
             return "–" if vector is None else format_field(hypot(*vector), state.unit, signed=False)
 
-        self._field.show_row(0, size(state.field_set_nT))
-        self._field.show_row(1, size(state.field_measured_nT))
+        now = state.now
+        set_old, old = ("" if one is None else "old" for one in (now.coil_old_s, now.field_old_s))
+        self._field_old.setText(age_words(now.field_old_s))
+        self._field.show_row(0, size(now.field_set_nT), state=set_old)
+        self._field.show_row(1, size(now.field_measured_nT), state=old)
         u = "–" if state.field_U_nT is None else "±" + format_field(state.field_U_nT, state.unit, signed=False)
-        self._field.show_row(2, u)
-        for row, axis in enumerate(state.field_measured_nT or (None,) * 3):
-            self._field.show_row(3 + row, "–" if axis is None else format_field(axis, state.unit))
+        self._field.show_row(2, u, state=old)
+        for row, axis in enumerate(now.field_measured_nT or (None,) * 3):
+            self._field.show_row(3 + row, "–" if axis is None else format_field(axis, state.unit), state=old)
 
     def _show_lights(self, state: LabState) -> None:
-        while len(self._rows) < len(state.lights):
+        while len(self._rows) < len(state.now.lights):
             self._rows.append(label("", wrap=True))
             self._lights.addWidget(self._rows[-1])
-        wordless = {light for _, light, words in state.lights if not words}
+        wordless = {light for _, light, words in state.now.lights if not words}
         legend = "   ".join(
             f"{shape} {translated(plain)}" for one, (shape, _, plain) in LIGHT_SHAPES.items() if one in wordless
         )
-        self._legend.setText(legend if state.lights else self.tr("No bench is open."))
-        for row, (name, light, words) in zip(self._rows, state.lights, strict=False):
+        self._legend.setText(legend if state.bench else self.tr("No bench is open."))
+        for row, (name, light, words) in zip(self._rows, state.now.lights, strict=False):
             shape, colour, _ = LIGHT_SHAPES[light]
-            row.setText(f"{shape} {name}  {words}")
+            row.setText(f"{shape} {name}  {words}".strip())
             set_state(row, colour)
-        for row in self._rows[len(state.lights) :]:
+            row.show()
+        for row in self._rows[len(state.now.lights) :]:
             row.hide()
 
 
-def mark_of(coil_words: str) -> tuple[str, str]:
-    """Shape and state that go with what is said of the coils: all clear only where a reference has seen it."""
-    if not coil_words:
-        return "", ""
-    if coil_words == AT_ZERO:
-        return "✓", "good"
-    return ("✕", "bad") if coil_words.startswith((NOT_BY_REFERENCE, NOT_CONFIRMED)) else ("●", "warning")
+def put_off_into(dialog: QDialog, coils_off: Callable[[], object]) -> None:
+    """A button of its own for Coils off in whatever dialog comes up: the window's cannot be clicked meanwhile."""
+    layout = dialog.layout()
+    if layout is None or dialog.findChild(QPushButton, "off") is not None:
+        return
+    off = named(QPushButton(translated("COILS OFF   F12")), "off")
+    off.setAutoDefault(False)
+    off.clicked.connect(coils_off)
+    if isinstance(layout, QGridLayout):
+        layout.addWidget(off, layout.rowCount(), 0, 1, -1)
+    else:
+        layout.addWidget(off)
+    off.show()
 
 
 class Frame(QMainWindow):
@@ -182,7 +198,7 @@ class Frame(QMainWindow):
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
-        self.message, self.waiting = shrinkable(label()), label()
+        self.said_at, self.message, self.waiting = label("", "caption"), shrinkable(label()), label()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self._sidebar_buttons, self._scale = QButtonGroup(self), 1.0
         self._names = tuple(pages)
@@ -211,6 +227,7 @@ class Frame(QMainWindow):
         self.show_state(lab.state)
         self.set_scale(1.0)
         self.open_page(self._names[0])
+        QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)  # they would have no Coils off
         application = QApplication.instance()
         if application is not None:
             application.installEventFilter(self)
@@ -243,6 +260,7 @@ class Frame(QMainWindow):
         self.bottom = line = Surface(Qt.Edge.TopEdge)
         row = QHBoxLayout(line)
         row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
+        row.addWidget(self.said_at)
         row.addWidget(self.message, 1)
         row.addWidget(self.waiting)
         return line
@@ -280,7 +298,7 @@ class Frame(QMainWindow):
         self._scale = scale
         self._give_room()
         for entry in (self.top.dut, self.top.operator):
-            entry.setFixedWidth(int(18 * GRID * scale))
+            entry.setMaximumWidth(int(18 * GRID * scale))
 
     def _give_room(self) -> None:
         """Sidebar and side panel, narrow where the window is: the page between them has what is left."""
@@ -297,11 +315,14 @@ class Frame(QMainWindow):
         """Write the lab's state into every part of the frame."""
         self.top.show_state(state)
         self.side.show_state(state)
+        self.said_at.setText(state.said_at)
         self.message.setText(step_title(state.message))
         self.waiting.setText(state.waiting)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take F12 before anything else can, whatever has the focus and whatever card is open; then `key_handlers`."""
+        if event.type() == QEvent.Type.Show and isinstance(watched, QDialog):
+            put_off_into(watched, self.coils_off.emit)
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:

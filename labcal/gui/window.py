@@ -91,7 +91,9 @@ class Window(Frame):
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
         app_state.page_requested.connect(self.open_page)
-        app_state.fault.connect(self.fault.show_fault)
+        app_state.fault.connect(self._show_fault)
+        app_state.fault_over.connect(self._fault_is_over)
+        app_state.lab.changed.connect(self._say_coils)
         app_state.report_requested.connect(self._save_problem)
         app_state.run.changed.connect(self._lock)
         wall = self.tr("letters to be read from two metres, and back")
@@ -174,6 +176,19 @@ class Window(Frame):
         """Who and what stand fixed while a run goes on."""
         for entry in (self.top.dut, self.top.operator):
             entry.setReadOnly(self.app_state.run.alive)
+
+    def _show_fault(self, fault: Fault) -> None:
+        self.fault.show_fault(fault)
+        self._say_coils()
+
+    def _fault_is_over(self, fault: Fault) -> None:
+        if self.fault.fault is fault:
+            self.fault.show_fault(None)
+
+    def _say_coils(self) -> None:
+        """A card that says that the coils are not known to be at zero says how they are now."""
+        if self.fault.fault is not None and self.app_state.says_unconfirmed(self.fault.fault):
+            self.fault.say_coils(self.app_state.coil_words())
 
     def _save_problem(self, fault: Fault | None) -> None:
         from labcal.gui.problem_report import save_problem

@@ -138,9 +138,12 @@ class Drive:
             self.write(item)
         if isinstance(item, Event) and age_s > PROMPT_S:
             item = replace(item, text=f"{age_s:.1f} s ago: {item.text}")
-        self.tell(item)
         if isinstance(item, Event) or (isinstance(item, Block) and item.source == "cage"):
-            self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
+            self._show()  # first: whoever hears that the run pauses knows how the coils are
+        self.tell(item)
+
+    def _show(self) -> None:
+        self.show(self.bench.state().shifted(time.monotonic() - self.bench.clock.now()))
 
     def _ask(self, prompt: Prompt) -> str:
         self.bench.handled(prompt)
@@ -160,6 +163,7 @@ class Drive:
             self._check()
             if isinstance(self.bench.clock, VirtualClock):
                 asking.join(LISTEN_S)
+                self._show()  # no time passes in the lab: what was read grows no older
             else:
                 self._listen()
         given = answers.get()
@@ -177,6 +181,7 @@ class Drive:
             self._check()
             if isinstance(self.bench.clock, VirtualClock):
                 self.control.wait_for_resume(LISTEN_S)
+                self._show()
             else:
                 self._listen()
         self._keep(self._event("pause", "goes on"))

@@ -103,8 +103,8 @@ def at_rest(window):
     app_state.force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
     app_state.force_timer.stop()
     app_state.run.forget()
-    app_state.known = app_state.taken = None
-    app_state.lab.update(coils_at_zero=None, message="", unit="nT")
+    app_state.forget()
+    app_state.lab.update(message="", waiting="", unit="nT")
     app_state.run.order = None
     app_state.study_vm.forget("")
     app_state.run.changed.emit()

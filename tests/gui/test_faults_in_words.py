@@ -57,11 +57,11 @@ def test_the_card_of_a_run_learns_that_its_coils_were_switched_off_after_it(qtbo
 def test_what_was_read_grows_old_in_the_window(still):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     told(still)
-    assert still.app_state.lab.state.coil_words == "coils at zero"
+    assert still.app_state.lab.state.now.coil_words == "coils at zero"
     told(still, age_s=7.0)
-    assert still.app_state.lab.state.coil_words == "coils last read back below their zero 7 s ago, not since"
+    assert still.app_state.lab.state.now.coil_words == "coils last read back below their zero 7 s ago, not since"
     told(still, verdict="disagrees")
-    assert still.app_state.lab.state.coil_words.startswith("NOT at zero by the reference: it sees 20400")
+    assert still.app_state.lab.state.now.coil_words.startswith("NOT at zero by the reference: it sees 20400")
     assert still.app_state.run.coils_at_zero is False
 
 
@@ -69,7 +69,7 @@ def test_a_fault_names_the_instrument_and_not_its_link_alone(still):
     still.app_state.run.links = LINKS
     card = fail(still, LOST)
     assert card.text.text() == "reference (serial:///dev/ttyUSB9): the link is lost."
-    assert ("reference", "fault", "failed") in still.app_state.lab.state.lights
+    assert ("reference", "fault", "failed") in still.app_state.lab.state.now.lights
     assert with_instrument_names(Fault("instrument", "dut: silent"), LINKS).text == "dut: silent"
 
 

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from labcal.gui.frame import Frame
 from labcal.gui.viewmodels.lab import LabViewModel
+from labcal.gui.viewmodels.lab_now import LabNow
 
 
 @pytest.fixture
@@ -48,11 +49,11 @@ def test_simulated_is_shown_where_it_is_and_only_there(lab, frame):
 
 
 def test_the_unit_button_changes_what_is_shown_and_nothing_else(qtbot, lab, frame):
-    lab.update(field_measured_nT=(0.0, 0.0, -19998.7))
+    lab.update(now=LabNow(field_measured_nT=(0.0, 0.0, -19998.7)))
     assert "\u221219\u202f998.7" in texts(frame.side)
     qtbot.mouseClick(frame.side.unit, Qt.MouseButton.LeftButton)
     assert "\u221219.9987" in texts(frame.side)
-    assert lab.state.field_measured_nT == (0.0, 0.0, -19998.7)
+    assert lab.state.now.field_measured_nT == (0.0, 0.0, -19998.7)
 
 
 def test_what_is_not_known_is_shown_as_such(frame):

@@ -16,7 +16,7 @@ def asked(still):
     return still.page("Run").live.prompt
 
 
-def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked):
+def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked, patience):
     button = asked.choices["done"]
     button.setFocus()
     for key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
@@ -24,8 +24,10 @@ def test_enter_space_and_a_short_press_answer_nothing(qtbot, still, asked):
     assert not button.held.isActive()
     qtbot.keyPress(still, button.key)
     assert button.held.isActive()
+    button.held.setInterval(3_600_000)  # nothing is confirmed by a clock
     qtbot.keyRelease(still, button.key)
-    assert not button.held.isActive()
+    qtbot.waitUntil(lambda: not button.held.isActive(), timeout=patience)
+    assert "too early" in asked.hint.text()
     assert (still.app_state.run.state, still.app_state.bench_worker.said) == ("asking", [])
 
 
@@ -41,3 +43,18 @@ def test_to_redo_an_axis_acts_too_and_has_a_key_of_its_own(asked):
     redo = asked.choices["redo x"]
     assert redo.text().startswith("Redo axis X")
     assert redo.key != asked.choices["done"].key
+
+
+def test_a_key_that_repeats_by_letting_go_for_a_blink_is_held(qtbot, still, asked, patience):
+    button = asked.choices["done"]
+    button.held.setInterval(3_600_000)
+    button.let_go.setInterval(3_600_000)
+    qtbot.keyPress(still, button.key)
+    for _ in range(5):
+        qtbot.keyRelease(still, button.key)
+        qtbot.keyPress(still, button.key)
+    assert button.held.isActive()
+    assert not button.let_go.isActive()
+    qtbot.waitUntil(lambda: button.filled() > 0, timeout=patience)
+    button.held.timeout.emit()
+    assert still.app_state.bench_worker.said == [Answer("ready", "done")]

@@ -40,7 +40,7 @@ def test_every_instrument_answers_on_the_bench_page(qtbot, lab):
     qtbot.waitUntil(lambda: page.table.text(0, 5) == "✓ answers", timeout=LONG_MS)
     assert [page.table.text(row, 5) for row in range(7)] == ["✓ answers"] * 7
     assert "THURLBY" in page.table.text(0, 3).upper()
-    assert all(light == "ok" for _, light, _ in lab.app_state.lab.state.lights)
+    assert all(light == "ok" for _, light, _ in lab.app_state.lab.state.now.lights)
 
 
 def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):

@@ -85,7 +85,7 @@ def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_pat
                 qtbot.mouseClick(live.prompt.choices[run.prompt.choices[0]], Qt.MouseButton.LeftButton)
         assert (run.status, run.fault) == ("finished", None)
         assert run.measurements["closure z"].verdict == "PASS"
-        assert app_state.lab.state.coils_at_zero
+        assert app_state.lab.state.now.coils_at_zero
         assert [one.status for one in session.runs()] == ["finished"]
         qtbot.mouseClick(live.fit, Qt.MouseButton.LeftButton)
         study, fit = app_state.study_vm, window.page("Fit")

@@ -25,7 +25,7 @@ BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 def read_at_zero(window):
     """What was known of the coils whenever the lab's state changed: the last reading in it, however old by now."""
     known = []
-    window.app_state.lab.changed.connect(lambda state: known.append(state.coils_at_zero))
+    window.app_state.lab.changed.connect(lambda state: known.append(state.now.coils_at_zero))
     return lambda: [good for good in known if good is not None][-1]
 
 

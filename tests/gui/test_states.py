@@ -56,7 +56,7 @@ def test_stop_is_there_in_every_state_and_ends_in_order(qtbot, brought):
         False,
         True,
     )
-    assert brought.app_state.lab.state.coils_at_zero is True
+    assert brought.app_state.lab.state.now.coils_at_zero is True
 
 
 def test_coils_off_is_heard_in_every_state(qtbot, brought):
@@ -82,7 +82,7 @@ def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(
     assert (live.fault.text.text(), live.fault.remedy.text()) == (SILENT.text, SILENT.remedy)
     assert not live.prompt.isVisible()
     assert not live.fault.details.isVisible()
-    assert ("reference", "fault", "failed") not in brought.app_state.lab.state.lights
+    assert ("reference", "fault", "failed") not in brought.app_state.lab.state.now.lights
     assert not brought.app_state.run.alive
 
 
@@ -100,7 +100,7 @@ def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
     still.app_state.coils_off()
     failed = still.app_state.off_worker.asked[-1].failed
     failed(Fault("instrument", "supply_x does not answer."))
-    assert still.app_state.lab.state.coils_at_zero is None
+    assert still.app_state.lab.state.now.coils_at_zero is None
     assert "Switch the supplies off" in still.fault.remedy.text()
     assert still.fault.isVisible()
 
@@ -109,7 +109,7 @@ def test_coils_off_without_a_run_asks_for_them_at_once(qtbot, still):
     qtbot.keyClick(still, Qt.Key.Key_F12)
     assert isinstance(still.app_state.off_worker.asked[-1].command, SwitchOff)
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(tuple(CoilEnd(a, 0.0, "at zero", True) for a in "xyz")))
-    assert still.app_state.lab.state.coils_at_zero is True
+    assert still.app_state.lab.state.now.coils_at_zero is True
 
 
 def test_a_question_sounds_at_once_and_again_until_it_is_answered(qtbot, still, monkeypatch):

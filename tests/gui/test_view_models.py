@@ -6,7 +6,7 @@ from lab_states import told
 
 from labcal.bench.parameters import Limits, ParameterSpec
 from labcal.errors import InputError, InstrumentError
-from labcal.gui.ipc.answers import Change, FitFigures, Fitted
+from labcal.gui.ipc.answers import Change, Ended, FitFigures, Fitted
 from labcal.gui.ipc.messages import Abort, Answer, FilterHistory, ListMethods, LookAt, RunProcedure, Stop, TryCause
 from labcal.gui.ipc.wire import Fault, fault_of, item_from_json, item_to_json, pack, unpack
 from labcal.gui.viewmodels.run import RunViewModel
@@ -84,10 +84,11 @@ def test_the_light_of_an_axis_is_the_worst_of_what_was_measured_about_it(run, wo
     assert (run.axis_light("x"), run.axis_light("y")) == ("FAIL", "")
 
 
-def test_currents_and_field_follow_set_points_and_read_backs(run, worker):
-    send(worker, Event(1.0, "set-point", "field", {"field_nT": [1.0, 2.0, 3.0], "read_back_A": [0.1, 0.2, 0.3]}))
+def test_coils_are_as_they_were_told_and_not_as_an_event_says(run, worker):
     told(worker, (0.1, 0.2, 0.3))
-    assert (run.field_set_nT, run.coil_A, run.coils_at_zero) == ((1.0, 2.0, 3.0), (0.1, 0.2, 0.3), False)
+    send(worker, Event(1.0, "read-back", "coils at zero", {"current_A": [0.0, 0.0, 0.0]}))
+    assert ([coil.current_A for coil in run.lab.coils], run.coils_at_zero) == ([0.1, 0.2, 0.3], False)
+    assert "zero" not in run.message
     told(worker, (None, 0.0, 0.0))
     assert run.coils_at_zero is False
     told(worker)
@@ -174,3 +175,9 @@ def test_any_cause_is_looked_at_once_and_a_filter_that_refuses_is_not_asked_agai
     worker.asked[-1].failed(Fault("input", "too short"))
     study.follow("ekf")
     assert len(worker.commands(FilterHistory)) == 1
+
+
+def test_the_last_line_of_a_run_says_what_its_store_did(run, worker):
+    why = "interrupted by its store: runs.sqlite: the disk is full; every row is kept by now"
+    worker.answer(RunProcedure, Ended("r1", "interrupted", None, (), why))
+    assert run.message == f"Run r1: {why}"

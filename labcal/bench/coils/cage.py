@@ -70,6 +70,7 @@ class Cage:
         self.flowing_A: Array = np.zeros(3)  # signed, as last read
         self.abrupt: set[str] = set()  # axes that have come to zero without a ramp
         self.on = False  # outputs closed
+        self.asked_nT: Array | None = None  # the field (3,) that the coils are held at; None where none was asked for
         self.to_zero_since_s: float | None = None  # when zero was wanted (monotonic clock), until that has ended
         self._held_A: Array | None = None  # what ought to flow; None on the way there, and with the outputs open
         floor_A = {axis: 2 * supply.zero_current_A for axis, supply in self.supplies.items()}
@@ -85,6 +86,7 @@ class Cage:
         """Bring the total field at the centre to `b_nT` (3,) in C, as `set_currents` does."""
         b = np.asarray(b_nT, dtype=float)
         self.set_currents(np.linalg.solve(self.matrix_nT_per_A, b - self.ambient_nT), confirm_signs=confirm_signs)
+        self.asked_nT = b
 
     def refuse_beyond_limits(self, b_nT: ArrayLike) -> None:
         """Raise LimitError where `set_field` would for `b_nT` (3,); nothing is sent."""
@@ -101,7 +103,7 @@ class Cage:
         self._refuse_beyond_limits(target)
         if (doubt := self.latch.doubt) is not None:
             raise doubt.error()
-        self._held_A, now = None, self._clock.now()
+        self._held_A, self.asked_nT, now = None, None, self._clock.now()
         self.check.leaves_zero(now)
         self.check.expect(None, now, now)
         self._close_outputs()
@@ -146,7 +148,7 @@ class Cage:
         none, and a reference beside the DUT sees the field of a current all the same, InstrumentError (not zero).
         """
         begun, was_on = self._clock.now(), self.on
-        self.on, self._held_A = False, None
+        self.on, self._held_A, self.asked_nT = False, None, None
         self._signs.forget()
         if was_on:
             self.check.expect(None, begun, begun)

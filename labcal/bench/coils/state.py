@@ -14,6 +14,7 @@ from typing import Any, Literal
 from labcal.bench.coils.zero import AtZero
 
 FRESH_S = 2.0  # what was read back longer ago is told as past
+MEAN_OF = 20  # readings of a reference are shown as one
 AT_ZERO = "coils at zero"
 BY_WORD = "zero by the supply's word only"
 NOT_CONFIRMED = "coils NOT confirmed at zero"
@@ -79,13 +80,37 @@ class Heard:
 
 
 @dataclass(frozen=True, slots=True)
+class FieldReading:
+    """The field at the DUT in C: as it was asked for (None: it was not), and as the reference saw it last, `read_s`."""
+
+    set_nT: Vector | None = None
+    seen_nT: Vector | None = None
+    read_s: float | None = None
+
+    def seen(self, t_s: Any, field_nT: Any) -> FieldReading:
+        """With the mean of the last of what the reference sent, (n, 3) at `t_s` (n,); none changes nothing."""
+        if len(t_s) == 0:
+            return self
+        x, y, z = (sum(float(v) for v in column) / len(column) for column in zip(*field_nT[-MEAN_OF:], strict=True))
+        return FieldReading(self.set_nT, (x, y, z), float(t_s[-1]))
+
+    def asked(self, field_nT: Any) -> FieldReading:
+        """With what was asked for (3,), or None."""
+        if field_nT is None:
+            return replace(self, set_nT=None)
+        x, y, z = map(float, field_nT)
+        return replace(self, set_nT=(x, y, z))
+
+
+@dataclass(frozen=True, slots=True)
 class LabState:
-    """`guardian`: whether it lives; None where a bench needs none."""
+    """`guardian`: whether it lives; None where a bench needs none. The record has `field` as samples, not here."""
 
     coils: tuple[CoilReading, ...]
     reference: Witness = Witness()
     guardian: bool | None = None
     instruments: tuple[Heard, ...] = ()
+    field: FieldReading = FieldReading()
 
     def sentence(self, now_s: float) -> str:
         """What may be said of the coils at `now_s`, and no more than was read back."""
@@ -122,11 +147,13 @@ class LabState:
             coils=tuple(replace(coil, read_s=_later(coil.read_s, by_s)) for coil in self.coils),
             reference=replace(self.reference, read_s=_later(self.reference.read_s, by_s)),
             instruments=tuple(replace(one, heard_s=_later(one.heard_s, by_s)) for one in self.instruments),
+            field=replace(self.field, read_s=_later(self.field.read_s, by_s)),
         )
 
     def as_json(self, now_s: float) -> dict[str, Any]:
         """With ages in place of times: for the record, and for another process."""
         plain: dict[str, Any] = json.loads(json.dumps(asdict(self.shifted(-now_s))))  # lists, as whoever reads it has
+        del plain["field"]
         return plain
 
     def _seconded(self, now_s: float) -> bool:
@@ -147,6 +174,11 @@ def from_json(said: Mapping[str, Any], now_s: float) -> LabState:
     coils = tuple(CoilReading(**coil) for coil in said["coils"])
     instruments = tuple(Heard(**one) for one in said["instruments"])
     return LabState(coils, Witness(**reference), said["guardian"], instruments).shifted(now_s)
+
+
+def unread(axes: str = "xyz") -> tuple[CoilReading, ...]:
+    """Coils of which nothing is known."""
+    return tuple(map(CoilReading, axes))
 
 
 def of_ends(ended: Iterable[AtZero], doubt: str = "", advice: str = OPEN_THEM) -> LabState:

@@ -111,12 +111,13 @@ class SwitchedOff:
 
 @dataclass(frozen=True, slots=True)
 class Ended:
-    """How a run has ended. `failed`: measurements beyond their limits."""
+    """How a run has ended. `failed`: measurements beyond their limits. `told`: how it ended, in more than one word."""
 
     run_id: str
     status: str
     fault: Fault | None = None
     failed: tuple[str, ...] = ()
+    told: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,6 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
-from labcal.record.stream import Event as Happened
 from labcal.runner import Control
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
@@ -50,7 +49,6 @@ class Channel:
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
         self._batch: list[Item] = []
         self._sent_s, self._on_bench = 0.0, False
-        self.hold_when_paused = False
         self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
 
     def requests(self) -> Iterator[Request]:
@@ -70,8 +68,8 @@ class Channel:
             self.control.leave()
 
     def run_begins(self, simulated: bool) -> None:
-        """From here on a hang-up means abort, not exit. A paused simulation stands still."""
-        self._on_bench, self.hold_when_paused, self.control = True, simulated, Control()
+        """From here on a hang-up means abort, not exit."""
+        self._on_bench, self.control = True, Control()
         if not simulated:
             threading.Thread(target=self._watch_heartbeat, args=(self.control,), daemon=True, name="still").start()
 
@@ -85,8 +83,6 @@ class Channel:
         self._batch.append(item)
         if not isinstance(item, Block) or time.monotonic() - self._sent_s > BATCH_S:
             self.flush()
-        if self.hold_when_paused and isinstance(item, Happened) and item.kind == "pause":
-            self._wait_while_paused()
 
     def send_state(self, state: LabState) -> None:
         """How the lab is now, by the clock that all processes of this computer share."""
@@ -108,11 +104,6 @@ class Channel:
                 continue
             if key == prompt.key:
                 return text
-
-    def _wait_while_paused(self) -> None:
-        while self.control.paused():
-            self.control.check()
-            time.sleep(POLL_S)
 
     def _read_requests(self) -> None:
         for line in self._input:

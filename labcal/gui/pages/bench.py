@@ -7,15 +7,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Identified, Instrument
 from labcal.gui.ipc.messages import FindSimulatedBench, Identify
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import Triple
+from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.cage_view import CageView, vector_colours
 from labcal.gui.widgets.common import Card, button, label
@@ -96,6 +98,7 @@ class BenchPage(QWidget):
         card = Card(self.tr("The cage"), " ")
         self.when = card.unit
         self.cage, self.cage_words = CageView(self._theme), label("", wrap=True)
+        self.cage_words.setTextFormat(Qt.TextFormat.RichText)
         row = QHBoxLayout()
         row.addWidget(self.cage, 3)
         row.addWidget(self.cage_words, 1)
@@ -171,36 +174,45 @@ class BenchPage(QWidget):
         identity = (answered.identity if answered is not None else "") or "–"
         simulated = simulated and answered is not None and one.role == "dut"
         self.table.set_cell(row, 3, self.tr("{0}, simulated").format(identity) if simulated else identity)
-        if answered is None:
-            self.table.set_cell(row, 5, self.tr("○ not asked"), colour=self._theme.muted)
-        elif (fault := answered.fault) is not None:
-            self.table.set_cell(row, 5, f"✕ {fault.text} {fault.remedy}", colour=self._theme.bad)
-        else:
-            self.table.set_cell(row, 5, self.tr("✓ answers"), colour=self._theme.good)
+        text, colour = self._standing(name)
+        self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
+
+    def _standing(self, name: str) -> tuple[str, str]:
+        """How an instrument stands now, in the words of the panel at the right; where it failed, with what to do."""
+        lights = self._app_state.lab.state.now.lights
+        light, words = next(((light, words) for one, light, words in lights if one == name), ("absent", ""))
+        answered = self._app_state.answered.get(name)
+        shape, colour, plain = LIGHT_SHAPES[light]
+        if light == "fault" and answered is not None and answered.fault is not None:
+            words = f"{words} {answered.fault.remedy}".strip()
+        return f"{shape} {words or translated(plain)}", {"": "muted", "old": "muted"}.get(colour, colour)
 
     def show_readings(self) -> None:
         """What each instrument sent last; the coils' currents as they were read back."""
-        run, coils, facts = self._app_state.run, self._app_state.lab.state.coil_A, self._app_state.facts
+        run, now, facts = self._app_state.run, self._app_state.lab.state.now, self._app_state.facts
+        ages = {name: age_words(old_s) for name, old_s in now.heard_old_s}
         for row in range(self.table.rowCount()):
-            role, said = self.table.text(row, 0), run.reading.get(self.table.text(row, 1))
-            words, age = "–", self.tr("nothing in this session")
-            if role.startswith("coil") and coils is not None:
-                words, age = f"{format_number(coils['xyz'.index(role[-1])], 3)} A", self.tr("as read back")
+            role, name = self.table.text(row, 0), self.table.text(row, 1)
+            words, age, said = "–", ages.get(name, ""), run.reading.get(name)
+            if role.startswith("coil"):
+                current = now.coil_A["xyz".index(role[-1])]
+                words = "–" if current is None else f"{format_number(current, 3)} A"
+                age = age_words(now.coil_old_s)
             elif said is not None:
-                silent = run.silent_s(self.table.text(row, 1))
-                unit = f" {facts.dut.unit}" if facts is not None and role == "dut" else ""
-                words, age = (
-                    reading_text(role, said[1]) + unit,
-                    self.tr("{0:.1f} s before the newest of all").format(silent),
-                )
-            self.table.set_cell(row, 4, words, tip=f"{words}   ({age})")
+                words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")
+            old = bool(age) and words != "–"
+            text = f"{words}   {age}" if old else words
+            self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
+            text, colour = self._standing(name)
+            self.table.set_cell(row, 5, text, colour=getattr(self._theme, colour))
         self._show_cage()
 
     def _show_cage(self) -> None:
         """The field's parts as they were last recorded together: currents, and what the reference saw with them."""
         facts, run = self._app_state.facts, self._app_state.run
         now, last = self.tr("all arrows to one scale"), self.tr("as recorded last, not now; all arrows to one scale")
-        self.when.setText(now if run.alive or not run.reading else last)
+        fresh = self._app_state.lab.state.now.field_old_s is None and self._app_state.lab.state.now.coil_old_s is None
+        self.when.setText(now if (run.alive and fresh) or not run.reading else last)
         if facts is None:
             return
         applied = last_applied(run.reading.get("cage"), facts.cage.matrix)

@@ -159,7 +159,7 @@ class HistoryPage(QWidget):
             cells = (
                 when,
                 one.dut_serial,
-                one.procedure or "bundle",
+                " · ".join(filter(None, (one.procedure or "bundle", self.tr("SIMULATED") if one.simulated else ""))),
                 one.operator,
                 status,
                 one.verdict,

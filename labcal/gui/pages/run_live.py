@@ -81,6 +81,8 @@ class Live(QWidget):
         card = Card()
         card.setMinimumWidth(24 * GRID)
         self.title = label("", "title", wrap=True)
+        self.whose = label("", wrap=True)
+        self.whose.setAccessibleName(self.tr("Whose run this is"))
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)
         self.left = label("", "caption", wrap=True)
@@ -91,7 +93,7 @@ class Live(QWidget):
         self.note.setPlaceholderText(self.tr("Note"))
         self.note.setToolTip(self.tr('Put a remark with its time into the record, and Enter: "lift moved"'))
         self.note.returnPressed.connect(self._note)
-        for widget in (self.title, self.progress, self.left):
+        for widget in (self.title, self.whose, self.progress, self.left):
             card.body.addWidget(widget)
         self.photo = button(self.tr("Photo …"), self.tr("Put a photograph into the record, with the note as its words"))
         self.photo.clicked.connect(self._photo)
@@ -194,6 +196,9 @@ class Live(QWidget):
         run = self._run
         ended = run.state == "ended"
         self.title.setText(procedure_title(run.order.procedure) if run.order else "")
+        self.whose.setText(
+            " · ".join(filter(None, (run.order.dut, run.order.operator, run.began))) if run.order else ""
+        )
         self._show_steps()
         self.pause.setText(self.tr("Go on") if run.state == "paused" else self.tr("Pause"))
         self.pause.setEnabled(run.state in ("running", "asking", "paused"))
@@ -234,14 +239,21 @@ class Live(QWidget):
         return self.fault.text.setText(kept)
 
     def _coils_known(self) -> None:
-        """They were switched off after a run that failed: its card knows."""
+        """They were switched off after a run that failed: its card knows. No result stays under another's serial."""
+        if (
+            self._run.state == "ended"
+            and self._run.order
+            and self._run.order.dut != self._app_state.lab.state.dut_serial
+        ):
+            self.put_away.emit()
+        self.prompt.say_coils(self._app_state.lab.state.now.coil_words)
         if (fault := self._run.fault) is not None:
             self.fault.say_coils(self._coils_left(fault))
 
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
         words = self._app_state.coil_words()
-        if self._app_state.lab.state.coils_at_zero is False:
+        if self._app_state.lab.state.now.coils_at_zero is False:
             return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
         return words
 

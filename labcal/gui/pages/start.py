@@ -51,6 +51,7 @@ class StartPage(QWidget):
         column.addStretch()
         app_state.bench_changed.connect(self._bench_known)
         app_state.lab.changed.connect(self._enable)
+        app_state.run.changed.connect(self._enable)
         app_state.run.ended.connect(self.refresh)
         self._bench_known()
 
@@ -111,9 +112,10 @@ class StartPage(QWidget):
         self._app_state.open_procedure("|".join(MORNING_CHECKS))
 
     def _enable(self) -> None:
-        objection, facts = self._app_state.objection(), self._app_state.facts
+        run, objection, facts = self._app_state.run, self._app_state.objection(), self._app_state.facts
+        goes_on = self.tr("A run goes on: {0}, DUT {1}. See the Run page.")
         self.question.setText(
-            objection
+            (goes_on.format(run.order.procedure, run.order.dut) if run.alive and run.order else objection)
             or self.tr("Ready. {0} stands on {1}.").format(
                 self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
             )

@@ -87,6 +87,7 @@ QLabel#large { font-size: ${large_pt}pt; font-weight: 600; }
 QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padding: 4px 12px; border-radius: 4px;
                    letter-spacing: 2px; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
+QLabel[state="old"] { color: $muted; }
 QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
 QPushButton:disabled { color: $muted; background: $page; }

@@ -36,7 +36,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read back at {0:%H:%M:%S}: {1}</source>
+        <source>Read back: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -57,10 +57,6 @@
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>silent {0:.0f} s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -119,10 +115,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>○ not asked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>all arrows to one scale</source>
         <translation type="unfinished"></translation>
     </message>
@@ -140,22 +132,6 @@
     </message>
     <message>
         <source>Instruments of {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✓ answers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>nothing in this session</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as read back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0:.1f} s before the newest of all</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -776,6 +752,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Correct the serial</source>
         <translation type="unfinished"></translation>
     </message>
@@ -878,6 +858,10 @@
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose run this is</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1121,6 +1105,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>How the coils are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write it here</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1150,6 +1138,10 @@
     </message>
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Let go too early. {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1200,6 +1192,10 @@
     </message>
     <message>
         <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1278,6 +1274,10 @@
     </message>
     <message>
         <source>Looking into the store.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run goes on: {0}, DUT {1}. See the Run page.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1465,6 +1465,14 @@
     </message>
     <message>
         <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF   F12</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not complete</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1961,6 +1969,26 @@
     </message>
     <message>
         <source>Done: hand it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heard before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} min ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} h ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -19,6 +19,8 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Loop"),
     QT_TRANSLATE_NOOP("Words", "Certificate"),
     QT_TRANSLATE_NOOP("Words", "History"),
+    QT_TRANSLATE_NOOP("Words", "COILS OFF   F12"),
+    QT_TRANSLATE_NOOP("Words", "not complete"),
     QT_TRANSLATE_NOOP("Words", "Done"),
     QT_TRANSLATE_NOOP("Words", "Mounted"),
     QT_TRANSLATE_NOOP("Words", "Placed"),

@@ -6,7 +6,6 @@ import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from datetime import datetime
 from functools import partial
 from pathlib import Path
 from traceback import format_exception
@@ -22,13 +21,13 @@ from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, Switche
 from labcal.gui.ipc.client import Client
 from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
-from labcal.gui.viewmodels.lab import LabViewModel, Light
+from labcal.gui.viewmodels.lab import LabViewModel
+from labcal.gui.viewmodels.lab_now import LabNow, lab_now
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
 
 R = TypeVar("R")
-SILENT_S = 2.0
-AGES_MS = 500  # what was read grows old
+AGES_MS = 250  # what was read grows old
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 
 
@@ -44,6 +43,7 @@ class AppState(QObject):
     """Workers: `quick` for what is short, `bench` for the run, `fit` for fits and the loop, `off` for Coils off."""
 
     fault = Signal(object)  # of anything that has no card of its own
+    fault_over = Signal(object)  # what such a card said is so no longer
     bench_changed = Signal()
     page_requested = Signal(str)  # a page is asked for, by name
     procedure_requested = Signal()  # `wanted` is to be chosen on the Run page
@@ -65,16 +65,16 @@ class AppState(QObject):
         self.bench = ""
         self.wanted: Wanted | None = None
         self._asked_off = False  # of this bench, and no answer has come
-        self._refresh_timer = QTimer(self, interval=200)
-        self._refresh_timer.timeout.connect(self._update_lab)
-        self.known: state.LabState | None = None  # the lab as it was last read, by the computer's monotonic clock
-        self.taken: state.LabState | None = None  # from the run
+        self.known: state.LabState | None = None  # the lab as a worker told it last, by the computer's monotonic clock
+        self._told_s = 0.0  # and when it did
+        self._taken: state.LabState | None = None  # from the run
+        self._unconfirmed: Fault | None = None  # what says that the coils are not known to be at zero
         self._age_timer = QTimer(self, interval=AGES_MS)
-        self._age_timer.timeout.connect(self._update_coil_words)
+        self._age_timer.timeout.connect(self._grow_old)
         self._age_timer.start()
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._off_by_force)
-        self.run.changed.connect(self._update_lab)
+        self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
         self.lab.update(operator=str(self.settings.value("operator", "")))
 
@@ -91,21 +91,33 @@ class AppState(QObject):
         return self.request(ReadBench(path), partial(self._bench_known, path))
 
     def _bench_known(self, path: str, facts: Bench) -> None:
-        if path != self.bench:  # what was read on another bench says nothing of this
-            self.known, self._asked_off = None, False
+        if path != self.bench:
+            self.forget()
+        if path != self.bench or self.facts is None:
+            self.lab.update(message="")
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
         self.run.links = {name: one.link for name, one in facts.instruments.items()}
-        lights: tuple[tuple[str, Light, str], ...] = tuple((name, "absent", "") for name in facts.instruments)
         serial = self.lab.state.dut_serial or facts.dut.serial
-        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial, lights=lights)
+        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial)
+        self._grow_old()
         self.bench_changed.emit()
+
+    def forget(self) -> None:
+        """Know nothing of the lab: what was read on another bench says nothing of this."""
+        self.known = self._taken = self._unconfirmed = None
+        self._asked_off = False
 
     def take_greetings(self, said: Identified) -> None:
         """Who answered, and who did not."""
-        self.answered = {one.name: one for one in said.greetings}
-        self.lab.update(lights=tuple((n, "fault" if one.fault else "ok", "") for n, one in self.answered.items()))
+        self.answered, now = {one.name: one for one in said.greetings}, time.monotonic()
+        heard = tuple(
+            state.Heard(one.name, None if one.fault else now, one.fault.text if one.fault else "")
+            for one in said.greetings
+        )
+        before = self.known or state.LabState(state.unread())
+        self._know(replace(before, instruments=heard, guardian=None))
 
     def open_procedure(self, names: str, *, plan: bool = False) -> None:
         """Show the form of the first procedure there is of `names`, apart by |; on demand with its plan."""
@@ -156,13 +168,11 @@ class AppState(QObject):
         """Run a procedure for the DUT and the operator above."""
         study = self.study_vm
         after = study.run if procedure == study.wanted else ""
-        self._refresh_timer.start()
         self.run.start(replace(self._order(procedure, given), after=after))
 
     def resume(self, run_id: str, procedure: str, dut: str) -> None:
         """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
         self.set_identity(dut=dut)
-        self._refresh_timer.start()
         self.run.resume(run_id, self._order(procedure, {}))
         self.page_requested.emit("Run")
 
@@ -196,69 +206,77 @@ class AppState(QObject):
             self.study_vm.add(order.procedure, run_id)
             self.page_requested.emit("Loop")
         fault = self.run.fault
+        if fault is not None:
+            self._blame(fault)
         if fault is not None and (fault.kind in BROKEN or self.run.coils_at_zero is False):
             self._switch_off()
 
     def _switch_off(self) -> None:
-        self.known, self._asked_off = None, True
-        self.lab.update(coil_A=None, message=self.tr("Coils off: reading them back …"))
+        self._asked_off = True
+        self.lab.update(message=self.tr("Coils off: reading them back …"))
+        self._grow_old()
         self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
     def _off_known(self, said: SwitchedOff) -> None:
-        good = all(axis.ok for axis in said.coils) and not said.doubt
         words = "; ".join(f"{axis.axis}: {axis.words}" for axis in said.coils)
-        currents = tuple(axis.current_A for axis in said.coils)
+        self.lab.update(message=self.tr("Read back: {0}").format(words))
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
-        self.known, self._asked_off = state.LabState(tuple(map(_coil, said.coils)), witness), False
-        message = self.tr("Read back at {0:%H:%M:%S}: {1}").format(datetime.now(), words)
-        known = None if None in currents else currents
-        self.lab.update(coils_at_zero=good, coil_A=known, field_set_nT=None, message=message)
-        self._update_coil_words()
-        if not good:
+        before = self.known or state.LabState(())
+        self._asked_off = False
+        self._know(replace(before, coils=tuple(map(_coil, said.coils)), reference=witness, guardian=None))
+        if said.doubt or not all(axis.ok for axis in said.coils):
             self._off_failed(Fault("instrument", words))
 
     def _off_failed(self, fault: Fault) -> None:
         remedy = self.tr("Switch the supplies off at their mains switches.")
-        self.lab.update(coils_at_zero=None, message=fault.text)
-        self.fault.emit(Fault(fault.kind, fault.text, f"{self.coil_words()} {remedy}".strip(), fault.details))
+        self.lab.update(message=fault.text)
+        self._unconfirmed = Fault(fault.kind, fault.text, remedy, fault.details)
+        self.fault.emit(self._unconfirmed)
+
+    def says_unconfirmed(self, fault: Fault) -> bool:
+        """Whether this card is about coils that are not known to be at zero."""
+        return fault is self._unconfirmed
 
     def coil_words(self) -> str:
         """What may be said of the coils now."""
-        if self.known is None:
-            return state.NOT_SINCE if self._asked_off else state.NOT_READ
-        return self.known.sentence(time.monotonic())
+        return self._now().coil_words or state.NOT_READ
 
-    def _update_coil_words(self) -> None:
-        self.lab.update(coil_words="" if self.known is None else self.coil_words())
+    def _know(self, told: state.LabState) -> None:
+        """From here on this is how the lab is."""
+        self.known, self._told_s = told, time.monotonic()
+        self._grow_old()
 
-    def _update_lab(self) -> None:
+    def _now(self) -> LabNow:
+        """What may be said of the lab now. Where somebody was asked to switch the coils off, what was read is past."""
+        told = self.known
+        if self._asked_off:
+            told = replace(told or state.LabState(()), coils=state.unread(), field=state.FieldReading())
+        roles = {} if self.facts is None else {name: one.role for name, one in self.facts.instruments.items()}
+        now = lab_now(told, self._told_s, roles, time.monotonic())
+        return replace(now, coil_words=state.NOT_SINCE) if self._asked_off else now
+
+    def _grow_old(self) -> None:
+        """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
+        now = self._now()
+        self.lab.update(now=now, field_U_nT=self._U(now.field_measured_nT))
+        if self._unconfirmed is not None and now.coils_at_zero:
+            over, self._unconfirmed = self._unconfirmed, None
+            self.fault_over.emit(over)
+
+    def _update_run(self) -> None:
         """What the run knows, for the frame."""
         run = self.run
         if run.state == "idle":
             return
-        if run.lab is not None and run.lab is not self.taken:
-            self.known = self.taken = run.lab
-        self._update_coil_words()
-        rows = run.reference.rows()[-20:]
-        now = run.alive and len(rows) > 0  # after a run, what was measured last is not the field now
-        measured = tuple(float(v) for v in rows[:, 1:].mean(axis=0)) if now else None
+        if run.lab is not None and run.lab is not self._taken:
+            self._taken, self._asked_off = run.lab, False
+            self._know(run.lab)
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused")}
         if run.segment is not None:
             waits["running"] = self.tr("hands off, measuring")
-        self.lab.update(
-            field_set_nT=run.field_set_nT,
-            field_measured_nT=measured,
-            field_U_nT=self._U(measured),
-            coil_A=run.coil_A if self.known is self.taken else self.lab.state.coil_A,
-            coils_at_zero=run.coils_at_zero,
-            lights=self._lights(),
-            message=run.message,
-            waiting=waits.get(run.state, ""),
-        )
-        if not run.alive:
-            self._refresh_timer.stop()
+        self.lab.update(message=run.message, waiting=waits.get(run.state, ""))
 
-    def _U(self, measured: tuple[float, ...] | None) -> float | None:
+    def _U(self, measured: state.Vector | None) -> float | None:
         """Of the reference, k = 2, from what the bench file states."""
         said = None if self.facts is None else self.facts.reference
         if measured is None or said is None or said.u_offset_nT is None:
@@ -266,27 +284,16 @@ class AppState(QObject):
         size = sum(v * v for v in measured) ** 0.5
         return 2.0 * float((said.u_offset_nT**2 + (size * 1e-6 * (said.u_scale_ppm or 0.0)) ** 2) ** 0.5)
 
-    def _lights(self) -> tuple[tuple[str, Light, str], ...]:
-        said = self.run.fault.text if self.run.fault else ""
-        failed = "" if said.startswith(state.NOT_BY_REFERENCE) else said  # the witness has not failed
-
-        def light(name: str, role: str) -> tuple[str, Light, str]:
-            source = "cage" if role.startswith("coil") or role in ("polarity", "interlock") else name
-            if name in failed:
-                return name, "fault", self.tr("failed")
-            if name in wrong and self.run.alive:
-                return name, "fault", wrong[name]
-            if source not in self.run.heard_s:
-                return name, "waiting", ""
-            silent = self.run.silent_s(source)
-            if self.run.alive and silent > SILENT_S:
-                return name, "fault", self.tr("silent {0:.0f} s").format(silent)
-            return name, "ok", ""
-
-        told = self.run.lab.instruments if self.run.lab is not None else ()
-        wrong = {one.name: one.fault for one in told if one.fault}
-        there = {} if self.facts is None else self.facts.instruments
-        return tuple(light(name, one.role) for name, one in there.items())
+    def _blame(self, fault: Fault) -> None:
+        """Instruments that a run failed over are shown so until they are heard again; a witness has not failed."""
+        told = self.known or state.LabState(state.unread())
+        if self.facts is None or fault.text.startswith(state.NOT_BY_REFERENCE):
+            return
+        heard = {one.name: one for one in told.instruments}
+        for name in self.facts.instruments:
+            if name in fault.text:
+                heard[name] = replace(heard.get(name) or state.Heard(name), fault=self.tr("failed"))
+        self._know(replace(told, instruments=tuple(heard.values())))
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""
@@ -296,7 +303,7 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for timer in (self.force_timer, self._refresh_timer, self._age_timer):
+        for timer in (self.force_timer, self._age_timer):
             timer.stop()
         self.bench_worker.close(8000)
         for worker in (self.quick_worker, self.fit_worker, self.off_worker):

@@ -3,33 +3,30 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from datetime import datetime
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from labcal.gui.viewmodels.lab_now import NOT_TOLD, LabNow
 from labcal.gui.viewmodels.number_format import FieldUnit
 
-Light = Literal["ok", "waiting", "fault", "absent"]
 Triple = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class LabState:
-    """One instant of the lab; None is "not known", and is shown as such."""
+    """One instant of the lab; None is "not known", and is shown as such. `now` is made from the state that was told."""
 
     dut_serial: str = ""
     operator: str = ""
     bench: str = ""
     simulated: bool = False
-    field_set_nT: Triple | None = None
-    field_measured_nT: Triple | None = None
+    now: LabNow = NOT_TOLD
     field_U_nT: float | None = None  # k = 2
-    coil_A: Triple | None = None
-    coils_at_zero: bool | None = None  # when they were read
-    coil_words: str = ""  # what may be said of them now
-    lights: tuple[tuple[str, Light, str], ...] = ()  # instrument, light, words
     unit: FieldUnit = "nT"
-    message: str = ""
+    message: str = ""  # what happened last
+    said_at: str = ""  # and when, 07:12:04
     waiting: str = ""
 
 
@@ -44,6 +41,8 @@ class LabViewModel(QObject):
 
     def update(self, **known: Any) -> None:
         """Take what is known by name (the fields of `LabState`) and tell the frame."""
+        if known.get("message", self.state.message) != self.state.message:
+            known["said_at"] = f"{datetime.now():%H:%M:%S}" if known["message"] else ""
         new = replace(self.state, **known)
         if new != self.state:
             self.state = new

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+from datetime import datetime
 from typing import Literal
 
 import numpy as np
@@ -21,10 +22,10 @@ from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prom
 
 State = Literal["idle", "starting", "running", "asking", "paused", "stopping", "ended"]
 Mark = Literal["done", "now", "next", "skipped", "broken"]
-Triple = tuple[float, float, float]
 ALIVE = ("starting", "running", "asking", "paused", "stopping")
 LOCUS = 4000
 SECTORS = 24  # of 15 degrees: what coverage counts
+SAID_ELSEWHERE = ("answer", "set-point", "read-back")  # by whoever answered, and by the lab's state
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
 AXIS_CHECKS = {  # what the light of an axis looks at, and how its measurements are named
     "coverage": "{axis}[+-].*: missing sectors",
@@ -50,6 +51,7 @@ class RunViewModel(QObject):
         self.nominal_nT_per_unit = nominal_nT_per_unit
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: RunProcedure | None = None
+        self.began = ""  # the time on the wall when it was ordered
         self.dut, self.reference = RingBuffer(3), RingBuffer(3)
         self.forget()
 
@@ -58,7 +60,7 @@ class RunViewModel(QObject):
         self.state: State = "idle"
         self.prompt: Prompt | None = None
         self.fault: Fault | None = None
-        self.run_id, self.status, self.message = "", "", ""
+        self.run_id, self.status, self.message, self._told = "", "", "", ""
         self.step: Step | None = None
         self.names: tuple[str, ...] = ()
         self.skipped: set[str] = set()
@@ -67,8 +69,6 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self.sectors: set[int] = set()
         self._seen_s = 0.0
-        self.field_set_nT: Triple | None = None
-        self.coil_A: Triple | None = None
         self.lab: LabState | None = None  # by the computer's monotonic clock
         self.coils_at_zero: bool | None = None  # when that was read
         self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
@@ -94,6 +94,7 @@ class RunViewModel(QObject):
             raise RuntimeError("a run goes on")
         self.forget()
         self.order, self.state, self.message = order, "starting", self.tr("Asking every instrument who it is …")
+        self.began = f"{datetime.now():%Y-%m-%d %H:%M}"
         self._worker.request(command, self._done, self._failed)
         self.changed.emit()
 
@@ -185,8 +186,6 @@ class RunViewModel(QObject):
     def _take_state(self, lab: LabState) -> None:
         self.lab = lab
         self.coils_at_zero = lab.at_zero(time.monotonic())
-        x, y, z = (coil.current_A for coil in lab.coils)
-        self.coil_A = None if x is None or y is None or z is None else (x, y, z)
         self.changed.emit()
 
     def _take(self, items: tuple[Item, ...]) -> None:
@@ -206,7 +205,8 @@ class RunViewModel(QObject):
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():
-                self.prompt, self.state, self.message = item, "asking", item.text
+                if self.state != "stopping":  # whoever wants the end is asked nothing any more
+                    self.prompt, self.state, self.message = item, "asking", item.text
             case SegmentOpened():
                 self.segment, self.sectors = item.segment.id, set()
                 self.locus[item.segment.id] = RingBuffer(3, LOCUS)
@@ -225,15 +225,13 @@ class RunViewModel(QObject):
     def _event(self, event: Event) -> None:
         if event.kind == "pause":
             paused = event.text != "goes on"
-            self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", event.text)
+            if self.state != "stopping":
+                self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
         elif event.kind == "skip":
             self.skipped.add(str(event.data.get("step", "")))
         elif event.kind == NOT_USED:
             self._not_used(list(event.data["segments"]))
-        elif event.kind in ("set-point", "read-back"):
-            b = event.data.get("field_nT")
-            self.field_set_nT = None if b is None else (b[0], b[1], b[2])
-        elif event.kind != "answer":  # the person knows what they answered; what happens next is said next
+        elif event.kind not in SAID_ELSEWHERE:
             self.message = event.text
 
     def _not_used(self, segments: list[str]) -> None:
@@ -267,12 +265,13 @@ class RunViewModel(QObject):
         self.changed.emit()
 
     def _done(self, result: Ended) -> None:
-        self.run_id, self.status = result.run_id, result.status
+        self.run_id, self.status, self._told = result.run_id, result.status, result.told
         self.fault = with_instrument_names(result.fault, self.links) if result.fault else None
         self._over()
 
     def _last_words(self) -> str:
-        return self.tr("Run {0}: {1}").format(self.run_id, self.status) if self.run_id else self.status
+        said = self._told or self.status
+        return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:
         self.fault = with_instrument_names(fault, self.links)

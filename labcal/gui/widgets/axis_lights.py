@@ -41,9 +41,10 @@ class AxisLights(Surface):
         """Write what is known of each axis."""
         for axis, worst in self.worst.items():
             verdict, looks = run.axis_light(axis), run.axis_checks(axis)
-            going_on = run.alive and not looks["closure"] and verdict == "PASS"  # good so far is not yet good
-            shape, state = ("…", "") if going_on else STATES.get(verdict, NOT_YET)
-            worst.setText(f"{axis.upper()}  {shape} {'' if going_on else verdict}".strip())
+            so_far = verdict == "PASS" and not looks["closure"] and run.status != "finished"  # good so far is not good
+            shape, state = (("…" if run.alive else "–"), "") if so_far else STATES.get(verdict, NOT_YET)
+            words = verdict if not so_far else "" if run.alive else translated("not complete")
+            worst.setText(f"{axis.upper()}  {shape} {words}".strip())
             set_state(worst, state)
             said = [self._look(translated(look), found) for look, found in looks.items()]
             self.looks[axis].setText("<br>".join("&nbsp; ".join(said[n : n + 2]) for n in range(0, len(said), 2)))

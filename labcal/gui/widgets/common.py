@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterator
 from contextlib import contextmanager
+from html import escape
 from typing import TypeVar
 
 from PySide6.QtCore import QRect, QRectF, Qt
@@ -37,12 +38,19 @@ def named(widget: W, name: str) -> W:
 
 def label(text: str = "", name: str = "", *, wrap: bool = False) -> QLabel:
     """A text; `name` is its style: title, caption, large, simulated."""
-    widget = QLabel(text)
+    widget = QLabel()
+    widget.setTextFormat(Qt.TextFormat.PlainText)  # nothing that was typed is ever markup
+    widget.setText(text)
     widget.setObjectName(name)
     widget.setWordWrap(wrap)
     widget.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return widget
+
+
+def plain(text: str) -> str:
+    """`text` for a tool tip, which Qt would read as markup where it looks like that."""
+    return f"<qt>{escape(text).replace(chr(10), '<br>')}</qt>" if "<" in text else text
 
 
 def shrinkable(widget: W) -> W:
@@ -80,7 +88,7 @@ def set_primary(widget: QPushButton, primary: bool) -> None:
 
 
 def set_state(widget: QWidget, state: str) -> None:
-    """Colour a label by state: good, warning, bad or ""."""
+    """Colour a label by state: good, warning, bad, old (grey) or ""."""
     if (widget.property("state") or "") != state:
         widget.setProperty("state", state)
         widget.style().unpolish(widget)
@@ -180,10 +188,11 @@ class ReadoutGrid(QWidget):
         grid.setColumnStretch(1, 1)
 
     def show_row(self, row: int, value: str, word: str = "", state: str = "") -> None:
-        """Write one row; "–" stands for what is not known."""
+        """Write one row; "–" stands for what is not known. `state` colours both: "old" is grey."""
         self._values[row].setText(value)
         self._words[row].setText(word)
-        set_state(self._words[row], state)
+        for part in (self._values[row], self._words[row]):
+            set_state(part, state)
 
 
 class AutoSizeLabel(QLabel):
@@ -193,6 +202,7 @@ class AutoSizeLabel(QLabel):
 
     def __init__(self) -> None:
         super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setWordWrap(True)
         self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)

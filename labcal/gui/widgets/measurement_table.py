@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTab
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import format_number, step_title
-from labcal.gui.widgets.common import tabular_font
+from labcal.gui.widgets.common import plain, tabular_font
 from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
@@ -69,7 +69,7 @@ class Table(QTableWidget):
             self.setItem(row, column, cell)
         if cell.text() != text:
             cell.setText(text)
-        cell.setToolTip(tip or text)
+        cell.setToolTip(plain(tip or text))
         if right:
             cell.setTextAlignment(RIGHT)
         if colour:

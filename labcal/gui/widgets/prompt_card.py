@@ -14,7 +14,8 @@ from PySide6.QtWidgets import (
 
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
-from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named
+from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, set_state
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.record.stream import Prompt
@@ -77,6 +78,9 @@ class PromptCard(Card):
         words.setSpacing(2 * GRID)
         words.addWidget(label(self.tr("YOUR TURN"), "caption"))
         words.addWidget(self.text, 1)
+        self.coils = label("", "title", wrap=True)
+        self.coils.setAccessibleName(self.tr("How the coils are"))
+        words.addWidget(self.coils)
         self.entry = QLineEdit()
         self.entry.setPlaceholderText(self.tr("Write it here"))
         self.entry.returnPressed.connect(self._enter)
@@ -116,6 +120,12 @@ class PromptCard(Card):
         self.choose.setVisible(FILE in prompt.drawing)
         self._make_buttons(prompt)
 
+    def say_coils(self, coil_words: str) -> None:
+        """What the coils do while a person's hands may be near them: as the side panel says it, at any moment."""
+        shape, mark = mark_of(coil_words)
+        self.coils.setText(f"{shape} {coil_words}".strip())
+        set_state(self.coils, mark)
+
     def _beep(self) -> None:
         """A window that was closed over a question asks nobody."""
         if self.window().isVisible():
@@ -154,7 +164,9 @@ class PromptCard(Card):
         if key is None:
             return button(words, self.tr("Answer: {0}").format(words))
         made = HoldButton(f"{words}   {key.name.removeprefix('Key_')}", key)
-        made.setToolTip(self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_")))
+        words = self.tr("Click, or hold {0} for 0.7 s").format(key.name.removeprefix("Key_"))
+        made.setToolTip(words)
+        made.tapped.connect(lambda: self.hint.setText(self.tr("▲ Let go too early. {0}.").format(words)))
         return made
 
     def _enter(self) -> None:

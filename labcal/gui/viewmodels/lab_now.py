@@ -1,0 +1,119 @@
+"""What may be said of the lab now: from the one state that a worker told, with its age, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.bench.coils import state
+from labcal.gui.translations.translate import translated
+
+Light = Literal["ok", "old", "waiting", "fault", "absent"]
+Lights = tuple[tuple[str, Light, str], ...]  # instrument, light, words
+LIGHT_SHAPES = {  # shape, state, words where there are no better ones
+    "ok": ("✓", "good", "answers"),
+    "old": ("◌", "old", "heard before"),
+    "waiting": ("…", "", "not heard yet"),
+    "fault": ("✕", "bad", "failed"),
+    "absent": ("○", "", "not asked"),
+}
+GUARDIAN = "guardian"
+WITH_COILS = ("polarity", "interlock")  # heard whenever the coils are, where nobody else asks them
+TEXTS = (
+    QT_TRANSLATE_NOOP("Words", "heard before"),
+    QT_TRANSLATE_NOOP("Words", "{0} s ago"),
+    QT_TRANSLATE_NOOP("Words", "{0} min ago"),
+    QT_TRANSLATE_NOOP("Words", "{0} h ago"),
+    QT_TRANSLATE_NOOP("Words", "lost"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class LabNow:
+    """Parts of the state that was told, at one moment; `…_old_s`: whole seconds since that was read, None where fresh.
+
+    Currents [A] and fields [nT] that are not known are None.
+    """
+
+    coil_A: tuple[float | None, ...] = (None, None, None)
+    coil_old_s: int | None = None
+    coil_words: str = ""
+    coils_at_zero: bool | None = None
+    field_set_nT: state.Vector | None = None
+    field_measured_nT: state.Vector | None = None
+    field_old_s: int | None = None
+    lights: Lights = ()
+    heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
+
+
+NOT_TOLD = LabNow()
+
+
+def lab_now(told: state.LabState | None, told_s: float, roles: Mapping[str, str], now_s: float) -> LabNow:
+    """The state `told` at `told_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in."""
+    if told is None:
+        return LabNow(lights=tuple((name, "absent", "") for name in roles))
+    known = any(coil.current_A is not None for coil in told.coils)
+    at_zero = all(coil.zero for coil in told.coils)
+    return LabNow(
+        coil_A=tuple(coil.current_A for coil in told.coils),
+        coil_old_s=_old_s(now_s - told.age_s(now_s), now_s) if known else None,
+        coil_words=told.sentence(now_s),
+        coils_at_zero=told.at_zero(now_s),
+        field_set_nT=told.field.set_nT if known and not at_zero else None,
+        field_measured_nT=told.field.seen_nT,
+        field_old_s=_old_s(told.field.read_s, now_s),
+        lights=_lights(told, told_s, roles, now_s),
+        heard_old_s=tuple((one.name, _old_s(one.heard_s, now_s)) for one in told.instruments),
+    )
+
+
+def age_words(old_s: int | None) -> str:
+    """In words: 12 s ago, 3 min ago, 2 h ago; nothing of what is fresh."""
+    if old_s is None:
+        return ""
+    if old_s < 120:
+        return translated("{0} s ago").format(old_s)
+    return translated("{0} min ago" if old_s < 7200 else "{0} h ago").format(old_s // (60 if old_s < 7200 else 3600))
+
+
+def mark_of(coil_words: str) -> tuple[str, str]:
+    """Shape and state that go with what is said of the coils: all clear only where a reference has seen it."""
+    if not coil_words:
+        return "", ""
+    if coil_words == state.AT_ZERO:
+        return "✓", "good"
+    bad = coil_words.startswith((state.NOT_BY_REFERENCE, state.NOT_CONFIRMED))
+    return ("✕", "bad") if bad else ("●", "warning")
+
+
+def _old_s(read_s: float | None, now_s: float) -> int | None:
+    old = read_s is not None and now_s - read_s > state.FRESH_S
+    return int(now_s - read_s) if old and read_s is not None else None
+
+
+def _lights(told: state.LabState, told_s: float, roles: Mapping[str, str], now_s: float) -> Lights:
+    heard = {one.name: one for one in told.instruments}
+    coils_s = min((c.read_s for c in told.coils if c.read_s is not None), default=None)
+    lights = [_light(name, role, heard.get(name), coils_s, now_s) for name, role in roles.items()]
+    if told.guardian is not None:
+        one = state.Heard(GUARDIAN, told_s, "" if told.guardian else translated("lost"))
+        lights.append(_light(GUARDIAN, "", one, None, now_s))
+    return tuple(lights)
+
+
+def _light(
+    name: str, role: str, heard: state.Heard | None, coils_s: float | None, now_s: float
+) -> tuple[str, Light, str]:
+    heard_s = None if heard is None else heard.heard_s
+    if heard_s is None and role.startswith(WITH_COILS):
+        heard_s = coils_s
+    words = age_words(_old_s(heard_s, now_s))
+    if heard is not None and heard.fault:
+        return name, "fault", ", ".join(filter(None, (heard.fault, words)))
+    if heard_s is None:
+        return name, "absent" if heard is None else "waiting", ""
+    return name, "old" if words else "ok", words

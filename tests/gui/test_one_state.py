@@ -1,0 +1,250 @@
+"""Every state of run, coils, instruments and guardian is drawn: no two places of the window contradict each other."""
+
+import itertools
+import re
+import time
+
+import pytest
+from lab_states import silent
+from PySide6.QtWidgets import QLabel
+
+from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, Witness
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels import app_state as module
+from labcal.record import Segment
+from labcal.record.stream import Event, Measurement, Prompt, SegmentOpened, Step
+
+STEPS = ("zero", "x+20uT-nominal", "closing")
+FIRST = Step(0.0, 1, 3, "zero", 60.0, STEPS, 20.0)
+ASKED = Prompt(1.0, "mount-x", "Mount it.", ("done",), True)
+MODE = Prompt(1.0, "mode-full", "Switch the DUT to power mode full.", ("done",), True, {"mode": "full"})
+ENERGISED = Event(0.5, "set-point", "field 30000 0 40000 nT", {"field_nT": [3e4, 0, 4e4]})
+GOOD = Measurement(1.5, "x+20uT-nominal: noise", 20.0, 1.0, "nT", 30.0)
+PAUSED = Event(2.0, "pause", "paused, coils at zero", {})
+SILENT = Fault("instrument", "reference: no sample for 3.1 s.", "Look at its cable.")
+RUNS = {  # what is told, and how the run ends (None: it goes on)
+    "idle": (None, None),
+    "starting": ((), None),
+    "running": ((FIRST, ENERGISED), None),
+    "measuring": ((FIRST, ENERGISED, SegmentOpened(2.0, Segment("x+20uT-nominal", "rotation")), GOOD), None),
+    "asking": ((FIRST, ENERGISED, ASKED), None),
+    "asking for a mode": ((FIRST, ENERGISED, MODE), None),
+    "paused": ((FIRST, ENERGISED, PAUSED), None),
+    "goes on": ((FIRST, PAUSED, Event(3.0, "pause", "goes on")), None),
+    "stopping": ((FIRST, ENERGISED, GOOD), "stop"),
+    "stopping, and asked once more": ((FIRST, ENERGISED, GOOD), "stop, asked"),
+    "aborting": ((FIRST, ENERGISED), "abort"),
+    "finished": ((FIRST, GOOD), Ended("r1", "finished")),
+    "stopped": ((FIRST, GOOD), Ended("r1", "stopped", Fault("stopped", "stopped by the operator"))),
+    "failed": ((FIRST, GOOD), Ended("r1", "failed: reference is silent", SILENT)),
+    "interrupted by its store": ((FIRST, GOOD), Ended("r1", "interrupted", Fault("input", "runs.sqlite: disk full"))),
+    "its worker died": ((FIRST, ENERGISED), Fault("ended", "The work was killed (signal 9, SIGKILL).")),
+}
+ON, OFF, LOST = (1.52, 0.0, -0.4), (0.0, 0.001, 0.0), (None, 0.0, 0.0)
+COILS = {  # currents, what the reference says, how long ago
+    "not told": None,
+    "at zero": (OFF, "agrees", 0.0),
+    "zero by word": (OFF, "not known", 0.0),
+    "zero, then nothing": (OFF, "agrees", 12.0),
+    "on": (ON, "agrees", 0.0),
+    "on, then nothing": (ON, "agrees", 12.0),
+    "one lost": (LOST, "agrees", 0.0),
+    "no zero by the reference": (OFF, "disagrees", 0.0),
+}
+INSTRUMENTS = {
+    "all answer": (0.0, ""),
+    "all silent for 12 s": (12.0, ""),
+    "one failed": (0.0, "silent"),
+    "unheard": None,
+}
+GUARDIANS = {"none": None, "lives": True, "lost": False}
+REACHED = [
+    which
+    for which in itertools.product(RUNS, COILS, INSTRUMENTS, GUARDIANS)
+    if which[1] != "not told" or which[2:] == ("unheard", "none")  # who has told nothing has told nothing
+]
+
+
+def told(names, coils, instruments, guardian, now):
+    """The state as a worker tells it."""
+    if coils is None:
+        return None
+    currents, verdict, age_s = coils
+    axes = tuple(
+        CoilReading(a, i, i, abs(i) < 0.005, None, now - age_s) if i is not None else silent(a, now - age_s)
+        for a, i in zip("xyz", currents, strict=True)
+    )
+    heard = () if instruments is None else tuple(Heard(n, now - instruments[0], "") for n in names)
+    if instruments is not None and instruments[1]:
+        heard = (*heard[:-1], Heard(names[-1], now - 5.0, instruments[1]))
+    field_s = now - (age_s if instruments is None else max(age_s, instruments[0]))
+    witness = Witness(verdict, "no reference was asked", difference_nT=9e4, limit_nT=2e3, read_s=now - age_s)
+    field = FieldReading((3e4, 0.0, 4e4) if max(map(abs, filter(None, currents)), default=0) > 0.1 else None,
+                         (3e4, 10.0, 4e4), field_s)  # fmt: skip
+    return LabState(axes, witness, guardian, heard, field)
+
+
+def brought(window, which):
+    """The window in this state; the clock of what is read stands still meanwhile."""
+    run_state, coils, instruments, guardian = which
+    app_state, (items, end) = window.app_state, RUNS[run_state]
+    now = module.time.monotonic()
+    state = told(list(app_state.facts.instruments), COILS[coils], INSTRUMENTS[instruments], GUARDIANS[guardian], now)
+    if items is None:
+        if state is not None:
+            app_state._know(state)
+        return
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    app_state.bench_worker.items.emit(items)
+    if state is not None:
+        app_state.bench_worker.states.emit(state)
+    finish(app_state, end)
+
+
+def finish(app_state, end):
+    if isinstance(end, Ended):
+        app_state.bench_worker.answer(RunProcedure, end)
+    elif isinstance(end, Fault):
+        app_state.bench_worker.asked[-1].failed(end)
+    elif end is not None:
+        app_state.run.abort() if end == "abort" else app_state.run.stop()
+        if end == "stop, asked":
+            app_state.bench_worker.items.emit((ASKED, PAUSED))
+
+
+class Seen:
+    """What each place of the window says."""
+
+    def __init__(self, window):
+        self.window, self.live, self.side = window, window.page("Run").live, window.side
+        self.live.draw()
+        self.bench = window.page("Bench")
+        self.bench.show_readings()
+        self.zero = self.side._zero.text()
+        self.currents = [cell.text() for cell in self.side._coils._values]
+        self.fields = [cell.text() for cell in self.side._field._values]
+        self.lights = [row.text() for row in self.side._rows if not row.isHidden()]
+        self.rows = [[self.bench.table.text(r, c) for c in range(6)] for r in range(self.bench.table.rowCount())]
+        self.message = window.message.text()
+        shown = [self.live, self.window.fault]
+        self.texts = [one.text() for part in shown for one in part.findChildren(QLabel) if not one.isHidden()]
+        self.texts += [self.zero, self.message, window.waiting.text(), self.window.page("Start").question.text()]
+
+
+def says_zero(text):
+    return bool(re.search(r"(?<!NOT )(at zero|zero by the supply)", text)) and "NOT" not in text and "ago" not in text
+
+
+def contradictions(window):
+    """Every pair of places that cannot both be true, in words."""
+    seen, run = Seen(window), window.app_state.run
+    yield from of_the_coils(seen)
+    yield from of_ages(seen, window.app_state)
+    yield from of_the_run(seen, run)
+    yield from of_the_instruments(seen)
+    if any("no bench is open" in text.lower() for text in [*seen.texts, seen.side._legend.text()]):
+        yield "no bench is open, with a bench open"
+    if not window.top.simulated.isVisible():
+        yield "the emulated bench is not said to be simulated"
+
+
+def of_the_coils(seen):
+    flowing = [c for c in seen.currents if c != "–" and abs(float(c.replace("\u2212", "-"))) > 0.005]
+    claims = {text for text in seen.texts if says_zero(text)}
+    if claims and flowing:
+        yield f"{claims} beside {flowing}"
+    if claims and not says_zero(seen.zero):
+        yield f"{claims} beside {seen.zero}"
+    if seen.zero.startswith("✓") and seen.currents != ["+0.000", "+0.001", "+0.000"]:
+        yield f"{seen.zero} beside {seen.currents}"
+    if "coils on" in seen.zero and not flowing:
+        yield f"{seen.zero} beside {seen.currents}"
+    if "not read back" in seen.zero and set(seen.currents) != {"–"}:
+        yield f"{seen.zero} beside {seen.currents}"
+    if not flowing and seen.fields[0] != "–":
+        yield f"field {seen.fields[0]} set beside {seen.currents}"
+    on_bench = [row[4].partition(" ")[0] for row in seen.rows if row[0].startswith("coil")]
+    if on_bench != seen.currents:
+        yield f"{on_bench} on the bench page, {seen.currents} beside it"
+    asked = seen.live.prompt
+    if not asked.isHidden() and seen.window.app_state.run.prompt and asked.coils.text() != seen.zero:
+        yield f"the question says {asked.coils.text()!r}, the panel {seen.zero!r}"
+
+
+def of_ages(seen, app_state):
+    """What is older than 2 s is grey and says how old it is; what is not does not."""
+    side, now = seen.side, time.monotonic()
+    known = app_state.known
+    coils_s = min((c.read_s for c in known.coils if c.read_s), default=None) if known else None
+    asked_off = set(seen.currents) == {"–"}
+    for cells, age, read_s in (
+        (side._coils._values, side._coils_old, None if asked_off else coils_s),
+        (side._field._values[1:], side._field_old, known.field.read_s if known and not asked_off else None),
+    ):
+        old = read_s is not None and module.time.monotonic() - read_s > 2.0
+        for cell in cells:
+            if cell.text() != "–" and (cell.property("state") == "old") != old:
+                yield f"{cell.text()} read {now - read_s:.0f} s ago is {'' if not old else 'not '}grey"
+        if any(cell.text() != "–" for cell in cells) and ("ago" in age.text()) != old:
+            yield f"the age {age.text()!r} of what was read {now - read_s:.0f} s ago"
+    for text in seen.lights:
+        heard = {one.name: one for one in known.instruments}.get(text.split()[1]) if known else None
+        if heard and heard.heard_s and module.time.monotonic() - heard.heard_s > 2.0 and "ago" not in text:
+            yield f"{text}: heard {now - heard.heard_s:.0f} s ago"
+
+
+def of_the_run(seen, run):
+    live, waiting, headline = seen.live, seen.window.waiting.text(), seen.live.headline.text()
+    words = {"asking": "your turn", "paused": "paused"}
+    if waiting != (words.get(run.state) or ("hands off, measuring" if run.state == "running" and run.segment else "")):
+        yield f"{waiting!r} while the run is {run.state}"
+    if live.middle.currentWidget() is live.prompt and run.state != "asking":
+        yield f"a question stands while the run is {run.state}"
+    if run.state in ("paused", "stopping", "starting", "ended") and "Hands off" in headline:
+        yield f"{headline!r} while the run is {run.state}"
+    if (live.pause.text() == "Go on") != (run.state == "paused"):
+        yield f"the button says {live.pause.text()!r} while the run is {run.state}"
+    if (live.close_run.isHidden() or not live.stop.isHidden()) and run.state == "ended":
+        yield "an ended run may be stopped"
+    if run.status != "finished" and "PASS" in "".join(one.text() for one in live.lights.worst.values()):
+        yield "PASS of an axis whose checks were not all made"
+    if run.alive and "Ready." in seen.window.page("Start").question.text():
+        yield "Ready, while a run goes on"
+    if not run.alive and seen.message.startswith(("Paused", "Hands off", "Stopping")):
+        yield f"{seen.message!r} after the run"
+
+
+def of_the_instruments(seen):
+    beside = {text.split()[1]: text[0] for text in seen.lights}
+    for _, name, _, _, _, state in seen.rows:
+        if beside[name] != state[0]:
+            yield f"{name}: {state!r} on the bench page, {beside[name]} beside it"
+
+
+@pytest.fixture
+def drawn(still):
+    still.page("Start"), still.page("Bench")
+    return still
+
+
+@pytest.mark.parametrize("run_state", RUNS)
+def test_no_two_places_of_the_window_disagree(drawn, run_state, monkeypatch):
+    stands = time.monotonic()
+    monkeypatch.setattr(module, "time", type("Still", (), {"monotonic": staticmethod(lambda: stands)}))
+    app_state, found = drawn.app_state, []
+    for which in (one for one in REACHED if one[0] == run_state):
+        app_state.forget()
+        app_state.run.forget()
+        app_state.off_worker.asked.clear()
+        app_state.lab.update(message="", waiting="")
+        app_state._grow_old()
+        drawn.fault.show_fault(None)
+        brought(drawn, which)
+        found += [f"{', '.join(which)}: {what}" for what in contradictions(drawn)]
+    assert not found, f"{len(found)} contradictions:\n" + "\n".join(found[:20])
+
+
+def test_every_state_is_drawn():
+    assert len(REACHED) == len(RUNS) * (7 * 4 * 3 + 1) == 1360
