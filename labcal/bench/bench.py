@@ -165,6 +165,19 @@ class Bench:
         stated = self.config.reference
         return "none" if stated.place == "remote" and self.carry is None else stated.kind
 
+    @property
+    def reference_stated(self) -> ReferenceConfig:
+        """What is stated of the reference; carried to the DUT, with the uncertainty of that in scale and zero."""
+        stated, carry = self.config.reference, self.carry
+        if carry is None:
+            return stated
+        ppm = 1e6 * carry.u_matrix_nT_per_A / float(np.linalg.norm(self.cage.matrix_nT_per_A, axis=0).min())
+        wider = {
+            "u_scale_ppm": stated.u_scale_ppm and float(np.hypot(stated.u_scale_ppm, ppm)),
+            "u_offset_nT": stated.u_offset_nT and float(np.hypot(stated.u_offset_nT, carry.u_offset_nT)),
+        }
+        return stated.model_copy(update=wider)
+
     def start(self) -> None:
         """Begin all streams; from here on nothing that arrives is lost, ramps included."""
         self.reference.start()

@@ -172,6 +172,7 @@ class DutConfig(_Table):
     silent_s: Positive = 30.0
     stuck_s: Positive = 120.0
     limits: DutLimits = DutLimits()
+    specification: dict[str, Any] | str | None = None  # a table, or a file: labcal.bench.specification
 
 
 class SafetyConfig(_Table):

@@ -15,6 +15,7 @@ from labcal.bench.guardian.client import ask_once, found
 from labcal.bench.links import ports
 from labcal.bench.links.quoting import abridged
 from labcal.bench.loading import Loader
+from labcal.bench.specification import specification_of
 from labcal.errors import InstrumentError
 
 
@@ -35,6 +36,7 @@ def identify_all(path: Path) -> list[Identified]:
     A supply that answers at the links of two coils is a fault of both.
     """
     config = read_config(path)
+    specification_of(config, path)  # what is wrong with it is said before a run asks for it
     loader = Loader(path, config, VirtualClock(datetime.now(UTC)) if config.simulated else RealClock(), 0)
     loader.look_over()
     loader.meet_group()

@@ -11,6 +11,7 @@ from labcal.certificate.calibration_file import (
 )
 from labcal.certificate.hand_out import hand_out
 from labcal.certificate.keys import Entry
+from labcal.certificate.predecessor import changed_from, changed_since
 from labcal.certificate.signing import Check, Verification, approve, sign, sign_simulated, signature_files, verify
 
 __all__ = [
@@ -22,6 +23,8 @@ __all__ = [
     "apply_file",
     "approve",
     "calibration_bytes",
+    "changed_from",
+    "changed_since",
     "check_effects",
     "hand_out",
     "keys",

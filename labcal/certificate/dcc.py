@@ -1,13 +1,15 @@
 """A Digital Calibration Certificate: PTB's DCC 3.2.1 in XML, with the calibration file itself inside (extra `dcc`).
 
-The XML carries what its schema has words for, each number with its expanded uncertainty (k = 2); the covariances and
-the effects' evidence are in the enclosed file, byte for byte. What a certificate must state and a calibration does
-not know, the laboratory and the customer, stands in `laboratory.toml` in labcal's folder. The XML is not signed.
+The XML carries what its schema has words for, each number with its expanded uncertainty (k = 2), and each quantity of
+the uncertainty budget; the covariances and the effects' evidence are in the enclosed file, byte for byte. What a
+certificate must state and a calibration does not know, the laboratory and the customer, stands in `laboratory.toml` in
+labcal's folder. The XML is not signed.
 """
 
 from __future__ import annotations
 
 import base64
+from collections.abc import Mapping
 from datetime import datetime, timedelta
 from hashlib import sha256
 from pathlib import Path
@@ -16,11 +18,13 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from labcal.certificate.dcc_conformity import conformity_results
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.toml_file import read_toml
 from labcal.model import Calibration, EffectRecord
 from labcal.record import Run
+from labcal.uncertainty.conformity import stated_lines
 from labcal.version import __version__
 
 DCC, SI = "https://ptb.de/dcc", "https://ptb.de/si"
@@ -37,6 +41,14 @@ SI_NAMES = {
     "W": r"\watt",
     "m": r"\metre",
     "rad": r"\radian",
+    "%": r"\percent",
+    "ppm": r"\ppm",
+    "pT": r"\pico\tesla",
+    "uT": r"\micro\tesla",
+    "µT": r"\micro\tesla",
+    "arcmin": r"\arcminute",
+    "arcsec": r"\arcsecond",
+    "mrad": r"\milli\radian",
 }
 WANTED = 'name = "…", city = "…", country = "DE", and under [customer] the same three'
 
@@ -140,13 +152,33 @@ def _results(d: Any, si: Any, c: Calibration) -> Any:
         _result(
             d, si, f"K, row by row, in {per_reading} per {c.dut.unit}", c.affine.K.ravel(), u[:9], [per_reading] * 9
         ),
-        _result(d, si, "k", c.affine.k_nT, u[9:], ["nT"] * 3),
+        _result(d, si, f"k {c.k_means()}".rstrip(), c.affine.k_nT, u[9:], ["nT"] * 3),
         *(_effect(d, si, effect) for effect in c.effects if effect.parameters),
+        *conformity_results(d, si, stated_lines(c), si_unit),
+        *(_budget(d, si, budget) for budget in c.budget if budget["rows"]),
     ]
     told = "b = K m - k - sum of effects: field in the sensor's own axes from its reading m."
     if c.simulated:
         told = f"SIMULATED: describes no real sensor. {told}"
     return d.measurementResult(_text(d, "name", "Calibration"), _text(d, "description", told), d.results(*given))
+
+
+def _budget(d: Any, si: Any, b: Mapping[str, Any]) -> Any:
+    """What each source contributes to the standard uncertainty of one quantity, and in words what it comes to."""
+    rows, at = b["rows"], f" at {b['at']}" if b["at"] else ""
+    dof = "infinite" if b["dof"] is None else f"{b['dof']:.4g}"
+    told = f"U = {b['U']:.3g} {b['unit']}, k = {b['k']:.2f}, effective degrees of freedom {dof}. Sources: "
+    told += "; ".join(
+        f"{r['source']} (type {r['type']}, {r['distribution']}, u = {r['u']:.3g} {r['unit']}, "
+        f"sensitivity {r['sensitivity']:.3g}, {100 * r['share']:.1f} %)"
+        for r in rows
+    )
+    parts = [abs(r["u"] * r["sensitivity"]) for r in rows]
+    values = si.realListXMLList(
+        si.valueXMLList(_list(parts)), si.unitXMLList(" ".join([si_unit(b["unit"])] * len(rows)))
+    )
+    name = _text(d, "name", f"Contributions to the standard uncertainty of {b['quantity']}{at}")
+    return d.result(name, _text(d, "description", told), d.data(d.quantity(values)))
 
 
 def _effect(d: Any, si: Any, effect: EffectRecord) -> Any:

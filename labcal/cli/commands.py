@@ -7,6 +7,7 @@ import typer
 from labcal.cli import (  # noqa: F401  each registers its commands
     app,
     bench,
+    conformity,
     demo,
     fitting,
     gui,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from labcal.cli import DONE, NEGATIVE, app
+from labcal.cli.conformity import show_conformity
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console, say
 from labcal.files.outputs import claim
@@ -34,6 +35,7 @@ def fit(
     """Estimate a calibration from a run. Exit code 1: the run does not determine one."""
     from labcal import session
     from labcal.fit.document import document
+    from labcal.session.conformity import fit_conformity
 
     claim("fit", out, json_path(json_file), inputs=session.paths(run), force=force)  # before the work, not after it
     names = tuple(name.strip() for name in channels.split(",") if name.strip()) if channels is not None else None
@@ -43,6 +45,8 @@ def fit(
     if json_file != "-":
         _show_fits(fits)
     chosen = next((f for f in fits if f.method == "ml"), fits[0])
+    if json_file != "-" and (judged := fit_conformity(measured, chosen)) is not None:
+        show_conformity(judged)
     if out is not None and chosen.ok:
         session.draft(run, chosen, out, force=force)
         say(f"draft calibration: {out}", err=True)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from labcal.cli import DONE, NEGATIVE, app
+from labcal.cli.conformity import show_conformity
 from labcal.cli.progress import shown
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console, say, say_lines
@@ -103,6 +104,8 @@ def _show(closed: ClosedLoop) -> None:
                 first = (name, ", ".join(effect.channels)) if number == 0 else ("", "")
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
         screen.print(effects)
+    if closed.conformity is not None:
+        show_conformity(closed.conformity)
     for remark in closed.remarks:
         if remark not in closed.summary:
             screen.print(remark, highlight=False)

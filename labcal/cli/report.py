@@ -16,10 +16,13 @@ def report(
     source: str = typer.Argument(..., metavar="RUN|CAL", help="A run, or a calibration file (*.json)."),
     out: Path = typer.Option(..., metavar="FILE", help="FILE.html or FILE.pdf; of a calibration also FILE.xml (DCC)."),
     allowed_signers: Path | None = typer.Option(None, help="Check CAL's signatures against this list, not the lab's."),
+    before: Path | None = typer.Option(
+        None, metavar="OLDCAL", help="Say what changed since this calibration, not since the lab's own before CAL."
+    ),
     force: bool = FORCE,
 ) -> None:
     """Write the report of a run or a calibration."""
     from labcal import session
 
-    session.report(source, out, allowed_signers, force=force)
+    session.report(source, out, allowed_signers, before=before, force=force)
     say(out)

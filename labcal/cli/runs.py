@@ -147,10 +147,18 @@ def _head(told: Mapping[str, Any]) -> Table:
         lines["procedure"] = f"{procedure['name']} {chosen}".strip()
         lines["software"] = procedure["software"]
         lines["instruments"] = "\n".join(" ".join(map(str, one.values())) for one in told["instruments"])
+    if "specification" in told:
+        lines["specification"] = _asked(told["specification"])
     for name, text in lines.items():
         if text:
             table.add_row(name, text)
     return table
+
+
+def _asked(specification: Mapping[str, Any]) -> str:
+    """What the DUT was to keep, and the rule that decides."""
+    limits = [f"{name} {v['limit']:g} {v['unit']}" for name, v in specification.items() if isinstance(v, dict)]
+    return f"{', '.join(limits)}; {specification['rule']}, r = {specification['r']:g}".replace("_", "-")
 
 
 def _segments(told: Mapping[str, Any]) -> Table:

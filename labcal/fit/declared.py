@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -24,20 +26,50 @@ def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) 
     alone. Where the frame is not known a turn says nothing, and magnitudes move the map by least squares. What is not
     declared is not covered. (Where vectors are fitted, `labcal.fit.vector.declared` asks the fit itself.)
     """
-    if not frame_known:
-        return np.asarray(covariance + covariance_of(_of_magnitudes(run, affine), 12))
-    out = covariance.copy()
-    reference = run.reference
-    if reference.u_scale_ppm:
-        step = 1e-6 * reference.u_scale_ppm * affine.parameters
-        out += np.outer(step, step)
-    if reference.u_offset_nT:
-        out[9:, 9:] += reference.u_offset_nT**2 * np.eye(3)
-    u = np.hypot(mounting_rad(run), np.radians(reference.u_align_deg or 0.0))
-    for turn in skew(u * np.eye(3)):
+    return np.asarray(covariance + covariance_of(contributions(run, affine, frame_known=frame_known), 12))
+
+
+def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
+    """What each error that `run` declares does to K and k (12,), one source each."""
+    return of_vectors(run.reference, affine, mounting_rad(run)) if frame_known else _of_magnitudes(run, affine)
+
+
+class Stated(Protocol):
+    """What is stated of a vector reference; None is unknown."""
+
+    @property
+    def u_scale_ppm(self) -> float | None:
+        """Of one factor common to its axes."""
+        ...
+
+    @property
+    def u_offset_nT(self) -> float | None:
+        """Of the zero of each axis."""
+        ...
+
+    @property
+    def u_align_deg(self) -> float | None:
+        """Of a turn about each axis."""
+        ...
+
+
+def of_vectors(reference: Stated, affine: AffineMap, mounting_rad: float = 0.0) -> tuple[Contribution, ...]:
+    """What each declared error does to K and k (12,), where the fields that are fitted are the reference's vectors."""
+    found = list[Contribution]()
+    if ppm := reference.u_scale_ppm:
+        found.append(_known("reference scale", ppm, "ppm", 1e-6 * ppm * affine.parameters))
+    if zero := reference.u_offset_nT:
+        for name, axis in zip("xyz", np.eye(12)[9:], strict=True):
+            found.append(_known(f"reference zero {name}", zero, "nT", zero * axis))
+    u = float(np.hypot(mounting_rad, np.radians(reference.u_align_deg or 0.0)))
+    for name, turn in zip("xyz", skew(u * np.eye(3)) if u else (), strict=False):
         step = np.concatenate([(turn @ affine.K).ravel(), turn @ affine.k_nT])
-        out += np.outer(step, step)
-    return out
+        found.append(_known(f"alignment about {name}", float(np.degrees(u)), "deg", step))
+    return tuple(found)
+
+
+def _known(source: str, u: float, unit: str, shift: Array) -> Contribution:
+    return Contribution(source, "B", "normal", u, unit, np.inf, shift)
 
 
 def _of_magnitudes(run: Run, affine: AffineMap) -> tuple[Contribution, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from labcal.model import Calibration, EffectRecord, Validity
 from labcal.model.effects import of_temperature
 from labcal.model.plausibility import saturation_limits
 from labcal.record import Run
+from labcal.uncertainty.conformity import with_conformity
+from labcal.uncertainty.of_calibration import as_json, budgets
 from labcal.uncertainty.unstated import not_covered
 from labcal.version import __version__
 
@@ -33,7 +36,7 @@ def draft_calibration(
     if not found.ok or found.affine is None:
         raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
     own, rail = _metrics(run, found), saturation_limits(run.reading, run.dut.unit)
-    return Calibration(
+    made = Calibration(
         run_id=run.run_id,
         simulated=run.simulated,
         dut=run.dut,
@@ -56,6 +59,8 @@ def draft_calibration(
         },
         not_covered=not_covered(run),
     )
+    judged = with_conformity(made, run)
+    return judged if found.sources is None else replace(judged, budget=as_json(budgets(made, found.sources, run)))
 
 
 def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:

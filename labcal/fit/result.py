@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from labcal.model import AffineMap, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
+from labcal.uncertainty import Sources
 
 Array = NDArray[np.float64]
 
@@ -37,4 +38,5 @@ class Fit:
     effects: tuple[EffectRecord, ...] = ()
     phase_rad: Array | None = None  # the starting phases found, one per group of `record.carry(run)`
     covariance_of: tuple[str, ...] = MAP_PARAMETERS  # beyond the map: "0:c_x", by the sensor's effects in their order
+    sources: Sources | None = None  # what `covariance` is made of, where the method tells it apart
     noise_nT: float | None = None  # standard deviation of one axis of one reading, estimated

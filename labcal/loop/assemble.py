@@ -26,11 +26,12 @@ from labcal.loop.selection.equivalents import Equivalent
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
 from labcal.loop.selection.surrogates import p_value
-from labcal.loop.uncertainty import Uncertainty, of_the_file, uncertainty_of
+from labcal.loop.uncertainty import of_the_file, uncertainty_of
 from labcal.model import EffectRecord, Parameter
 from labcal.model.calibration import Rival
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
+from labcal.uncertainty import Sources
 
 Array = NDArray[np.float64]
 
@@ -72,6 +73,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
         affine=shipped.problem.affine,
         covariance=of_file.covariance,
         covariance_of=of_file.names,
+        sources=of_file.sources,
         frame_known=not bool((problem.observations.kind == SCALAR).all()),
         noise_nT=problem.noise.reading * run.dut.nominal_nT_per_unit,
         findings=noticed,
@@ -155,7 +157,7 @@ def _correlated(found: Evidence) -> bool:
     return serially_correlated(left, found.pool.whole.scene.segment)
 
 
-def _records(found: Evidence, after: JointFit, uncertain: Uncertainty) -> list[EffectRecord]:
+def _records(found: Evidence, after: JointFit, uncertain: Sources) -> list[EffectRecord]:
     out, stated = [], after.parameters(uncertain.covariance)
     lists = zip(found.accepted, after.terms, stated, found.contributions, found.equivalents, strict=True)
     for chosen, term, parameters, step, rivals in lists:

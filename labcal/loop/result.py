@@ -14,6 +14,8 @@ from labcal.model import AffineMap, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Owner
 from labcal.model.effects import Confounded
+from labcal.uncertainty import Sources
+from labcal.uncertainty.conformity import Assessment
 
 Array = NDArray[np.float64]
 Verdict = Literal["clean", "explained", "partly-explained", "ambiguous", "unexplained"]
@@ -133,6 +135,8 @@ class ClosedLoop:
     rounds: tuple[Round, ...] = ()  # measured since the first verdict
     remarks: tuple[str, ...] = ()  # the residual's tests and the findings, in words
     covariance_of: tuple[str, ...] = MAP_PARAMETERS
+    conformity: Assessment | None = None  # of what is shipped, where the run has a specification
+    sources: Sources | None = None  # what `covariance` is made of
 
     @property
     def done(self) -> bool:
@@ -147,6 +151,7 @@ class ClosedLoop:
             affine=self.affine,
             covariance=self.covariance,
             covariance_of=self.covariance_of,
+            sources=self.sources,
             frame_known=self.frame_known,
             effects=tuple(e for i, e in enumerate(self.accepted) if i not in self.unsupported),
             noise_nT=self.noise_nT,
@@ -179,6 +184,7 @@ class ClosedLoop:
             "shape": None if self.shape is None else asdict(self.shape),
             "twins": [asdict(pair) for pair in self.twins],
             "rounds": [asdict(one) for one in self.rounds],
+            "specification": [asdict(line) for line in self.conformity.lines] if self.conformity else [],
         }
 
 

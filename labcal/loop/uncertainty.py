@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,37 +11,30 @@ from numpy.typing import NDArray
 from labcal.fit.vector.observations import SCALAR, observe
 from labcal.fit.vector.system import evaluate
 from labcal.loop.noise.bands import cosine_transform
-from labcal.loop.noise.bounded import bounded_spectrum
-from labcal.loop.noise.coloured import weighted_gram
+from labcal.loop.noise.bounded import weighed_spectra
+from labcal.loop.noise.coloured import grams_of_bands
 from labcal.loop.selection.joint_fit import JointFit, derivatives
 from labcal.model.affine import MAP_PARAMETERS
-from labcal.uncertainty import Contribution, DeclaredError, covariance_of, declared_errors
+from labcal.uncertainty import Contribution, DeclaredError, FitNoise, Sources, declared_errors
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Uncertainty:
-    """Of a joint fit's parameters in their order: base's coordinates, phases, betas, searched parameters."""
+class OfTheFile:
+    """What makes uncertain what a calibration file ships, and the names of its parameters in their order."""
 
-    of_noise: Array  # (p, p)
-    declared: tuple[Contribution, ...]
+    sources: Sources  # over K row by row [nT per DUT unit], k [nT], then effects' parameters
+    names: tuple[str, ...]
 
     @property
     def covariance(self) -> Array:
-        """All together (p, p)."""
-        return np.asarray(self.of_noise + covariance_of(self.declared, len(self.of_noise)))
+        """The joint covariance (p, p)."""
+        C = self.sources.covariance
+        return np.asarray((C + C.T) / 2)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class OfTheFile:
-    """The joint covariance of what a calibration file ships, and the names of its parameters in their order."""
-
-    covariance: Array  # (p, p) K row by row [nT per DUT unit], k [nT], then effects' parameters
-    names: tuple[str, ...]
-
-
-def of_the_file(found: JointFit, uncertain: Uncertainty, of_the_sensor: Sequence[bool]) -> OfTheFile:
+def of_the_file(found: JointFit, uncertain: Sources, of_the_sensor: Sequence[bool]) -> OfTheFile:
     """Of the map and of the terms that are the sensor's; of a moment its own uncertainty, as it is no slope."""
     p = found.problem
     q, start, shape = p.parameterisation.basis.shape[1], p.T.shape[2], p.T.shape[2] + sum(map(len, found.beta))
@@ -60,17 +53,21 @@ def of_the_file(found: JointFit, uncertain: Uncertainty, of_the_sensor: Sequence
             names.append(f"{number}:{name}")
             places.append(place)
         number += 1
-    B = np.zeros((len(names), len(uncertain.of_noise)))
+    B = np.zeros((len(names), uncertain.noise.each.shape[1]))
     B[:12, :q] = p.parameterisation.basis * np.r_[np.full(9, 1 / p.observations.scale), np.ones(3)][:, None]
     B[np.arange(12, len(names)), places] = 1.0
     B[list(moments)] = 0.0
-    C = B @ uncertain.covariance @ B.T
-    C[list(moments), list(moments)] = np.square(list(moments.values()))
-    return OfTheFile(np.asarray((C + C.T) / 2), tuple(names))
+    noise = uncertain.noise.onto(B)
+    noise.each[:, list(moments), list(moments)] = np.square(list(moments.values()))
+    declared = tuple(replace(one, shift=B @ one.shift) for one in uncertain.declared)
+    return OfTheFile(Sources(noise, declared), tuple(names))
 
 
-def uncertainty_of(found: JointFit) -> Uncertainty:
-    """The uncertainty of a fit: coloured noise, and the shift of the same least squares by each declared error."""
+def uncertainty_of(found: JointFit) -> Sources:
+    """What makes a joint fit uncertain: coloured noise, and the shift of the same least squares by each declared error.
+
+    Of its parameters in their order: base's coordinates, phases, betas, searched parameters.
+    """
     A, inverse = derivatives(found)
     errors = declared_errors(found.problem.run)
     D = np.stack([np.zeros_like(A[:, :, 0]), *(_changed(found, error) for error in errors)], axis=2)[:, :, 1:]
@@ -79,7 +76,7 @@ def uncertainty_of(found: JointFit) -> Uncertainty:
         Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift)
         for error, shift in zip(errors, shifts.T, strict=True)
     ]
-    return Uncertainty(_of_noise(found, A, inverse, D), tuple(contributions))
+    return Sources(_of_noise(found, A, inverse, D), tuple(contributions))
 
 
 def _changed(found: JointFit, error: DeclaredError) -> Array:
@@ -90,8 +87,9 @@ def _changed(found: JointFit, error: DeclaredError) -> Array:
     return np.asarray(np.einsum("nqj,nj->nq", p.whiten, moved)[found.used])
 
 
-def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> Array:
-    """A^+ S A^+ᵀ with the bounded spectrum S of the residual; what declared errors D left in it is no noise."""
+def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
+    """A^+ S A^+ᵀ with each bounded spectrum S of the residual; what declared errors D left in it is no noise."""
     moved = cosine_transform(np.concatenate([A, D], axis=2))
-    bands, spectrum = bounded_spectrum(moved, cosine_transform(found.problem.y[found.used]))
-    return np.asarray(inverse @ weighted_gram(moved[:, :, : len(inverse)], bands, spectrum) @ inverse)
+    spectra = weighed_spectra(moved, cosine_transform(found.problem.y[found.used]))
+    grams = inverse @ grams_of_bands(moved[:, :, : len(inverse)], spectra.bands) @ inverse
+    return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1), spectra.dof)

@@ -67,6 +67,12 @@ def apply_in_pieces(calibration: Calibration, readings: Readings, most: int) -> 
         yield _applied(calibration, readings.rows(rows.start, rows.stop), part, whole, filled, rows)
 
 
+def linearised(calibration: Calibration, readings: Readings) -> tuple[Array, Array]:
+    """The field (n, 3) [nT], and how it depends on K row by row, k and every effect's parameters (n, 3, p)."""
+    (part,) = _corrected(calibration, Recording(readings), [slice(0, len(readings))])
+    return part.field_nT, _slopes(readings.reading, part)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class _Corrected:
     """Some rows with the effects taken off, and what each effect was there."""
@@ -202,11 +208,15 @@ def _noise_variance(calibration: Calibration, reading: Array) -> Array:
 
 def _parameters_variance(calibration: Calibration, reading: Array, part: _Corrected) -> Array:
     """Variance of each component (n, 3) [nT²]: J Σ Jᵀ over K, k and every effect's parameters together (GUM, 5.2.2)."""
-    covariance = calibration.joint_covariance()
-    J = np.concatenate([jacobian(reading), *(-effect.jacobian for effect in part.effects)], axis=2)
+    covariance, J = calibration.joint_covariance(), _slopes(reading, part)
     if calibration.covariance is None:
         J, covariance = J[:, :, 12:], covariance[12:, 12:]
     return np.asarray(np.sum(J @ covariance * J, axis=2))
+
+
+def _slopes(reading: Array, part: _Corrected) -> Array:
+    """d(field)/d(K row by row, k, every effect's parameters in their order), (n, 3, p)."""
+    return np.concatenate([jacobian(reading), *(-effect.jacobian for effect in part.effects)], axis=2)
 
 
 def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:

@@ -10,16 +10,19 @@ if TYPE_CHECKING:
     from labcal.record.observation import Observation, carry, offers
     from labcal.record.run import Channel, Dut, Reference, Run, Segment
     from labcal.record.sampling import period_s
+    from labcal.record.specification import Limit, Specification
 
 __all__ = [
     "Channel",
     "ChannelSpec",
     "Dut",
+    "Limit",
     "Observation",
     "Reference",
     "Run",
     "RunHeader",
     "Segment",
+    "Specification",
     "carry",
     "offers",
     "period_s",
@@ -28,6 +31,7 @@ _OF_OTHERS = {
     **dict.fromkeys(("ChannelSpec", "RunHeader"), "header"),
     **dict.fromkeys(("Observation", "carry", "offers"), "observation"),
     "period_s": "sampling",
+    **dict.fromkeys(("Limit", "Specification"), "specification"),
 }
 
 

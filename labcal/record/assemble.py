@@ -61,6 +61,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         angle_deg=_angle(t, angles) if angles else None,
         row_mode=_modes(t, items),
         channels=_channels(header, t, items),
+        specification=header.specification,
     )
 
 

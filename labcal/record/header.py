@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from labcal.record.run import Dut, Quantity, Reference, Role
+from labcal.record.specification import Specification
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,3 +38,4 @@ class RunHeader:
     instruments: tuple[Mapping[str, str], ...] = ()  # name, manufacturer, model, serial, firmware
     software: str = ""
     cage_sha256: str | None = None  # of the approved cage calibration's file
+    specification: Specification | None = None  # chosen before the measurement

@@ -9,6 +9,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.record.specification import Specification
+
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
@@ -102,6 +104,7 @@ class Run:
     angle_deg: Array | None = None  # (n,)
     row_mode: NDArray[np.str_] | None = None  # (n,) where rows state it, "" where not
     channels: tuple[Channel, ...] = ()
+    specification: Specification | None = None  # of the DUT, chosen before the run began
 
     def __post_init__(self) -> None:
         for value in (getattr(self, f.name) for f in fields(self)):

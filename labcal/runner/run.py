@@ -11,8 +11,6 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import NOT_READ, LabState
@@ -20,7 +18,7 @@ from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.parameters import settings
 from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
-from labcal.record import Dut, Reference, RunHeader
+from labcal.record import Dut, Reference, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.stream import NOT_KEPT, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
@@ -79,6 +77,7 @@ def run_procedure(
     dut_serial: str | None = None,
     bench_file: str = "",
     cage_sha256: str | None = None,
+    specification: Specification | None = None,
     run_id: str | None = None,
     filled: Mapping[str, Any] | None = None,
     control: Control | None = None,
@@ -109,6 +108,7 @@ def run_procedure(
         instruments=_named(identities),
         software=f"labcal {__version__}",
         cage_sha256=cage_sha256,
+        specification=specification,
     )
     writer = store.begin(header)
     _tell_lifted(bench, writer, bench.clock.now())
@@ -316,21 +316,16 @@ def _dut(bench: Bench, serial: str | None) -> Dut:
 
 
 def _reference(bench: Bench, identities: Mapping[str, Identity]) -> Reference:
-    """What is stated about the reference; where it is carried to the DUT, with the uncertainty of that."""
-    config, carry = bench.config.reference, bench.carry
-    u_scale_ppm, u_offset_nT = config.u_scale_ppm, config.u_offset_nT
-    if carry is not None:
-        ppm = 1e6 * carry.u_matrix_nT_per_A / float(np.linalg.norm(bench.cage.matrix_nT_per_A, axis=0).min())
-        u_scale_ppm = u_scale_ppm and float(np.hypot(u_scale_ppm, ppm))
-        u_offset_nT = u_offset_nT and float(np.hypot(u_offset_nT, carry.u_offset_nT))
+    """What is stated about the reference."""
+    config = bench.reference_stated
     return Reference(
         kind=bench.reference_kind,
         serial=identities[bench.reference.name].serial,
         noise_nT=config.noise_nT,
         place=config.place,
         position_m=config.position_m,
-        u_scale_ppm=u_scale_ppm,
-        u_offset_nT=u_offset_nT,
+        u_scale_ppm=config.u_scale_ppm,
+        u_offset_nT=config.u_offset_nT,
         u_align_deg=config.u_align_deg,
         u_time_s=config.u_time_s,
         calibration=config.calibration,

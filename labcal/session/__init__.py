@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +19,7 @@ from labcal.bench.clock import Clock
 from labcal.bench.coils.cage_file import sha256_of
 from labcal.bench.coils.state import LabState
 from labcal.bench.opening import open_bench
+from labcal.bench.specification import specification_of
 from labcal.certificate import Verification, read_allowed_signers
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
@@ -44,6 +46,7 @@ from labcal.session.records import (
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
 from labcal.session.trust import new_key, revoke_keys, trust_keys, trusted_keys
 from labcal.store import Store
+from labcal.uncertainty.conformity import Changes, assess
 
 if TYPE_CHECKING:
     from labcal.fit.filters.history import History
@@ -53,6 +56,7 @@ __all__ = [
     "apply_calibration",
     "approve",
     "approve_cage",
+    "changed_since",
     "check_store",
     "close_loop",
     "coils_off",
@@ -77,6 +81,7 @@ __all__ = [
     "revoke_keys",
     "run",
     "run_bundle",
+    "run_of",
     "runs",
     "serve_bench",
     "sign",
@@ -87,6 +92,7 @@ __all__ = [
 ]
 
 THIS_LAB = "this lab's trust list"
+CALIBRATIONS = "calibrations"  # the window's drafts and certificates, in labcal's folder
 
 
 def run(
@@ -117,7 +123,7 @@ def run(
         return run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
-            run_id=run_id, control=control, tell=tell, show=show,
+            specification=specification_of(lab.config, bench), run_id=run_id, control=control, tell=tell, show=show,
         )  # fmt: skip
 
 
@@ -214,15 +220,15 @@ def close_loop(
     bundle = run_bundle(run)
     measured = bundle.run()
     closed = with_installed_procedure(loop.close_loop(measured, progress))
+    made = partial(draft_calibration, measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
+    if measured.specification is not None:
+        closed = replace(closed, conformity=assess(made(), measured.specification, measured))
     if report is not None:
         with outputs[report].writing():
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
-        made = draft_calibration(
-            measured, closed.fit(), bundle.sha256, metrics=closed.metrics(), cage_sha256=_cage_sha256(run)
-        )
         with outputs[out].writing():
-            write_bytes(out, certificate.calibration_bytes(made))
+            write_bytes(out, certificate.calibration_bytes(made(cage_sha256=_cage_sha256(run))))
     return closed
 
 
@@ -262,29 +268,47 @@ def apply_calibration(
         return certificate.apply_file(found, source, out)
 
 
-def report(source: str, out: Path, allowed_signers: Path | None = None, *, force: bool = False) -> None:
-    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`."""
-    read = [*paths(source), Path(source), *([allowed_signers] if allowed_signers else [])]
+def report(
+    source: str, out: Path, allowed_signers: Path | None = None, *, before: Path | None = None, force: bool = False
+) -> None:
+    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
+
+    A calibration's page says what changed since that of `before`, else since the lab's own before it, if there is one.
+    """
+    read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
     [output] = claim("report", out, inputs=read, force=force)
     with output.writing():
         if certificate.looks_like_calibration(Path(source)):
-            return _report_calibration(Path(source), out, allowed_signers)
+            return _report_calibration(Path(source), out, allowed_signers, before)
         bundle = run_bundle(source)
         run = bundle.run()
         return write_report(run_page(run, bundle.sha256, fit(run, holdout=False)), out)
 
 
-def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
+def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, before: Path | None) -> None:
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
-    run = _run_of(calibration)
+    run = run_of(calibration)
     if out.suffix.lower() == ".xml":
         return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out)
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
-    return write_report(calibration_page(calibration, verification, checked, run), out)
+    changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
+    return write_report(calibration_page(calibration, verification, checked, run, changed), out)
 
 
-def _run_of(calibration: Calibration) -> Run | None:
+def changed_since(calibration: Calibration) -> Changes | None:
+    """What changed since the calibration before this one of the same DUT in this lab's folder; None where none is.
+
+    None too where this lab's store cannot be read: nothing tells then which was before.
+    """
+    try:
+        started = {run.run_id: run.started_utc for run in runs()}
+    except InputError:
+        return None
+    return certificate.changed_since(calibration, home() / CALIBRATIONS, started)
+
+
+def run_of(calibration: Calibration) -> Run | None:
     """The run a calibration came from, where this store has it unchanged."""
     try:
         bundle = run_bundle(calibration.run_id)

@@ -16,7 +16,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 
 from labcal.errors import InputError
 from labcal.files.text_safety import checked_text, replace_control
-from labcal.record import Dut, Reference, Run, Segment
+from labcal.record import Dut, Reference, Run, Segment, Specification
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
 from labcal.record.run_id import checked_run_id
@@ -207,6 +207,7 @@ class RunJson(_Part):
     reference: ReferencePart
     segments: tuple[SegmentPart, ...] = Field(min_length=1)
     channels: dict[Name, ChannelPart] = {}
+    specification: Specification | None = None
 
     @model_validator(mode="after")
     def _names(self) -> Self:
@@ -261,7 +262,16 @@ def write_run_json(run: Run) -> bytes:
         "segments": [_stated(segment) for segment in run.segments],
         "channels": {c.name: {"unit": c.unit, "quantity": c.quantity, "role": c.role} for c in run.channels},
     }
+    if run.specification is not None:
+        header["specification"] = stated_specification(run.specification)
     return (json.dumps(replace_control(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def stated_specification(specification: Specification) -> dict[str, Any]:
+    """A specification as run.json has it: the limits that are stated, the rule and its r, and a title."""
+    limits = {name: asdict(limit) for name, limit in specification.limits.items()}
+    title = {"title": specification.title} if specification.title else {}
+    return {**title, **limits, "rule": specification.rule, "r": specification.r}
 
 
 def _stated(part: Dut | Reference | Segment) -> dict[str, Any]:

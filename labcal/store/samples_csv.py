@@ -45,6 +45,7 @@ def read_samples(data: bytes, header: RunJson, *, file: object) -> Run:
         reference_magnitude=numbers["ref_f"] if header.reference.kind == "scalar" else None,
         angle_deg=numbers.get("angle_deg"),
         row_mode=_row_mode(table),
+        specification=header.specification,
         channels=tuple(
             Channel(name, part.unit, part.quantity, numbers[name], part.role)
             for name, part in header.channels.items()

@@ -10,6 +10,7 @@ import numpy as np
 
 from labcal.record import Run, RunHeader, Segment, offers, period_s
 from labcal.record.stream import Item, Measurement
+from labcal.store.run_json import stated_specification
 
 
 def describe(run: Run, status: str, header: RunHeader | None = None, items: Iterable[Item] = ()) -> dict[str, Any]:
@@ -30,6 +31,8 @@ def describe(run: Run, status: str, header: RunHeader | None = None, items: Iter
             for c in run.channels
         ],
     }
+    if run.specification is not None:
+        told["specification"] = stated_specification(run.specification)
     if header is not None:
         told["procedure"] = {
             "name": header.procedure,

@@ -11,6 +11,7 @@ from labcal.certificate.report.page import Headline
 from labcal.loop.result import ClosedLoop, Errors, NextExperiment, Pictures
 from labcal.model import AffineMap, Calibration
 from labcal.record import Dut, Reference, Run, Segment
+from labcal.uncertainty.conformity import Assessment, Judged
 
 
 @pytest.fixture
@@ -117,3 +118,20 @@ def test_a_clean_scalar_result_needs_no_more(result: ClosedLoop, run: Run):
     assert "Rows set aside" in text
     for absent in ("Accepted", "Tried and not accepted", "What to measure next", "Remarks"):
         assert absent not in text
+
+
+def test_a_specification_s_lines_stand_on_the_page_and_in_the_json(result: ClosedLoop, run: Run):
+    line = Judged("scale y", 0.49, 0.02, 0.5, "%", "guard band w = 1 U, k = 2", "conditional-pass", 0.1587, 25.0)
+    judged = replace(result, conformity=Assessment((line,), ("Of the specification: noise, which nothing shows.",)))
+    text = html(closed_loop_page(judged, run))
+    for said in (
+        "Is it in specification?",
+        "conditional pass",
+        "16 %",
+        "guard band w = 1 U",
+        "noise, which nothing shows",
+    ):
+        assert said in text, said
+    assert judged.to_json()["specification"][0]["result"] == "conditional-pass"
+    assert "Is it in specification?" not in html(closed_loop_page(result, run))
+    assert result.to_json()["specification"] == []

@@ -65,7 +65,12 @@ def schema(shared: Path) -> object:
 
 
 def test_the_certificate_obeys_its_schema(calibration: Calibration, run: Run, schema: object):
-    for variant in (calibration, replace(calibration, covariance=None, effects=(), operator="", approvers=("Bob",))):
+    line = {"quantity": "scale x", "value": 1e-05, "U": 0.0, "limit": 0.5, "unit": "%", "rule": "w = U", "risk": 0.0}
+    judged = replace(
+        calibration, specification=tuple({**line, "result": r, "tur": None} for r in ("pass", "conditional-fail"))
+    )
+    bare = replace(calibration, covariance=None, effects=(), operator="", approvers=("Bob",))
+    for variant in (calibration, judged, bare):
         xml = dcc_xml(variant, calibration_bytes(variant), "calibration.json", run, LABORATORY)
         schema.assertValid(etree.fromstring(xml))
     broken = etree.fromstring(xml)

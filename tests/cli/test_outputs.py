@@ -25,7 +25,7 @@ from labcal.store.live import FILE
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 SIMULATED = Path(__file__).parents[2] / "examples" / "simulated.toml"
-READ = ("bench", "allowed_signers")  # options that name a file to read
+READ = ("bench", "allowed_signers", "specification", "before")  # options that name a file to read
 # What is asked for with each option that names a file to write, and the file's name. A command that is not here is
 # new: give it `--force`, and `labcal.files.outputs.claim` before its work.
 ASKED = {
@@ -37,6 +37,8 @@ ASKED = {
     "close-loop --json": ("close-loop {bundle}", "loop.json"),
     "close-loop --report": ("close-loop {bundle}", "loop.html"),
     "report --out": ("report {calibration}", "report.html"),
+    "conformity --json": ("conformity {calibration} --specification {specification}", "lines.json"),
+    "compare --json": ("compare {calibration} {calibration}", "changes.json"),
     "runs --json": ("runs", "runs.json"),
     "show --json": ("show {bundle}", "show.json"),
     "export --out": ("export {bundle} --format csv", "samples.csv"),
@@ -46,6 +48,7 @@ ASKED = {
 READS = {
     "demo --out": (), "runs --json": (), "bench cage --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
+    "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),
     "bench serve --out": ("{bench}",),
 }  # fmt: skip
 
@@ -80,7 +83,9 @@ class Place:
         shutil.copy(GOLDEN / "calibration-1.json", folder / "calibration-1.json")
         shutil.copy(SIMULATED, folder / "bench.toml")
         (folder / "readings.csv").write_text("dut_x,dut_y,dut_z,i_eps\n1,2,3,0.1\n")
+        (folder / "limits.toml").write_text('offset = { limit = 1e6, unit = "nT" }\n')
         self.named = {
+            "specification": folder / "limits.toml",
             "bundle": folder / "bundle", "calibration": folder / "calibration-1.json",
             "readings": folder / "readings.csv", "bench": folder / "bench.toml",
         }  # fmt: skip

@@ -12,6 +12,7 @@ from labcal.fit.swarm.particle_swarm import SwarmSettings
 from labcal.fit.swarm.polish import polish, singular_values, symmetric_basis
 from labcal.fit.swarm.pso_axis import PUBLISHED, Options, pso_axis
 from labcal.fit.swarm.pso_scalar import positive_definite, pso_scalar
+from labcal.fit.swarm.search import u_normal
 from labcal.geometry import rotate, rotation, unit
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store.bundle import read_bundle
@@ -69,6 +70,10 @@ def scalar_reference(run):
     )
 
 
+def without_axes(run):
+    return replace(run, segments=tuple(Segment(s.id, "free") for s in run.segments))
+
+
 def in_sigma(found, K_true=K, k_true=k_NT):
     theta = np.concatenate([K_true.ravel(), k_true])
     return (found.affine.parameters - theta) / np.sqrt(np.diag(found.covariance))
@@ -101,7 +106,7 @@ def test_polished_swarm_equals_maximum_likelihood():
 
 
 def test_scalar_swarm_equals_maximum_likelihood_on_magnitudes():
-    run = scalar_reference(platform_run(3))
+    run = without_axes(scalar_reference(platform_run(3)))
     swarm, ml = pso_scalar(run), fit(run, "ml", holdout=False, robust=False)
     assert swarm.ok
     assert ml.ok
@@ -152,6 +157,41 @@ def test_angles_tell_a_turn_back_from_a_turn_forth():
     assert "axis_body" in blind.why_not
 
 
+def test_a_locus_whose_field_lies_along_its_axis_contradicts_nothing():
+    """Its points are noise: they have no plane, and go round nothing."""
+    run, along = platform_run(13), platform_run(14, axes=[0.0, 0.0, 1.0], fields_nT=(40_000.0,), elevation_deg=90.0)
+    both = replace(
+        run,
+        segments=(*run.segments, replace(along.segments[0], id="along")),
+        t_s=np.arange(len(run) + len(along), dtype=float),
+        segment_index=np.concatenate([run.segment_index, np.full(len(along), len(run.segments))]),
+        reading=np.vstack([run.reading, along.reading]),
+        reference_vector=np.vstack([run.reference_vector, along.reference_vector]),
+        angle_deg=np.concatenate([run.angle_deg, along.angle_deg]),
+    )
+    found = pso_axis(both)
+    assert found.ok, found.why_not
+    assert np.max(np.abs(in_sigma(found))) < 4
+
+
+@pytest.mark.parametrize(("arc_deg", "noise"), [(360.0, 5500.0), (360.0, 12_000.0), (120.0, 1000.0)])
+def test_a_normal_tilts_over_draws_as_it_says(arc_deg, noise):
+    random, samples = np.random.default_rng(1), 100
+    b = rotate(np.array([0.0, 0.0, 1.0]), np.radians(arc_deg) * np.arange(samples) / samples, [35_000.0, 0.0, 0.0])
+    tilts, said = [], []
+    for _ in range(300):
+        variances, directions = np.linalg.eigh(np.cov((b + noise * random.normal(size=b.shape)).T))
+        tilts.append(directions[:, 0] @ directions_across(b)[1])  # about the long way
+        said.append(u_normal(variances[1], variances[0], samples))
+    assert np.sqrt(np.mean(np.square(tilts))) == pytest.approx(np.median(said), rel=0.2)
+
+
+def directions_across(b):
+    """The long way (3,) and the short way (3,) of the points of a plane across z."""
+    x, y = np.linalg.eigh(np.cov(b[:, :2].T))[1].T[::-1]
+    return np.append(x, 0.0), np.append(y, 0.0)
+
+
 def test_rows_without_a_reading_are_left_out():
     run = platform_run(8)
     holed = np.array(run.reading)
@@ -183,8 +223,7 @@ def test_arcs_that_are_too_short_for_their_noise_are_refused():
 
 def test_a_run_without_axes_or_without_reference_is_refused():
     run = platform_run(11)
-    free = replace(run, segments=tuple(Segment(s.id, "free") for s in run.segments))
-    assert "axis_body" in pso_axis(free).why_not
+    assert "axis_body" in pso_axis(without_axes(run)).why_not
     none = replace(run, reference=Reference("none"), reference_vector=None)
     assert not pso_axis(none).ok
     assert not pso_scalar(none).ok

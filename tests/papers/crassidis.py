@@ -16,11 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 from orbit import circular, field
 
+from labcal.fit import fit
 from labcal.fit.filters.ekf import EKF
 from labcal.fit.filters.live import LiveFilter
 from labcal.fit.filters.ukf import UKF, AugmentedUKF
 from labcal.fit.scalar import centered, scalar_check, twostep
 from labcal.fit.scalar.scalar_check import Estimate
+from labcal.record import Dut, Reference, Run, Segment
 
 Array = NDArray[np.float64]
 NAMES = ("b1", "b2", "b3", "D11", "D22", "D33", "D12", "D13", "D23")
@@ -29,6 +31,7 @@ TRUTH = np.concatenate([BIAS_MG, scalar_check.stacked(D)])
 SIGMA_MG = 0.5
 NODE_DEG, LATITUDE_DEG = 30.0, 270.0
 PHASES_DEG = np.arange(16) * 22.5
+ORBITS_DEG = tuple((node, latitude) for node in (0.0, 90.0, 180.0, 270.0) for latitude in (0.0, 120.0, 240.0))
 READING_NOISE = SIGMA_MG**2 * np.linalg.inv((np.eye(3) + D) @ (np.eye(3) + D))  # Σ as it stands at the reading
 
 PRINTED = {  # mean and largest deviation of thirty runs
@@ -53,25 +56,68 @@ class Column:
 
 
 @cache
-def trmm(latitude_deg: float = LATITUDE_DEG) -> Array:
+def trmm(latitude_deg: float = LATITUDE_DEG, node_deg: float = NODE_DEG) -> Array:
     """The field in the body (2881, 3) [mG]."""
     t = np.arange(0, 8 * 3600 + 1, 10.0)
-    position, velocity = circular(t, altitude_km=402, inclination_deg=35, node_deg=NODE_DEG, latitude_deg=latitude_deg)
+    position, velocity = circular(t, altitude_km=402, inclination_deg=35, node_deg=node_deg, latitude_deg=latitude_deg)
     inertial = field(t, position, 402, datetime(2003, 1, 1)) / 100  # 1 mG = 100 nT
     axes = velocity, -np.cross(position, velocity), -position
     return np.stack([np.sum(inertial * axis, axis=1) for axis in axes], axis=1)
 
 
-def readings(seed: int, latitude_deg: float = LATITUDE_DEG) -> tuple[Array, Array]:
+def readings(
+    seed: int, latitude_deg: float = LATITUDE_DEG, node_deg: float = NODE_DEG, sigma_mG: float = SIGMA_MG
+) -> tuple[Array, Array]:
     """Readings (2881, 3) by (1) and magnitudes (2881,) [mG]."""
-    in_body = trmm(latitude_deg)
-    noisy = in_body + BIAS_MG + SIGMA_MG * np.random.default_rng(seed).standard_normal(in_body.shape)
+    in_body = trmm(latitude_deg, node_deg)
+    noisy = in_body + BIAS_MG + sigma_mG * np.random.default_rng(seed).standard_normal(in_body.shape)
     return np.linalg.solve(np.eye(3) + D, noisy.T).T, np.linalg.norm(in_body, axis=1)
 
 
-def batch(module: object, *, unbiased: bool) -> Callable[[Array, Array], Estimate]:
+def run_of(seed: int, orbit: tuple[float, float], sigma_mG: float = SIGMA_MG) -> Run:
+    """A run [nT] on the orbit (node, argument of latitude) [deg], noise white in the readings and not declared."""
+    node_deg, latitude_deg = orbit
+    in_body = 100 * trmm(latitude_deg, node_deg)
+    noise = 100 * sigma_mG * np.random.default_rng(seed).standard_normal(in_body.shape)
+    return Run(
+        run_id=f"trmm-{seed}",
+        started_utc="2003-01-01T00:00:00Z",
+        simulated=True,
+        operator="",
+        dut=Dut("model"),
+        reference=Reference("scalar"),
+        segments=(Segment("orbit", "free"),),
+        t_s=10.0 * np.arange(len(in_body)),
+        segment_index=np.zeros(len(in_body), dtype=np.intp),
+        reading=np.linalg.solve(np.eye(3) + D, (in_body + 100 * BIAS_MG).T).T + noise,
+        reference_magnitude=np.linalg.norm(in_body, axis=1),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """A method's answers over seeds on one orbit: errors and standard uncertainties (answered, 9) [nT, 1], refusals."""
+
+    error: Array
+    u: Array
+    refused: int
+
+
+def answers(method: str, orbit: tuple[float, float], seeds: Iterable[int], sigma_mG: float = SIGMA_MG) -> Answers:
+    """Fit every seed's run by `method`; k, then K's 11 22 33 12 13 23."""
+    truth, order = np.concatenate([(np.eye(3) + D).ravel(), 100 * BIAS_MG]), [9, 10, 11, 0, 4, 8, 1, 2, 5]
+    found = [fit(run_of(seed, orbit, sigma_mG), method, holdout=False) for seed in seeds]
+    good = [one for one in found if one.ok]
+    return Answers(
+        np.array([(one.affine.parameters - truth)[order] for one in good]).reshape(-1, 9),
+        np.array([np.sqrt(np.diag(one.covariance))[order] for one in good]).reshape(-1, 9),
+        len(found) - len(good),
+    )
+
+
+def batch(module: object, *, unbiased: bool, noise: Array = READING_NOISE) -> Callable[[Array, Array], Estimate]:
     """`centered` or `twostep`, as published or with the noise's share taken off."""
-    return lambda B, H: module.estimate(B, H, READING_NOISE, unbiased=unbiased)
+    return lambda B, H: module.estimate(B, H, noise, unbiased=unbiased)
 
 
 def printed_filter(*, unscented: bool, carried: bool = False) -> Callable[[Array, Array], Estimate]:
@@ -148,10 +194,24 @@ def section(seeds: int = 30) -> str:
         last=seeds - 1,
         batches=table([print_of[0], *batches[:2], print_of[1], *batches[2:]]),
         filters=table([print_of[2], filters[0], print_of[3], *filters[1:]]),
+        centred="\n".join(centred_row(method, range(seeds)) for method in ("centered", "centered-sequential")),
         phases="\n".join(
             f"| {name} | {np.sqrt(np.mean(z**2)):.2f} | {np.abs(z).max():.2f} | {b1.min():.1f} to {b1.max():.1f} |"
             for name, (z, b1) in phases
         ),
+    )
+
+
+def centred_row(method: str, seeds: Iterable[int]) -> str:
+    """A line about all of ORBITS_DEG: answers, error over uncertainty, and what b2, the worst of nine, scatters by."""
+    found = [answers(method, orbit, seeds) for orbit in ORBITS_DEG]
+    answered, refused = sum(len(one.u) for one in found), sum(one.refused for one in found)
+    z = np.concatenate([one.error / one.u for one in found])
+    scatter, u = [one.error[:, 1].std(ddof=1) for one in found], [np.median(one.u[:, 1]) for one in found]
+    return (
+        f"| `{method}` | {answered} of {answered + refused} | {np.sqrt(np.mean(z**2)):.2f} | "
+        f"{100 * np.mean(np.abs(z) < 1.96):.1f} % | {min(scatter):.0f} to {max(scatter):.0f} nT | "
+        f"{min(u):.0f} to {max(u):.0f} nT |"
     )
 
 
@@ -191,6 +251,16 @@ the true E22 = 0.215 lies 6.8 standard deviations out; the covariance is too sma
 and subtracting the noise mean does not mend it: what one linearisation of |b|² gets wrong is the same in every later
 sample and never averages out. Ours keep the first readings (about an orbit here) until TWOSTEP on them knows b well
 enough for |b|² to be linear within their noise, and start from its covariance.
+
+The centred estimates on twelve orbits (nodes 0°, 90°, 180° and 270°, arguments of latitude 0°, 120° and 240°), noise
+white in the readings and not declared, seeds 0 to {last} on each: error over standard uncertainty (rms of all nine
+parameters), truths inside 95 % intervals, and the least and the most that b2 scatters over the seeds of one orbit,
+beside the uncertainty stated. The residual is taken about its mean: the error of |b|² stays in that mean by (17), and
+with it the noise would come out up to three times too large.
+
+| method | answered | error / u | held | b2, scatter | b2, u |
+|---|---|---|---|---|---|
+{centred}
 
 Over 16 phases of the orbit (argument of latitude in steps of 22.5°, seed 0), distance from `twostep` over its standard
 uncertainty, of all nine parameters, and the range of b1:

@@ -90,7 +90,7 @@ def calibrated(run: Run, *, coupled: bool) -> Calibration:
     problem = found.problem
     fit = Fit("closed-loop", True, affine=problem.affine, covariance=joint.covariance, covariance_of=joint.names,
               frame_known=problem.kind == "vector" or run.reference.kind == "vector", effects=effects,
-              noise_nT=problem.noise.reading)  # fmt: skip
+              noise_nT=problem.noise.reading, sources=joint.sources)  # fmt: skip
     return draft_calibration(run, fit, "0" * 64)
 
 

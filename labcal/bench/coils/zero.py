@@ -20,7 +20,6 @@ from labcal.errors import InstrumentError
 T = TypeVar("T")
 RAMP_STEP_S = 0.1
 ZERO_TIMEOUT_S = 1.0
-TIMES_TOLD = 2  # before anybody is asked: a supply may miss one, and its silence may take longer than there is time
 
 
 def to_zero(
@@ -30,12 +29,14 @@ def to_zero(
     wait: Callable[[float], None] | None = None,
     known_A: Mapping[str, float] | None = None,
     doubts: Mapping[str, InstrumentError] | None = None,
+    lossy: bool = False,
 ) -> dict[str, AtZero]:
     """Ramp every axis to zero, see it below its `zero_current_A`, then open it where it can open.
 
     `known_A`: set-points that need not be asked for. `doubts`: axes that may not answer, and why: they are written
     zero at once, without a ramp, and read back after the others. An axis that fails on the way is treated likewise.
     Its `fault` is what the read-back found, where that failed, else what went wrong before.
+    `lossy`: somebody else on this line is in doubt: each is written zero several times before anybody is asked.
     What is not read back at zero is written off as well: the last that can be said to it.
     """
     faults, levels = dict(doubts or {}), dict(known_A or {})
@@ -43,7 +44,9 @@ def to_zero(
     levels |= _each({axis: s.set_point for axis, s in supplies.items() if axis not in levels | faults}, faults)
     going = {axis: level for axis, level in levels.items() if level and axis not in faults}
     levels |= _ramp_down(supplies, going, rates_A_per_s, clock, wait or clock.wait_until, faults)
-    for _ in range(TIMES_TOLD):
+    write_zero({axis: supply for axis, supply in supplies.items() if axis not in going})
+    if lossy or faults or len(supplies) == 1:  # a line that loses messages, or one on which nobody else waits
+        write_zero(supplies)  # what was written last may have been lost
         write_zero(supplies)
     well, ill = [axis for axis in supplies if axis not in faults], list(faults)
     ended = {end.axis: end for axes in (well, ill) for end in _read_back(axes, supplies, clock, faults)}
@@ -112,13 +115,15 @@ def _currents(
     """The current of each axis and when it was read.
 
     While one does not answer, the others of its line wait to be asked, and may have missed their zero: whoever is not
-    read back yet is written it again.
+    read back yet is written it again, twice, for on such a line every other message may be lost.
     """
     found = dict[str, tuple[float, float]]()
     for axis in axes:
         found |= _each({axis: partial(_read_zero, axis, supplies[axis], clock)}, faults)
         if axis in faults:
-            write_zero({axis: supplies[axis] for axis in axes if axis not in found})
+            left = {axis: supplies[axis] for axis in axes if axis not in found}
+            write_zero(left)
+            write_zero(left)
     return found
 
 

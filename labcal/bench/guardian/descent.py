@@ -12,6 +12,7 @@ from labcal.bench.guardian.coil import GuardedCoil
 from labcal.errors import InstrumentError
 
 REOPENED = ("silent", "babbles", "out of step", "link lost")  # faults after which the link is opened anew
+TIMES_TOLD = 3  # at once, who may not answer: a line that lost one message may lose another
 ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what it holds
 
 
@@ -32,8 +33,10 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callabl
         doubted = [coil for coil in coils if coil.doubt is not None]
         for coil in doubted:
             _write_zero(coil, others)
-        ended = dict(_ramped([coil for coil in coils if coil.doubt is None]))
-        ended |= {coil.axis: _read_back(coil) for coil in doubted}
+        ended = dict(_ramped([coil for coil in coils if coil.doubt is None], lossy=bool(doubted)))
+        for n, coil in enumerate(doubted):
+            _write_again(doubted[n:])
+            ended[coil.axis] = _read_back(coil)
         for coil in coils:
             coil.settle(ended[coil.axis])
         return list(ended.values())
@@ -58,13 +61,21 @@ def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> None:
     for _ in ("as it is", "opened again"):
         try:
             if coil.line.greeted(coil.name) or _may_be_written(coil, others):
-                coil.bare.write_current(0.0)
+                for _ in range(TIMES_TOLD):
+                    coil.bare.write_current(0.0)
             return
         except InstrumentError as fault:
             if fault.fault == "not reached":  # the file does not say where it is; others on the line need their link
                 return
             with suppress(InstrumentError):
                 coil.line.reopen()
+
+
+def _write_again(coils: Sequence[GuardedCoil]) -> None:
+    """Zero once more, where it is known who is there: such a line loses messages, and who is asked next takes long."""
+    for coil in coils:
+        if coil.line.greeted(coil.name):
+            write_zero({coil.axis: coil.bare})
 
 
 def _may_be_written(coil: GuardedCoil, others: Sequence[str]) -> bool:
@@ -93,13 +104,13 @@ def _quench(coil: GuardedCoil, others: Sequence[str]) -> None:
             return
 
 
-def _ramped(coils: Sequence[GuardedCoil]) -> Mapping[str, AtZero]:
+def _ramped(coils: Sequence[GuardedCoil], *, lossy: bool) -> Mapping[str, AtZero]:
     if not coils:
         return {}
     supplies = {coil.axis: coil.bare for coil in coils}
     rates = {coil.axis: coil.rate_A_per_s for coil in coils}
     known = {coil.axis: coil.held_A for coil in coils if coil.energised and coil.held_A is not None}
-    return to_zero(supplies, rates, coils[0].line.clock, known_A=known)
+    return to_zero(supplies, rates, coils[0].line.clock, known_A=known, lossy=lossy)
 
 
 def _read_back(coil: GuardedCoil) -> AtZero:

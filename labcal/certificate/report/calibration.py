@@ -8,6 +8,8 @@ from hashlib import sha256
 
 import numpy as np
 
+from labcal.certificate.report.budget import budget_blocks
+from labcal.certificate.report.conformity import change_blocks, conformity_blocks, conformity_marks
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
 from labcal.certificate.report.style import decimals_for, number, sentence
@@ -15,6 +17,7 @@ from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.model.effects import find
 from labcal.record import Dut, Run
+from labcal.uncertainty.conformity import Changes, stated_lines
 from labcal.uncertainty.unstated import not_stated
 
 COVERAGE = 2.0  # coverage factor k of U
@@ -29,23 +32,31 @@ RESIDUAL_KEYS = (
 
 
 def calibration_page(
-    calibration: Calibration, verification: Verification, checked: str, run: Run | None = None
+    calibration: Calibration,
+    verification: Verification,
+    checked: str,
+    run: Run | None = None,
+    changed: Changes | None = None,
 ) -> Page:
     """The page of `calibration`; `verification` of its file was made as `checked` says (when, against whose list).
 
-    With its `run` at hand the page says which of the reference's uncertainties were never stated.
+    With its `run` at hand the page says which of the reference's uncertainties were never stated; `changed` is what
+    changed since the calibration before.
     """
-    dut = calibration.dut
+    dut, lines = calibration.dut, stated_lines(calibration)
     return Page(
         kind="Calibration",
         title=dut.serial,
         subtitle=dut.model,
         simulated=calibration.simulated,
-        marks=_marks(verification),
+        marks=(*_marks(verification), *conformity_marks(lines)),
         headline=_headline(calibration),
         facts=_facts(calibration),
         sections=sections(
+            section("Is it in specification?", conformity_blocks(lines)),
+            section("As found, as left", change_blocks(changed)),
             section("Parameters", _parameters(calibration)),
+            section("Uncertainty budget", budget_blocks(calibration)),
             section("Effects of the sensor, corrected by this calibration", effect_tables(calibration.effects)),
             section(
                 "Findings about the rig and the data, not part of the correction", effect_tables(calibration.findings)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.certificate.report.calibration import effect_tables, headline_of, name_of
+from labcal.certificate.report.conformity import conformity_blocks
 from labcal.certificate.report.figures import segment_bounds, thin
 from labcal.certificate.report.page import Block, Facts, Mark, Page, Plot, Prose, Table, Tone, section, sections
 from labcal.certificate.report.style import AXES, MUTED, NOTHING, number, sentence, short
@@ -50,17 +51,22 @@ def closed_loop_page(result: ClosedLoop, run: Run) -> Page:
         facts=_facts(result, run),
         sections=sections(
             section("What to measure next", _next(result)),
+            section("Is it in specification?", conformity_blocks(result.conformity.lines) if result.conformity else []),
             section("Residual before and after", _pictures(result, run)),
             section("Accepted", effect_tables(result.accepted)),
             section("Tests of what is left", [_tests(result)]),
             section("Tried and not accepted", [_rejected(result.rejected), _not_tried(result)]),
             section("Remarks", [Prose(result.remarks)] if result.remarks else []),
             section("What this run alone can never tell apart", _twins(result)),
-            section("What is not covered", [Prose(not_covered(run))]),
+            section("What is not covered", [Prose((*not_covered(run), *_left_open(result)))]),
         ),
         footer="Residual r = b − p: calibrated reading minus the reference carried into the sensor's axes. "
         "U is the expanded uncertainty, k = 2 (about 95 %). A positive offset parameter: the sensor reads high.",
     )
+
+
+def _left_open(result: ClosedLoop) -> tuple[str, ...]:
+    return result.conformity.left_open if result.conformity else ()
 
 
 def _facts(result: ClosedLoop, run: Run) -> Facts:

@@ -18,7 +18,7 @@ from labcal.fit.result import Fit
 from labcal.fit.scalar import centered, scalar_check
 from labcal.fit.scalar.moments import Moments, moments, noise_information
 from labcal.fit.scalar.scalar_check import Estimate
-from labcal.fit.scalar.scalar_run import Scalars, as_fit, noise_scale, scalars
+from labcal.fit.scalar.scalar_run import Scalars, as_fit, certain, noise_scale, scalars
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -79,11 +79,13 @@ class CenteredSequential:
     """The centred estimate, live: `update` takes each reading, `estimate` answers at any time.
 
     `noise` (3, 3) is the covariance of a reading, `reference_noise` the standard deviation of a magnitude. A small
-    batch starts it, as the paper says below (22); its residuals correct the noise. σ² is (5b) at the estimate before.
+    batch starts it, as the paper says below (22), but one that determines the field: where noise stands in for
+    excitation it gives weights that ruin all that follows. Residuals, first the batch's, correct the noise. σ² is (5b)
+    at the estimate before.
     """
 
     def __init__(self, noise: Array, reference_noise: float = 0.0) -> None:
-        self._start = Start(noise, reference_noise, centered.estimate, lambda seen, found: True)
+        self._start = Start(noise, reference_noise, centered.estimate, certain)
         self._noise, self._reference_noise = noise, reference_noise
         self._state: State | None = None
         self._unit = 1.0
@@ -116,11 +118,11 @@ class CenteredSequential:
         s = self._state
         information = np.linalg.inv(s.covariance)
         share = noise_information(s.L, s.variance, self._noise)
-        found = Moments(s.L, s.z, s.variance, np.asarray(information), information @ s.c_E, share)
-        c_E, covariance = centered.solve(found)
-        free = len(self._start) - 9
+        free = len(self._start) - 10
         observed = (free + self._surprise) / (free + self._steps)  # over expected, residuals squared
-        return scalar_check.from_c_E(c_E, covariance * observed).in_unit(self._unit)
+        found = Moments(s.L, s.z, s.variance, np.asarray(information), information @ s.c_E, observed * share)
+        c_E, covariance = centered.solve(found)
+        return centered.answer(c_E, covariance * observed).in_unit(self._unit)
 
     def _begin(self, seen: Scalars, found: Estimate) -> None:
         self._unit = unit = float(np.sqrt(np.mean(seen.magnitude**2)))

@@ -5,6 +5,8 @@ The term |b|² of (3b), the same for all samples, drops out with the means, and 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -45,7 +47,12 @@ def estimate(
     for _ in range(PASSES if near is None else 1):
         found = moments(rows, square, c_E, noise / unit**2, reference_noise / unit)
         c_E, covariance = solve(found, unbiased=unbiased)
-    return scalar_check.from_c_E(c_E, covariance).in_unit(unit)
+    return answer(c_E, covariance).in_unit(unit)
+
+
+def answer(c_E: Array, covariance: Array) -> Estimate:
+    """Bias and D of (c, E) (9,), marked as what left the mean out."""
+    return replace(scalar_check.from_c_E(c_E, covariance), centred=True)
 
 
 def solve(found: Moments, *, unbiased: bool = True) -> tuple[Array, Array]:

@@ -12,7 +12,7 @@ then a polynomial of θ': Tr Σ = Tr S M and hᵀΣh = uᵀSu.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -35,11 +35,15 @@ SYMMETRIC = np.eye(6)[:, PLACE]  # (6, 3, 3): the symmetric matrices of the six 
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """`bias` (3,) in the readings' unit and `D` (3, 3) symmetric; `spread` works out the `covariance`."""
+    """`bias` (3,) in the readings' unit and `D` (3, 3) symmetric; `spread` works out the `covariance`.
+
+    `centred`: the mean of v, (17), was left out of the fit, so that its residuals have a mean of their own.
+    """
 
     bias: Array
     D: Array
     spread: Callable[[], Array]
+    centred: bool = False
 
     @cached_property
     def covariance(self) -> Array:
@@ -63,7 +67,7 @@ class Estimate:
             scale = np.repeat([unit, 1.0], [3, 6])
             return self.covariance * np.outer(scale, scale)
 
-        return Estimate(self.bias * unit, self.D, spread)
+        return replace(self, bias=self.bias * unit, spread=spread)
 
     def moved(self, by: Array) -> Estimate:
         """The same where all readings are larger by `by` (3,): b grows by (I + D) `by`."""
@@ -73,11 +77,11 @@ class Estimate:
             slope[:3, 3:] = (SYMMETRIC @ by).T
             return slope @ self.covariance @ slope.T
 
-        return Estimate(self.bias + by + self.D.dot(by), self.D, spread)
+        return replace(self, bias=self.bias + by + self.D.dot(by), spread=spread)
 
     def wider(self, factor: float) -> Estimate:
         """The same with all of its covariance times `factor`."""
-        return Estimate(self.bias, self.D, lambda: self.covariance * factor)
+        return replace(self, spread=lambda: self.covariance * factor)
 
 
 def stacked(symmetric: Array) -> Array:

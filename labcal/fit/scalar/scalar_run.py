@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.autocorrelation import variance_inflation
-from labcal.fit.declared import widen
+from labcal.fit.declared import contributions
 from labcal.fit.result import Fit
 from labcal.fit.scalar import scalar_check
 from labcal.fit.scalar.scalar_check import COLUMN, MISSING, ROW, Estimate
 from labcal.geometry import unit
 from labcal.model import AffineMap
 from labcal.record import Run
+from labcal.uncertainty import FitNoise, Sources
 
 Array = NDArray[np.float64]
 LARGEST_U = 0.05  # of the field: an estimate less certain than this anywhere in the field is refused
@@ -100,15 +101,18 @@ def as_fit(run: Run, method: str, seen: Scalars, found: Estimate, *, widened: bo
     if not widened:
         wider = variance_inflation(residual(seen, found)[:, None], run.segment_index[usable(run)])
         found = found.wider(wider)
-    uncertain = worst_uncertainty(found, float(seen.magnitude.max()))
-    if uncertain > LARGEST_U * seen.magnitude.max():
+    if not certain(seen, found):
+        uncertain = worst_uncertainty(found, float(seen.magnitude.max()))
         return Fit(method, ok=False, why_not=f"the field would be uncertain by {uncertain:.0f} nT: {MISSING}")
     affine = AffineMap(gain * (np.eye(3) + found.D), found.bias)
+    noise = FitNoise.single(slope @ found.covariance @ slope.T, len(seen.reading) - 9.0)
+    sources = Sources(noise, contributions(run, affine, frame_known=False))
     return Fit(
         method,
         ok=True,
         affine=affine,
-        covariance=widen(run, affine, slope @ found.covariance @ slope.T, frame_known=False),
+        covariance=sources.covariance,
+        sources=sources,
         bias_nT=found.bias,
         D=found.D,
         noise_nT=float(np.sqrt(np.trace(seen.noise) / 3)),
@@ -125,18 +129,30 @@ def to_contract(gain: float) -> Array:
 
 
 def residual(seen: Scalars, found: Estimate) -> Array:
-    """The residual of (3b) over its standard deviation (n,)."""
+    """The residual of (3b) over its standard deviation (n,), less the mean that a centred estimate leaves open, (17).
+
+    That mean is |b|² of the estimate less |b|² of the data: an error of the bias along itself, many times the noise of
+    the mean, and in the covariance of the bias already.
+    """
     c_E, rows = scalar_check.to_c_E(found.bias, found.D), scalar_check.regressors(seen.reading.T)
     variance = scalar_check.noise_variance(rows, seen.magnitude**2, c_E, seen.noise, seen.reference_noise)
     field = seen.reading + seen.reading @ found.D - found.bias
     v = np.einsum("ij,ij->i", field, field) - seen.magnitude**2 - scalar_check.noise_mean(c_E, seen.noise)
+    if found.centred:
+        v -= np.average(v, weights=1 / variance)
     return np.asarray(v / np.sqrt(variance))
 
 
 def noise_scale(seen: Scalars, found: Estimate) -> float:
-    """Observed over expected standard deviation of the residuals, nine degrees of freedom taken off."""
+    """Observed over expected standard deviation of the residuals, the fitted parameters' degrees of freedom off."""
     r = residual(seen, found)
-    return float(np.sqrt(r @ r / (len(r) - 9)))
+    return float(np.sqrt(r @ r / (len(r) - 9 - found.centred)))
+
+
+def certain(seen: Scalars, found: Estimate) -> bool:
+    """Whether the field is known to LARGEST_U of its largest value."""
+    largest = float(seen.magnitude.max())
+    return worst_uncertainty(found, largest) <= LARGEST_U * largest
 
 
 def worst_uncertainty(found: Estimate, field: float) -> float:

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.fit.vector.planes import FEWEST_SAMPLES, is_turn
+from labcal.fit.vector.planes import forward as sense_of_turn
 from labcal.record import Run, Segment
 
 Array = NDArray[np.float64]
-FEWEST_SAMPLES = 8  # of a locus
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,17 +52,13 @@ def loci_of(run: Run, *, with_axes: bool = True) -> Loci:
     axes, forward = list[Array](), np.ones(len(rows))
     for index, segment in enumerate(run.segments if with_axes else ()):
         of_segment = np.flatnonzero(run.segment_index[rows] == index)
-        if not _turns(segment) or len(of_segment) < FEWEST_SAMPLES:
+        if not is_turn(segment) or len(of_segment) < FEWEST_SAMPLES:
             continue
         locus[of_segment] = len(axes)
         axes.append(np.asarray(segment.axis_body, dtype=float))
         along[of_segment] = _along(run, segment, rows[of_segment])
-        forward[of_segment] = _forward(run, rows[of_segment])
+        forward[of_segment] = sense_of_turn(run, rows[of_segment])
     return Loci(run.reading_nT[rows], magnitude[rows], locus, np.reshape(axes, (-1, 3)), along, forward)
-
-
-def _turns(segment: Segment) -> bool:
-    return segment.kind == "rotation" and segment.axis_body is not None
 
 
 def _along(run: Run, segment: Segment, rows: NDArray[np.intp]) -> Array:
@@ -69,14 +66,6 @@ def _along(run: Run, segment: Segment, rows: NDArray[np.intp]) -> Array:
     if run.reference_vector is None or segment.axis_cage is None or segment.reference_frame == "body":
         return np.full(len(rows), np.nan)
     return np.asarray(run.reference_vector[rows] @ np.asarray(segment.axis_cage))
-
-
-def _forward(run: Run, rows: NDArray[np.intp]) -> Array:
-    """Sign of the next change of angle (rows,); zero where an angle is missing."""
-    if run.angle_deg is None or not np.isfinite(run.angle_deg[rows]).any():
-        return np.ones(len(rows))
-    change = np.diff(run.angle_deg[rows], append=np.nan)
-    return np.nan_to_num(np.sign((change + 180) % 360 - 180))
 
 
 def reading_noise_nT(run: Run, loci: Loci) -> float:

@@ -13,7 +13,7 @@ from labcal.fit.swarm.objectives import Magnitudes, Planes, RotationAxisObjectiv
 from labcal.fit.swarm.particle_swarm import Objective, SwarmSettings, minimise, refine
 
 Array = NDArray[np.float64]
-LARGE_CIRCLE = 10.0  # a locus whose radius is fewer times the noise than this has no plane to speak of
+LARGEST_U_TILT = 0.3  # rad, of the plane of a locus: one less certain has no plane to speak of
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ def objective_of(loci: Loci, noise_nT: float, options: Options, *, axes: bool = 
     magnitudes = Magnitudes.of(loci.reading[::step], loci.magnitude[::step])
     n = len(magnitudes.magnitude)
     radius_squared = loci.magnitude**2 - np.nan_to_num(loci.along) ** 2
-    wide = [i for i in range(len(loci.axes)) if np.mean(radius_squared[loci.rows(i)]) > (LARGE_CIRCLE * noise_nT) ** 2]
+    wide = [i for i in range(len(loci.axes)) if _u_tilt(radius_squared[loci.rows(i)], noise_nT) < LARGEST_U_TILT]
     det = noise_nT / np.sqrt(n) if options.log_det else 0.0
     if not axes or not wide:
         return RotationAxisObjective(magnitudes, weight_det_nT=det)
@@ -80,6 +80,22 @@ def objective_of(loci: Loci, noise_nT: float, options: Options, *, axes: bool = 
     radius_squared_mean = float(np.mean(radius_squared[np.concatenate(rows)]))
     axis_weight = axis_weight_nT(noise_nT, n, len(wide), radius_squared_mean)
     return RotationAxisObjective(magnitudes, planes, 1.0, axis_weight, det)
+
+
+def _u_tilt(radius_squared: Array, noise_nT: float) -> float:
+    """Standard uncertainty [rad] of the normal of a full circle's plane, from its squared radii (n,)."""
+    of_noise, spread = noise_nT**2, float(np.mean(radius_squared)) / 2
+    return u_normal(spread + of_noise, of_noise, len(radius_squared))
+
+
+def u_normal(middle: float, least: float, samples: int) -> float:
+    """Standard uncertainty [rad] of a plane's normal, by which it tilts about the long way of its points.
+
+    √(λ₂ λ₃ / n) / (λ₂ − λ₃) for the variances λ of the points, λ₃ across the plane (Anderson, Ann. Math. Statist. 34,
+    122, 1963); infinite where these are alike.
+    """
+    apart = middle - least
+    return float(np.sqrt(middle * least / samples) / apart) if apart > 0 else np.inf
 
 
 def axis_weight_nT(noise_nT: float, samples: int, loci: int, radius_squared: float) -> float:

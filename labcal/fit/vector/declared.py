@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.fit.vector.observations import SCALAR, Observations, observe
+from labcal.fit.vector.observations import Observations
+from labcal.fit.vector.planes import observe_like
 from labcal.fit.vector.solve import Parameterisation, Solution
 from labcal.fit.vector.system import Noise, blocks, evaluate, normal
 from labcal.record import Run
@@ -55,9 +56,9 @@ def _moved(
     run: Run, seen: Observations, noise: Noise, parameterisation: Parameterisation, found: Solution
 ) -> Iterator[tuple[DeclaredError, Observations, Array]]:
     """Each declared error, the rows with it, and the step (q + phases,) that the solution takes."""
-    as_scalar, here = bool((seen.kind == SCALAR).all()), _gradient(seen, noise, parameterisation, found)
+    here = _gradient(seen, noise, parameterisation, found)
     for error in declared_errors(run):
-        there = observe(error.change(run), as_scalar=as_scalar)
+        there = observe_like(error.change(run), seen)
         yield error, there, _solved(found.normal, here - _gradient(there, noise, parameterisation, found))
 
 

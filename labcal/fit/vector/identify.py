@@ -19,6 +19,8 @@ CLEAR = 1e4  # … and beyond this much more there is no need to look for a vall
 MOST_NAMED = 5
 FAR = 8.0  # standard uncertainties at which a valley is looked for
 LARGEST_U = 0.05  # of the largest field: beyond it the linear propagation, too, means little
+# Where heights are unknown u still is the scatter: models 2 and 5 of Riwanto et al. (tests/papers/test_riwanto.py).
+LEAST_OF_PLANES, LARGEST_U_OF_PLANES = 1.0, 0.15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,7 +56,8 @@ def identify(
     S = N - noise_induced
     values, vectors = np.linalg.eigh(S)
     ratio = values / np.maximum(np.einsum("aj,ab,bj->j", vectors, noise_induced, vectors), 1e-300)
-    known = (ratio > SIGNAL_OVER_NOISE) & (values > 1e-10 * values[-1])
+    least, largest_u = (LEAST_OF_PLANES, LARGEST_U_OF_PLANES) if seen.loci else (SIGNAL_OVER_NOISE, LARGEST_U)
+    known = (ratio > least) & (values > 1e-10 * values[-1])
     rank = int(known.sum())
     if rank < q:
         why = _reason(seen, parameterisation, vectors[:, ~known], rank)
@@ -64,7 +67,7 @@ def identify(
     covariance = parameterisation.basis @ own @ parameterisation.basis.T
     worst = worst_uncertainty(found.theta, covariance, largest)
     weakest = vectors[:, np.argmin(ratio)]
-    if worst > LARGEST_U * largest:
+    if worst > largest_u * largest:
         more = f"; the field would be uncertain by {worst:.0f} nT"
     elif ratio.min() < CLEAR and _valley(seen, noise, parameterisation, found, loss, scale, weakest, own):
         more, rank = "; quite another map fits as well", rank - 1

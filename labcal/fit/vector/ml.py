@@ -12,6 +12,7 @@ from labcal.fit.result import Fit
 from labcal.fit.vector.declared import declared_contributions, residual_beside_declared
 from labcal.fit.vector.identify import Identified, identify
 from labcal.fit.vector.observations import SCALAR, Observations, observe
+from labcal.fit.vector.planes import in_planes, observe_planes
 from labcal.fit.vector.solve import (
     HUBER_THRESHOLD,
     LEAST_SQUARES,
@@ -27,7 +28,7 @@ from labcal.fit.vector.start import starts
 from labcal.fit.vector.system import Noise, WhiteIn, map_of
 from labcal.model import AffineMap
 from labcal.record import Run
-from labcal.uncertainty import Contribution, covariance_of
+from labcal.uncertainty import Contribution, FitNoise, Sources
 
 Array = NDArray[np.float64]
 MEDIAN_CHI2 = np.array([np.nan, 0.4549, 1.3863, 2.3660])  # of 1, 2 and 3 degrees of freedom
@@ -64,13 +65,14 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
 
     `white_in` says where the sensor's noise is white, its axes alike: in the readings, as instruments have it, or in
     the field before K⁻¹ distorts it (Riwanto et al. 2017, (2a)); `dut.noise_nT` and `noise_nT` are meant there.
-    Where the rotation cannot be seen K is symmetric, the covariance has rank 9 and `frame_known` is False; a run that
-    does not determine the map gets `ok=False` with the reason. `robust=False` is least squares.
+    Where the rotation cannot be seen K is symmetric, the covariance has rank 9 and `frame_known` is False; with a
+    scalar reference, turns about known axes show it by their planes. A run that does not determine the map gets
+    `ok=False` with the reason. `robust=False` is least squares.
     """
     if run.reference.kind == "none":
         return _refused("there is no reference, so the scale is open: a field of known magnitude is needed")
     try:
-        found = estimate(run, robust=robust, white_in=white_in)
+        found = _on_planes(run, robust=robust, white_in=white_in) or estimate(run, robust=robust, white_in=white_in)
         if found.identified.why_not and (found.observations.kind != SCALAR).any():
             scalar = estimate(run, as_scalar=True, robust=robust, white_in=white_in)
             found = scalar if scalar.identified.why_not is None else found
@@ -81,13 +83,17 @@ def ml(run: Run, *, robust: bool = True, white_in: WhiteIn = "reading") -> Fit:
     if found.identified.why_not:
         return _refused(found.identified.why_not)
     frame_known = found.parameterisation.name != "symmetric"
+    wider = _inflation(run, found)
+    noise = FitNoise.single(found.covariance * wider, _free(found) / max(wider, 1.0))
+    sources = Sources(noise, _declared(run, found))
     return Fit(
         method="ml",
         ok=True,
         affine=found.affine,
-        covariance=found.covariance * _inflation(run, found) + covariance_of(_declared(run, found), 12),
+        covariance=sources.covariance,
+        sources=sources,
         frame_known=frame_known,
-        phase_rad=found.solution.phase,
+        phase_rad=found.solution.phase[: len(found.observations.phase_names)],
         noise_nT=found.noise.reading * run.dut.nominal_nT_per_unit * found.scale,
     )
 
@@ -97,15 +103,18 @@ def estimate(
     *,
     parameterisation: ParameterisationName | None = None,
     as_scalar: bool = False,
+    as_planes: bool = False,
     robust: bool = True,
     white_in: WhiteIn = "reading",
 ) -> Estimate:
     """Fit the form `allowed` (affine, or symmetric where all rows are magnitudes) to the usable rows of `run`.
 
+    `as_planes`: with a scalar reference, turns about known axes are planes of unknown heights (`observe_planes`).
+
     Raises ValueError where the rows are too few, or the sensor or the reference is dead.
     Look at `identified.why_not` before using the numbers.
     """
-    seen = observe(run, as_scalar=as_scalar)
+    seen = observe_planes(run) if as_planes else observe(run, as_scalar=as_scalar)
     nominal = seen.scale * run.dut.nominal_nT_per_unit
     name = parameterisation or ("symmetric" if (seen.kind == SCALAR).all() else "affine")
     shape = parameterise(name, nominal)
@@ -117,8 +126,26 @@ def estimate(
     return Estimate(seen, noise, shape, found, identified, scale)
 
 
+def _on_planes(run: Run, *, robust: bool, white_in: WhiteIn) -> Estimate | None:
+    """The fit to the planes of turns about known axes, magnitudes alone known; None where they do not determine it."""
+    if run.reference.kind != "scalar" or not observe_planes(run).loci:
+        return None
+    try:
+        found = estimate(run, as_planes=True, robust=robust, white_in=white_in)
+    except (ArithmeticError, ValueError):
+        return None
+    good = found.identified.why_not is None and in_planes(run, found.observations, found.noise, found.solution)
+    return found if good else None
+
+
 def _declared(run: Run, found: Estimate) -> tuple[Contribution, ...]:
     return declared_contributions(run, found.observations, found.noise, found.parameterisation, found.solution)
+
+
+def _free(found: Estimate) -> float:
+    """Residual components, as they weigh, less the parameters fitted to them."""
+    weighed = float(np.sum(found.solution.weight * found.observations.kind))
+    return float(weighed - found.parameterisation.basis.shape[1] - len(found.solution.phase))
 
 
 def _inflation(run: Run, found: Estimate) -> float:
@@ -135,7 +162,7 @@ def _inflation(run: Run, found: Estimate) -> float:
 
 
 def _require_excitation(seen: Observations, shape: Parameterisation) -> None:
-    free, given = shape.basis.shape[1] + len(seen.phase_names), int(seen.kind.sum())
+    free, given = shape.basis.shape[1] + seen.unknowns, int(seen.kind.sum())
     if given <= free:
         raise ValueError(f"{len(seen)} usable rows give {given} numbers; the map needs more than {free}")
     if not seen.magnitude.any():

@@ -14,9 +14,28 @@ VECTOR, AXIS, SCALAR = 3, 2, 1  # kinds, named by how many numbers one row gives
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Locus:
+    """A turn about a known axis (3,) of B in a field whose direction nothing tells, and the sense of its readings.
+
+    `turn` (3,) = ± Σ m_s × m_{s+1} and `chord` (3,) = ± Σ (m_{s+1} − m_s), minus where the body turned left-handed.
+    """
+
+    axis: Array
+    turn: Array
+    chord: Array
+
+    def round_zero(self, K: Array, k: Array) -> Array:
+        """± Σ b_s × b_{s+1} (3,) for b = K m − k: against the axis, as far as the plane is not above zero field."""
+        zero = np.linalg.solve(K, k)
+        return np.asarray(np.linalg.det(K) * np.linalg.solve(K.T, self.turn - np.cross(zero, self.chord)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Observations:
     """What is known of b row by row; rows with a missing reading or reference are left out.
 
+    Beside the map, a row may depend on one `unknown`: a vector row on its starting phase, an axis row whose height
+    along the axis no reference tells on that of its locus. `phase` in this room is all of them, phases before heights.
     `target` is the reference in B before the starting phases, zero where it is not a vector; `velocity` its rate of
     change. Readings are divided by `scale` (their root mean square length), so that K · scale and k are both in nT.
     """
@@ -28,17 +47,23 @@ class Observations:
     axis: Array  # (n, 3) unit vectors of B, zero where there is none
     along: Array  # (n,) axis_cage · ref, nT
     magnitude: Array  # (n,) nT
-    group: NDArray[np.intp]  # (n,) starting phase, -1 where none is unknown
+    group: NDArray[np.intp]  # (n,) the row's unknown, -1 where there is none
     phase_names: tuple[str, ...]
     velocity: Array  # (n, 3) nT/s
     segment: NDArray[np.intp]  # (n,)
     scale: float  # DUT units
+    loci: tuple[Locus, ...] = ()  # of unknown height
 
     def __len__(self) -> int:
         return len(self.rows)
 
+    @property
+    def unknowns(self) -> int:
+        """How many starting phases and heights are unknown."""
+        return len(self.phase_names) + len(self.loci)
+
     def select(self, rows: NDArray[np.intp] | NDArray[np.bool_] | slice) -> Observations:
-        """Return only these rows, every phase group kept."""
+        """Return only these rows, every unknown kept."""
         return Observations(
             self.rows[rows],
             self.kind[rows],
@@ -52,6 +77,7 @@ class Observations:
             self.velocity[rows],
             self.segment[rows],
             self.scale,
+            self.loci,
         )
 
 

@@ -6,16 +6,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import AXIS, VECTOR, Observations
+from labcal.fit.vector.planes import aligned
 
 Array = NDArray[np.float64]
 
 
 def starts(seen: Observations, nominal: float, *, symmetric: bool) -> list[tuple[Array, Array]]:
-    """Candidates (theta (12,) scaled, phase (groups,)), any of which may be the best; `nominal` as in `form`."""
-    phases = len(seen.phase_names)
+    """Candidates (theta (12,) scaled, phase (unknowns,)), any of which may be the best; `nominal` as in `form`."""
+    phases = seen.unknowns
     maps = [*_ellipsoids(seen, nominal), _sphere(seen, nominal)]
     if symmetric:
         return [(theta, np.zeros(phases)) for theta in maps]
+    if seen.loci:
+        return [(theta, _heights(seen, theta)) for theta in (aligned(seen.loci, one) for one in maps)]
     candidates = []
     if (seen.kind == VECTOR).any():
         candidates.append(_relaxed(seen))
@@ -45,6 +48,17 @@ def _relaxed(seen: Observations) -> tuple[Array, Array]:
     scale[scale == 0] = 1.0
     y = np.linalg.lstsq((A / scale).reshape(3 * n, -1), fixed.ravel(), rcond=1e-9)[0] / scale
     return y[:12], np.arctan2(y[13::2], y[12::2])
+
+
+def _heights(seen: Observations, theta: Array) -> Array:
+    """The mean of axis · b on each locus in the field of the map `theta`, inside the sphere [nT]."""
+    along = np.sum((seen.reading @ theta[:9].reshape(3, 3).T - theta[9:]) * seen.axis, axis=1)
+    found = np.zeros(seen.unknowns)
+    for locus in range(len(seen.phase_names), seen.unknowns):
+        rows = seen.group == locus
+        reach = 0.9 * float(seen.magnitude[rows].min())
+        found[locus] = np.clip(np.mean(along[rows]), -reach, reach)
+    return found
 
 
 def _phases(seen: Observations, theta: Array) -> Array:

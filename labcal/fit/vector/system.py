@@ -2,7 +2,8 @@
 
 Row i gives the residual r = b − p of rank 3 (vector), 2 (known axis, no angle) or 1 (magnitude). All three are carried
 by an information matrix G (3, 3) of that rank and the pull h = G r (3,), so that any column d(residual)/d(parameter)
-= E (n, 3) adds Σ EᵀGE to the normal matrix and Σ Eᵀh to the gradient: the map's own columns, the phases, and effects.
+= E (n, 3) adds Σ EᵀGE to the normal matrix and Σ Eᵀh to the gradient: the map's own columns, the unknown phases and
+heights, and effects.
 
 The readings carry noise of covariance Σ, so the map's columns stand at the estimated true reading m̂ = m − Σ Kᵀ h: with
 them the normal equations are the gradient of Σ rᵀ C⁻¹ r with C = K Σ Kᵀ + Σ_ref + … (Deming's weights). That is the
@@ -26,6 +27,7 @@ Array = NDArray[np.float64]
 Rows = slice | NDArray[np.intp] | NDArray[np.bool_]
 WhiteIn = Literal["reading", "field"]
 BLOCK = 1 << 15  # rows evaluated at once: bounds the memory
+SMALL = 0.01  # of the field: a circle of a smaller radius says nothing
 # (3, 4) rows [K_a · scale, k_a] against the contract's order, K row by row, then k
 CONTRACT_ORDER = np.array([0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11])
 
@@ -61,7 +63,7 @@ class Evaluated:
     pull: Array  # (n, 3) h = G r [1/nT]
     cost: Array  # (n,) rᵀ G r
     columns: Array  # (n, 4) x = (m̂ / scale, −1): d b_a / d(K_a · scale, k_a)
-    tangent: Array  # (n, 3) −dp/dφ = axis × p [nT/rad], zero where no phase is unknown
+    tangent: Array  # (n, 3) d residual / d unknown: axis × p [nT/rad] of a phase, zero where none is unknown
 
 
 def map_of(theta: Array, scale: float) -> tuple[Array, Array]:
@@ -74,15 +76,15 @@ def evaluate(
 ) -> Evaluated:
     """Evaluate residuals and weights of every row of `seen`.
 
-    `theta` (12,) are K · scale row by row, then k, all in nT; `phase` (groups,) rad; `correction` (n, 3) nT is the sum
-    of the effects, subtracted from K m − k.
+    `theta` (12,) are K · scale row by row, then k, all in nT; `phase` (unknowns,) rad, where it is a height nT;
+    `correction` (n, 3) nT is the sum of the effects, subtracted from K m − k.
     """
     K, k = theta[:9].reshape(3, 3), theta[9:]
     field = seen.reading @ K.T - k - correction
     prediction = _turn(seen, phase, seen.target)
     spread = noise.covariance(seen.scale)
     base = K @ spread @ K.T + noise.reference_nT**2 * np.eye(3)
-    tangent = cross(seen.axis, prediction)
+    tangent, height = cross(seen.axis, prediction), heights(seen, phase)
     G, residual = np.empty((len(seen), 3, 3)), np.empty((len(seen), 3))
     for kind, rows in _kinds(seen.kind):
         if kind == VECTOR:
@@ -90,7 +92,10 @@ def evaluate(
             residual[rows] = field[rows] - prediction[rows]
         else:
             offers = _axis_rows if kind == AXIS else _magnitude_rows
-            G[rows], residual[rows] = offers(seen, rows, field[rows], base)
+            G[rows], residual[rows] = offers(seen, rows, field[rows], base, height, noise.reference_nT)
+    if seen.loci:
+        on = (seen.kind == AXIS) & (seen.group >= 0)
+        tangent[on] = _height_slopes(seen, on, field[on], height[on])
     pull = np.einsum("nab,nb->na", G, residual)
     cost = np.sum(pull * residual, axis=1)
     columns = np.full((len(seen), 4), -1.0)
@@ -100,8 +105,8 @@ def evaluate(
 
 
 def normal(seen: Observations, at: Evaluated, weight: Array) -> tuple[Array, Array]:
-    """Normal matrix (12 + groups)² and gradient (12 + groups,) of ½ Σ w rᵀ C⁻¹ r, in nT and rad."""
-    groups, n = len(seen.phase_names), len(seen)
+    """Normal matrix (12 + unknowns)² and gradient (12 + unknowns,) of ½ Σ w rᵀ C⁻¹ r, in nT and rad."""
+    groups, n = seen.unknowns, len(seen)
     G, h = weight[:, None, None] * at.information, weight[:, None] * at.pull
     x = at.columns
     xx = (x[:, :, None] * x[:, None, :]).reshape(n, 16)
@@ -180,7 +185,14 @@ def cross(a: Array, b: Array) -> Array:
     )
 
 
-def _magnitude_rows(seen: Observations, rows: Rows, b: Array, base: Array) -> tuple[Array, Array]:
+def heights(seen: Observations, phase: Array) -> Array:
+    """`along` (n,) [nT], with the heights of `phase` (unknowns,) where it is not known."""
+    if not seen.loci:
+        return seen.along
+    return np.where((seen.kind == AXIS) & (seen.group >= 0), phase[seen.group], seen.along)
+
+
+def _magnitude_rows(seen: Observations, rows: Rows, b: Array, base: Array, _: Array, __: float) -> tuple[Array, Array]:
     """Information and residual of rows that know |b| alone.
 
     The mean of |b| is above the true one by (tr C − uᵀCu) / 2|b|, from the noise across u = b/|b|.
@@ -192,14 +204,17 @@ def _magnitude_rows(seen: Observations, rows: Rows, b: Array, base: Array) -> tu
     return _outer(u, u / along[:, None]), (length - bias - seen.magnitude[rows])[:, None] * u
 
 
-def _axis_rows(seen: Observations, rows: Rows, b: Array, base: Array) -> tuple[Array, Array]:
+def _axis_rows(
+    seen: Observations, rows: Rows, b: Array, base: Array, heights: Array, reference_nT: float
+) -> tuple[Array, Array]:
     """Information and residual of rows that know `axis · b` and |b|: b up to a turn about the axis.
 
     That is a height along the axis and a radius across it. The mean radius is above the true one by tᵀCt / 2ρ, from the
-    noise along the turn t. Where the circle is small against the noise or the field, the height says all.
+    noise along the turn t. Where the circle is small against the noise or the field, the height says all; but an
+    unknown height says nothing without the circle. It has no noise of the reference, the radius has |b|/radius of it.
     """
-    axis, height = seen.axis[rows], seen.along[rows]
-    radius = np.sqrt(np.maximum(seen.magnitude[rows] ** 2 - height**2, 0.0))
+    axis, height, unknown = seen.axis[rows], heights[rows], seen.group[rows] >= 0
+    radius = _radius(seen.magnitude[rows], height, unknown)
     h = np.sum(axis * b, axis=1)
     across = b - h[:, None] * axis
     rho = np.maximum(np.linalg.norm(across, axis=1), 1e-9)
@@ -208,13 +223,29 @@ def _axis_rows(seen: Observations, rows: Rows, b: Array, base: Array) -> tuple[A
     aC, uC = axis @ base, u @ base
     aa, au, uu = np.sum(aC * axis, axis=1), np.sum(aC * u, axis=1), np.sum(uC * u, axis=1)
     tt = np.sum(t @ base * t, axis=1)
-    circle = radius > np.maximum(0.01 * seen.magnitude[rows], 3 * np.sqrt(np.trace(base)))
+    own = np.where(unknown, reference_nT**2, 0.0)
+    aa, tt, uu = aa - own, tt - own, uu - own + own * (seen.magnitude[rows] / np.maximum(radius, 1e-9)) ** 2
+    circle = unknown | (radius > np.maximum(SMALL * seen.magnitude[rows], 3 * np.sqrt(np.trace(base))))
     au = np.where(circle, au, 0.0)
     det = aa * uu - au**2
     to_axis = (uu / det)[:, None] * axis - (au / det)[:, None] * u
     to_u = np.where(circle, aa / det, 0.0)[:, None] * u - (au / det)[:, None] * axis
     excess = np.where(circle, rho - tt / (2 * np.maximum(rho, np.sqrt(tt))) - radius, 0.0)
     return _outer(axis, to_axis) + _outer(u, to_u), (h - height)[:, None] * axis + excess[:, None] * u
+
+
+def _radius(magnitude: Array, height: Array, unknown: NDArray[np.bool_]) -> Array:
+    """√(|b|² − height²) (n,) [nT]; where the height is a parameter it stays above zero, whatever that tries."""
+    return np.asarray(np.sqrt(np.maximum(magnitude**2 - height**2, np.where(unknown, SMALL * magnitude, 0.0) ** 2)))
+
+
+def _height_slopes(seen: Observations, rows: Rows, b: Array, height: Array) -> Array:
+    """How the residual (n, 3) changes with an unknown height: the plane moves up, the circle shrinks."""
+    axis = seen.axis[rows]
+    across = b - np.sum(axis * b, axis=1, keepdims=True) * axis
+    u = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-9)
+    radius = _radius(seen.magnitude[rows], height, np.ones(len(b), dtype=bool))
+    return np.asarray((height / radius)[:, None] * u - axis)
 
 
 def _outer(a: Array, c: Array) -> Array:

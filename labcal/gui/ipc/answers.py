@@ -14,6 +14,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.model.calibration import EffectRecord
 from labcal.record.run import Dut
 from labcal.record.stream import Measurement
+from labcal.uncertainty.conformity import Judged
 
 Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
@@ -266,6 +267,18 @@ class Standing:
 
 
 @dataclass(frozen=True, slots=True)
+class BudgetLine:
+    """One quantity of a calibration's budget: its U, and its sources with their shares, the largest first."""
+
+    quantity: str
+    at: str
+    U: float
+    k: float
+    unit: str
+    sources: tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class CalibrationFile:
     """What a calibration file says, and how its signatures stand. `u` (12,) of K row by row, then k."""
 
@@ -276,8 +289,11 @@ class CalibrationFile:
     k_nT: tuple[float, ...]
     k_means: str  # what k belongs to, as "at i_eps = 0.0532 A"
     u: tuple[float, ...] | None
+    budget: tuple[BudgetLine, ...]
     effects: tuple[EffectRecord, ...]
     findings: tuple[EffectRecord, ...]
     operator: str
     approvers: tuple[str, ...]
     standing: Standing
+    specification: tuple[Judged, ...] = ()
+    left_open: tuple[str, ...] = ()  # what the specification limits and nothing determined

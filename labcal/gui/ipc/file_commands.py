@@ -7,17 +7,18 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from labcal.files.home import home
-from labcal.gui.ipc.answers import CalibrationFile, Checked, RunLine, Signature, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Checked, RunLine, Signature, Standing
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
     ApplyCalibration,
     Approve,
+    ChangedSince,
     CorrectSerial,
     ExportRun,
     FindSimulatedBench,
@@ -34,6 +35,7 @@ from labcal.gui.ipc.messages import (
     VerifyFile,
     WriteReport,
 )
+from labcal.uncertainty.conformity import LEFT_OPEN, Changes, stated_lines
 
 if TYPE_CHECKING:
     from labcal.certificate import Verification
@@ -108,12 +110,20 @@ def _calibration(path: Path) -> CalibrationFile:
         k_nT=found.affine.k_nT.tolist(),
         k_means=found.k_means(),
         u=None if covariance is None else np.sqrt(np.diag(covariance)[:12]).tolist(),
+        budget=tuple(map(_budget_line, found.budget)),
         effects=found.effects,
         findings=found.findings,
         operator=found.operator,
         approvers=found.approvers,
         standing=_standing(path, session.verify(path)),
+        specification=stated_lines(found),
+        left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
     )
+
+
+def _budget_line(stated: Mapping[str, Any]) -> BudgetLine:
+    shares = sorted(((row["source"], row["share"]) for row in stated["rows"]), key=lambda one: -one[1])
+    return BudgetLine(stated["quantity"], stated["at"], stated["U"], stated["k"], stated["unit"], tuple(shares))
 
 
 def verify(channel: Channel, asked: VerifyFile) -> Standing:
@@ -227,6 +237,13 @@ def apply(channel: Channel, asked: ApplyCalibration) -> str:
     return f"{applied.rows} rows, {applied.rows - applied.flags['']} with a flag: {asked.out}"
 
 
+def changed_since(channel: Channel, asked: ChangedSince) -> Changes | None:
+    """What changed since the calibration before it in this lab's folder."""
+    from labcal import session
+
+    return session.changed_since(session.load_calibration(Path(asked.path)))
+
+
 def hand_out(channel: Channel, asked: HandOut) -> str:
     """Copy a calibration, its signatures and the keys they are checked against to a folder."""
     from labcal import session
@@ -262,6 +279,7 @@ HANDLERS = (
     handles(KeepPhoto, photo),
     handles(CorrectSerial, correct_serial),
     handles(ApplyCalibration, apply),
+    handles(ChangedSince, changed_since),
     handles(HandOut, hand_out),
     handles(FindSimulatedBench, simulated_bench),
 )

@@ -14,6 +14,7 @@ from labcal.bench.coils.state import LabState
 from labcal.gui.ipc import answers
 from labcal.gui.ipc.wire import Fault
 from labcal.record.stream import Item
+from labcal.uncertainty.conformity import Changes
 
 R = TypeVar("R")
 
@@ -262,6 +263,13 @@ class ApplyCalibration(Command[str]):
     source: str
     out: str
     dut: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChangedSince(Command[Changes | None]):
+    """What changed since the calibration before the one at `path` of the same DUT; nothing where none is before."""
+
+    path: str
 
 
 @dataclass(frozen=True, slots=True)

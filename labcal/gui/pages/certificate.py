@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.answers import CalibrationFile, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Standing
 from labcal.gui.ipc.messages import (
     ApplyCalibration,
     Approve,
+    ChangedSince,
     Command,
     HandOut,
     ListCalibrations,
@@ -28,6 +30,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.signing import next_step
 from labcal.gui.viewmodels.study import cause_name
+from labcal.gui.widgets.calibration_views import PARAMETERS, CalibrationViews
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
@@ -55,7 +58,7 @@ class CertificatePage(QWidget):
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
         row.addWidget(self._list_card(), 2)
-        self.detail = self._detail_card()
+        self.detail = self._detail_card(theme)
         row.addWidget(self.detail, 3)
         column.addLayout(row, 1)
         self.drop = Drop()
@@ -66,6 +69,10 @@ class CertificatePage(QWidget):
     def showEvent(self, event: object) -> None:
         """What there is now."""
         self.refresh()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Results in the theme's colours."""
+        self.views.set_theme(theme)
 
     def refresh(self) -> None:
         """Ask for the calibrations and the keys again."""
@@ -92,13 +99,15 @@ class CertificatePage(QWidget):
         card.body.addStretch()
         return card
 
-    def _detail_card(self) -> Card:
+    def _detail_card(self, theme: Theme) -> Card:
         card = Card(self.tr("Chosen calibration"), self.tr("U: k=2"))
         self.heading, self.standing = card.heading, label("", wrap=True)
-        self.table = Table((self.tr("parameter"), self.tr("value"), "± U", self.tr("unit")))
-        self.table.right_heading(1, 2)
+        self.table = Table(PARAMETERS)
+        self.views = CalibrationViews(self.table, theme, self._show_numbers)
         card.body.addWidget(self.standing)
+        card.body.addWidget(self.views)
         card.body.addWidget(self.table, 1)
+        card.body.addWidget(self.views.told)
         self.next = label("", "", wrap=True)
         card.body.addWidget(self.next)
         card.body.addLayout(self._approve_row())
@@ -232,10 +241,14 @@ class CertificatePage(QWidget):
             words.append(self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved))
             self.standing.setText(" ".join(words))
             set_state(self.standing, state)
-            self._show_numbers(one)
+            self.views.show_calibration(one)
+            ask, known = self._app_state.quick_worker.request, partial(self.views.show_changes, one.path)
+            ask(ChangedSince(one.path), known, self.fault.show_fault)
         self._enable()
 
-    def _show_numbers(self, one: CalibrationFile) -> None:
+    def _show_numbers(self) -> None:
+        if (one := self.chosen()) is None:
+            return
         u: tuple[float | None, ...] = one.u or (None,) * 12
         K = [v for row in one.K for v in row]
         gain = f"nT/{one.dut.unit}"
@@ -255,6 +268,20 @@ class CertificatePage(QWidget):
             self.table.set_cell(row, 1, format_number(value, decimals), right=True)
             self.table.set_cell(row, 2, "–" if s is None else format_number(2 * s, decimals, signed=False), right=True)
             self.table.set_cell(row, 3, unit)
+        self._show_budget(one.budget)
+
+    def _show_budget(self, budget: tuple[BudgetLine, ...]) -> None:
+        """A row each quantity below the parameters: what makes most of its U; all of it where one points at it."""
+        first = self.table.rowCount()
+        self.table.setRowCount(first + len(budget))
+        for row, line in enumerate(budget, first):
+            shares = [f"{source} {100 * share:.1f} %" for source, share in line.sources]
+            tip = "\n".join([f"{line.quantity} {line.at}".rstrip(), f"k = {line.k:.2f}", *shares])
+            decimals = decimals_for(line.U, line.U)
+            self.table.set_cell(row, 0, f"{line.quantity} · {line.at}" if line.at else line.quantity, tip=tip)
+            self.table.set_cell(row, 1, shares[0] if shares else "–", right=True, tip=tip)
+            self.table.set_cell(row, 2, format_number(line.U, decimals, signed=False), right=True, tip=tip)
+            self.table.set_cell(row, 3, line.unit)
 
     def _enable(self) -> None:
         one, name = self.chosen(), self.signer.currentText().strip()

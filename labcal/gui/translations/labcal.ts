@@ -191,6 +191,21 @@
     </message>
 </context>
 <context>
+    <name>CalibrationViews</name>
+    <message>
+        <source>What of the calibration is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As found, as left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CertificatePage</name>
     <message>
         <source>Calibrations</source>
@@ -218,18 +233,6 @@
     </message>
     <message>
         <source>U: k=2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>parameter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>unit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1718,6 +1721,82 @@
     </message>
     <message>
         <source>limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>risk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conditional pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conditional fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In specification?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In specification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In specification, conditionally</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in specification, conditionally</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in specification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Risk: how probably the true value is beyond its limit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

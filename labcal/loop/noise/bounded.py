@@ -11,6 +11,7 @@ what there is at it: a process slower than the run is a part of the constant, wh
 from __future__ import annotations
 
 import itertools
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -27,15 +28,36 @@ SIZES = np.logspace(-1, 5, 13).tolist()  # of the slow process at its largest ov
 WHITE_ODDS = 10.0  # of white noise against all the others together, before the residual is asked
 
 
-def bounded_spectrum(transformed: Array, y: Array) -> tuple[Bands, Array]:
-    """The bands and the noise's variance in each, with transformed columns (n, q, b) fitted to transformed y (n, q)."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Weighed:
+    """The spectra tried, as large as the residual makes them, and their odds."""
+
+    bands: Bands
+    weight: Array  # (tried,) adds up to one
+    spectra: Array  # (tried, bands) the noise's variance
+    dof: float  # of the level of each
+
+    @property
+    def mean(self) -> Array:
+        """The noise's variance in each band, over all of them."""
+        return np.asarray(self.weight @ self.spectra)
+
+
+def weighed_spectra(transformed: Array, y: Array) -> Weighed:
+    """What noise there may be, with transformed columns (n, q, b) fitted to transformed y (n, q)."""
     bands, tried = bands_of(len(y)), tried_spectra(len(y))
     grams = _on_independent(grams_of_bands(np.concatenate([transformed, y[:, :, None]], axis=2), bands))
     weighed = np.tensordot(1.0 / tried, grams, axes=1)
     logs, level = np.array([_restricted(g, spectrum, bands, y) for g, spectrum in zip(weighed, tried, strict=True)]).T
     weight = np.exp(logs - logs.max())
     weight[0] *= WHITE_ODDS * (len(weight) - 1)
-    return bands, np.asarray((weight * level) @ tried / weight.sum())
+    return Weighed(bands, weight / weight.sum(), level[:, None] * tried, float(y.size - grams.shape[1] + 1))
+
+
+def bounded_spectrum(transformed: Array, y: Array) -> tuple[Bands, Array]:
+    """The bands and the noise's variance in each, averaged over `weighed_spectra`."""
+    found = weighed_spectra(transformed, y)
+    return found.bands, found.mean
 
 
 @lru_cache(maxsize=8)

@@ -1,0 +1,122 @@
+"""The uncertainty budget on paper: every quantity with its U, the largest in full, and the shares as a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from labcal.certificate.report.page import Block, Plot, Table
+from labcal.certificate.report.style import NOTHING, TEXT, decimals_for, ink, number
+from labcal.model import Calibration
+
+if TYPE_CHECKING:
+    from matplotlib.figure import FigureBase
+
+One = Mapping[str, Any]
+OF_THE_FIELD = "b "  # begins the quantities that are components of the field
+SMALL = 0.01  # share of the variance from which a source has a name in the overview and the picture
+MANY = 1e4  # degrees of freedom beyond which they are as good as infinite
+BAR_IN = 0.17
+
+
+def budget_blocks(c: Calibration) -> list[Block]:
+    """Overview of the field and of the sensor's figures, the largest of each in full, the picture; none without one."""
+    if not c.budget:
+        return []
+    field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
+    figures = [b for b in c.budget if b not in field]
+    in_full = [max(same, key=lambda b: b["U"]) for same in _of_one_kind(field, figures)]
+    drawn = [*field[:9], *figures]
+    picture = Plot(
+        lambda figure: draw_shares(figure, drawn), 0.9 + BAR_IN * len(drawn), "What makes up the variance of each."
+    )
+    return [*([_field_table(field)] if field else []), _figures_table(figures), picture, *map(_rows_table, in_full)]
+
+
+def _of_one_kind(field: Sequence[One], figures: Sequence[One]) -> list[list[One]]:
+    kinds = [list(field), *([b for b in figures if b["quantity"].startswith(w)] for w in ("scale", "zero", "off"))]
+    return [kind for kind in kinds if kind]
+
+
+def _field_table(field: Sequence[One]) -> Table:
+    """A row a point: U of each component."""
+    rows = []
+    for point in dict.fromkeys(b["at"] for b in field):
+        of_point = [b for b in field if b["at"] == point]
+        decimals = decimals_for([b["U"] for b in of_point])
+        worst = max(of_point, key=lambda b: b["U"])
+        rows.append((point, *(number(b["U"], decimals) for b in of_point), _k(worst), largest(worst)))
+    header = ("At", "U(b x) nT", "U(b y) nT", "U(b z) nT", "k", "Largest contributions (to the largest U)")
+    note = "U of each component of the field from one reading; about 95 %. All rows of every budget are in the file."
+    return Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note)
+
+
+def _figures_table(figures: Sequence[One]) -> Table:
+    rows = tuple(
+        (b["quantity"], b["at"] or NOTHING, number(b["U"], decimals_for([b["U"]])), _k(b), b["unit"], largest(b))
+        for b in figures
+    )
+    return Table(("Figure", "At", "U", "k", "Unit", "Largest contributions"), rows, frozenset({2, 3}))
+
+
+def _rows_table(b: One) -> Table:
+    """One budget in full, the largest contribution first (GUM, 7.2.7)."""
+    rows = tuple(
+        (
+            row["source"],
+            row["type"],
+            row["distribution"],
+            f"{number(row['u'], decimals_for([row['u']]))} {row['unit']}",
+            f"{row['sensitivity']:.3g}".replace("-", "−"),
+            number(abs(row["u"] * row["sensitivity"]), decimals_for([b["U"]]) + 1),
+            f"{100 * row['share']:.1f} %",
+            dof_text(row["dof"]),
+        )
+        for row in sorted(b["rows"], key=lambda row: -row["share"])
+    )
+    at = f" at {b['at']}" if b["at"] else ""
+    U = number(b["U"], decimals_for([b["U"]]))
+    said = f"{b['quantity']}{at}: U = {U} {b['unit']}, k = {_k(b)}, effective degrees of freedom {dof_text(b['dof'])}."
+    if pairs := ", ".join(f"{c['one']} and {c['other']} {c['r']:+.2f}" for c in b["correlations"]):
+        said += f" The sources are independent; of the fitted parameters these are correlated: {pairs}."
+    header = ("Source", "Type", "Distribution", "u", "Sensitivity", f"|c·u| ({b['unit']})", "Share", "DoF")
+    return Table(header, rows, frozenset({3, 4, 5, 6, 7}), said)
+
+
+def largest(b: One, most: int = 2) -> str:
+    """The largest contributions in words, as "reference zero z 88 %"."""
+    rows = sorted(b["rows"], key=lambda row: -row["share"])[:most]
+    return ", ".join(f"{row['source']} {100 * row['share']:.0f} %" for row in rows if row["share"] > SMALL)
+
+
+def dof_text(dof: float | None) -> str:
+    """Degrees of freedom as they are printed: rounded down (GUM, G.4.1), ∞ for very many."""
+    return "∞" if dof is None or dof > MANY else f"{int(dof)}"
+
+
+def _k(b: One) -> str:
+    return f"{b['k']:.2f}"
+
+
+def draw_shares(figure: FigureBase, drawn: Sequence[One]) -> None:
+    """A bar each quantity, in its sources' shares of the variance; sources that differ in the axis alone are one."""
+    axes = figure.subplots()
+    sources = dict.fromkeys(_kind(row["source"]) for b in drawn for row in b["rows"] if row["share"] > SMALL)
+    left = [0.0] * len(drawn)
+    for place, source in enumerate(sources):
+        parts = [sum(row["share"] for row in b["rows"] if _kind(row["source"]) == source) for b in drawn]
+        axes.barh(range(len(drawn)), parts, left=left, height=0.72, color=ink(place)[0], label=source)
+        left = [at + part for at, part in zip(left, parts, strict=True)]
+    names = [f"{b['quantity']}, {b['at']}" if b["quantity"].startswith(OF_THE_FIELD) else b["quantity"] for b in drawn]
+    axes.set_yticks(range(len(drawn)), names, color=TEXT)
+    axes.invert_yaxis()
+    axes.set(xlim=(0, 1), xlabel="share of the variance")
+    axes.grid(axis="y", visible=False)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.4, 1.0), ncols=2, handlelength=1.2)
+
+
+def _kind(source: str) -> str:
+    """The source without its axis: "reference zero x" is a reference zero."""
+    for end in (*(f" about {a}" for a in "xyz"), *(f" {a}" for a in "xyz")):
+        source = source.removesuffix(end)
+    return source

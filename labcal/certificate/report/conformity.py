@@ -1,0 +1,65 @@
+"""Is it in specification, and what changed since the calibration before: tables and marks of a printed page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from labcal.certificate.report.page import Block, Mark, Prose, Table, Tone
+from labcal.certificate.report.style import NOTHING, decimals_for, number
+from labcal.uncertainty.conformity import WORDS, Change, Changes, Judged, risk_in_words
+
+MARKS: dict[str, tuple[str, Tone]] = {
+    "pass": ("IN SPECIFICATION", "good"),
+    "conditional-pass": ("IN SPECIFICATION, CONDITIONALLY", "warning"),
+    "conditional-fail": ("NOT IN SPECIFICATION, CONDITIONALLY", "warning"),
+    "fail": ("NOT IN SPECIFICATION", "bad"),
+}
+RISK = (
+    "U is the expanded uncertainty, k = 2. Risk: the probability that the true value is beyond its limit, so that of a "
+    "false acceptance (specific risk, JCGM 106:2012, from a normal distribution and this measurement alone). "
+    "TUR: limit / U."
+)
+E_N = (
+    "U is that of the difference, k = 2. E_n = (as left − as found) / U: beyond ±1 the sensor has changed. Errors that "
+    "both calibrations have in common, as those of one reference, count twice in U. |b| is worked out by either "
+    "calibration from the readings of the strongest field, without effects."
+)
+
+
+def conformity_marks(lines: Sequence[Judged]) -> tuple[Mark, ...]:
+    """The worst result of all lines as a mark; none without lines."""
+    worst = max((line.result for line in lines), key=list(MARKS).index, default=None)
+    return () if worst is None else (Mark(*MARKS[worst]),)
+
+
+def conformity_blocks(lines: Sequence[Judged]) -> list[Block | None]:
+    """The table of the specification's lines and the rule that decided; nothing where there are none."""
+    if not lines:
+        return []
+    header = ("Figure", "Value", "U", "Limit ±", "Unit", "Result", "Risk", "TUR")
+    rules = dict.fromkeys(line.rule for line in lines)
+    said = f"Decision rule, chosen before the measurement: {'; '.join(rules)}."
+    return [Table(header, tuple(map(_line, lines)), frozenset({1, 2, 3, 6, 7}), RISK), Prose((said,))]
+
+
+def _line(line: Judged) -> tuple[str, ...]:
+    decimals = decimals_for([line.U])
+    value, U = number(line.value, decimals), number(line.U, decimals)
+    tur = NOTHING if line.tur is None else number(line.tur)
+    return line.quantity, value, U, f"{line.limit:g}", line.unit, WORDS[line.result], risk_in_words(line.risk), tur
+
+
+def change_blocks(found: Changes | None) -> list[Block | None]:
+    """What changed from the calibration before to this one; nothing where there is none before."""
+    if found is None:
+        return []
+    said = f"As found by the calibration of run {found.found}, as left by this one. {found.in_words()}"
+    header = ("Figure", "As found", "As left", "Change", "U", "Unit", "E_n", "")
+    table = Table(header, tuple(map(_change, found.rows)), frozenset({1, 2, 3, 4, 6}), E_N)
+    return [Prose((said, *found.remarks)), table]
+
+
+def _change(row: Change) -> tuple[str, ...]:
+    decimals = decimals_for([row.U or 0.0])
+    numbers = (number(v, decimals) for v in (row.found, row.left, row.left - row.found, row.U or float("nan")))
+    return row.quantity, *numbers, row.unit, number(row.e_n, 2), "changed" if row.changed else ""

@@ -1,0 +1,104 @@
+"""What of a calibration stands in its table: parameters, the specification's lines, or what changed since before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
+
+from labcal.gui.ipc.answers import CalibrationFile
+from labcal.gui.theming.theme import Theme
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.conformity import (
+    CHANGES,
+    SPECIFICATION,
+    Cell,
+    change_rows,
+    rule_of,
+    specification_rows,
+    verdict,
+)
+from labcal.gui.widgets.common import label
+from labcal.gui.widgets.measurement_table import Table
+from labcal.uncertainty.conformity import Changes
+
+PARAMETERS = ("parameter", "value", "± U", "unit")
+SPECIFIED, CHANGED = 1, 2  # tabs beside the parameters
+
+
+class CalibrationViews(QWidget):
+    """Tabs above `table`; the second tab's name says what the lines come to. `show_parameters` writes the first view.
+
+    `told`, to be put below the table, says by which rule was decided, or what changed most.
+    """
+
+    def __init__(self, table: Table, theme: Theme, show_parameters: Callable[[], None]) -> None:
+        super().__init__()
+        self._table, self._theme, self._show_parameters = table, theme, show_parameters
+        self._one: CalibrationFile | None = None
+        self._changes: Changes | None = None
+        self.tabs, self.told = QTabBar(), label("", "caption", wrap=True)
+        self.tabs.setAccessibleName(self.tr("What of the calibration is shown"))
+        self.tabs.setDrawBase(False)
+        self.tabs.setExpanding(False)
+        for name in (self.tr("Parameters"), verdict(()), self.tr("As found, as left")):
+            self.tabs.addTab(name)
+        self.tabs.currentChanged.connect(self.show_view)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.tabs)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Results in the theme's colours."""
+        self._theme = theme
+        self.show_view()
+
+    def show_calibration(self, one: CalibrationFile) -> None:
+        """Show another calibration; what changed before it is not known yet."""
+        another = self._one is None or self._one.path != one.path
+        self._one = one
+        if another:
+            self.show_changes(one.path, None)
+        self.tabs.setTabText(SPECIFIED, verdict(one.specification))
+        self.tabs.setTabEnabled(SPECIFIED, bool(one.specification or one.left_open))
+        self.show_view()
+
+    def show_changes(self, path: str, found: Changes | None) -> None:
+        """What changed since the calibration before the one at `path`, if that is shown; nothing where none is."""
+        if self._one is None or self._one.path != path:
+            return
+        self._changes = found
+        self.tabs.setTabEnabled(CHANGED, found is not None)
+        moved = 0 if found is None else sum(row.changed for row in found.rows)
+        name = self.tr("As found, as left")
+        self.tabs.setTabText(CHANGED, f"▲ {name}: {translated('{0} changed').format(moved)}" if moved else name)
+        self.show_view()
+
+    def show_view(self) -> None:
+        """The table of the chosen tab."""
+        one, at = self._one, self.tabs.currentIndex()
+        if one is None:
+            return
+        self._table.clearContents()
+        self.told.hide()
+        if at == CHANGED and self._changes is not None:
+            told = " ".join((self._changes.in_words(), *self._changes.remarks))
+            self._show_rows(CHANGES, change_rows(self._changes), told)
+        elif at == SPECIFIED:
+            told = " ".join((rule_of(one.specification), *one.left_open))
+            self._show_rows(SPECIFICATION, specification_rows(one.specification), told)
+        else:
+            self._table.set_headings(PARAMETERS)
+            self._table.right_heading(1, 2)
+            self._show_parameters()
+
+    def _show_rows(self, headings: tuple[str, ...], rows: list[list[Cell]], told: str) -> None:
+        self._table.set_headings(headings)
+        self._table.right_heading(*(column for column, cell in enumerate(rows[0] if rows else []) if cell.right))
+        self._table.setRowCount(len(rows))
+        for row, cells in enumerate(rows):
+            for column, cell in enumerate(cells):
+                colour = getattr(self._theme, cell.state) if cell.state else ""
+                self._table.set_cell(row, column, cell.text, right=cell.right, colour=colour)
+        self.told.setText(told)
+        self.told.show()

@@ -1,0 +1,26 @@
+"""All that makes the parameters of a calibration uncertain, source by source, each independent of the others."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.uncertainty.contribution import Contribution, covariance_of
+from labcal.uncertainty.fit_noise import FitNoise
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sources:
+    """The run's noise, and what the run declares of its reference and mounting, over the same p parameters."""
+
+    noise: FitNoise
+    declared: tuple[Contribution, ...]
+
+    @property
+    def covariance(self) -> Array:
+        """All together (p, p)."""
+        return np.asarray(self.noise.covariance + covariance_of(self.declared, self.noise.each.shape[1]))

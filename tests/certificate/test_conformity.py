@@ -1,0 +1,254 @@
+"""Conformity and change where people and machines read them: report, DCC, command line."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.certificate import Signer, changed_from, changed_since, verify
+from labcal.certificate.calibration_file import calibration_bytes, read_calibration
+from labcal.certificate.dcc import DCC, SI, Laboratory, Place, dcc_xml, si_unit
+from labcal.certificate.report import calibration_page
+from labcal.certificate.report.html import html
+from labcal.cli import execute
+from labcal.errors import InputError
+from labcal.model import Calibration
+from labcal.record import Dut, Limit, Reference, Run, Segment, Specification
+from labcal.store import bundle_of, save_bundle
+from labcal.testing.made_up_runs import made_up_run
+from labcal.uncertainty.conformity import changes
+from labcal.uncertainty.conformity.decision import Judged
+
+GUARDED = "guard band w = 1 U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)"
+LINES = (
+    Judged("offset x", 1250.0, 40.0, 1500.0, "nT", GUARDED, "pass", 3.7e-36, 37.5),
+    Judged("scale y", -0.49, 0.02, 0.5, "%", GUARDED, "conditional-pass", 0.1587, 25.0),
+    Judged("non-orthogonality y-z", 61.0, 2.0, 60.0, "arcmin", GUARDED, "conditional-fail", 0.8413, 30.0),
+    Judged("noise", 31.0, 0.5, 20.0, "nT", GUARDED, "fail", 1.0, 40.0),
+)
+
+
+@pytest.fixture
+def judged(calibration: Calibration) -> Calibration:
+    return replace(calibration, specification=tuple(asdict(line) for line in LINES))
+
+
+def page_of(
+    calibration: Calibration, path: Path, lab: tuple[Signer, ...] = (), before: Calibration | None = None
+) -> str:
+    path.write_bytes(calibration_bytes(calibration))
+    checked = verify(path, lab, frozenset(), datetime(2026, 11, 21, tzinfo=UTC))
+    changed = None if before is None else changes(calibration, before)
+    return html(calibration_page(calibration, checked, "now", changed=changed))
+
+
+def test_the_file_keeps_the_lines(judged: Calibration, tmp_path: Path):
+    (tmp_path / "cal.json").write_bytes(calibration_bytes(judged))
+    found = read_calibration(tmp_path / "cal.json")
+    assert tuple(Judged(**line) for line in found.specification) == LINES
+
+
+def test_the_report_states_each_line_its_rule_and_its_risk(judged: Calibration, tmp_path: Path):
+    text = page_of(judged, tmp_path / "cal.json")
+    for said in (
+        "Is it in specification?", "NOT IN SPECIFICATION", "PASS", "conditional pass", "conditional fail", "FAIL",
+        "&lt; 0.01 %", "16 %", "84 %", "&gt; 99 %", "arcmin", "37.5", "Decision rule, chosen before the measurement",
+        "guard band w = 1 U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)",
+    ):  # fmt: skip
+        assert said in text, said
+
+
+@pytest.mark.parametrize(
+    ("count", "mark"),
+    [
+        (1, ">IN SPECIFICATION<"),
+        (2, ">IN SPECIFICATION, CONDITIONALLY<"),
+        (3, ">NOT IN SPECIFICATION, CONDITIONALLY<"),
+        (4, ">NOT IN SPECIFICATION<"),
+    ],
+)
+def test_the_worst_line_is_the_mark(judged: Calibration, tmp_path: Path, count: int, mark: str):
+    assert mark in page_of(replace(judged, specification=judged.specification[:count]), tmp_path / "cal.json")
+
+
+def test_a_report_without_a_specification_or_a_predecessor_says_nothing_of_them(calibration: Calibration, draft: Path):
+    text = page_of(calibration, draft)
+    assert "specification" not in text.split("<body>")[1].lower()
+    assert "As found" not in text
+
+
+def moved(calibration: Calibration, by_nT: float) -> Calibration:
+    affine = replace(calibration.affine, k_nT=calibration.affine.k_nT + [by_nT, 0.0, 0.0])
+    return replace(calibration, affine=affine, run_id="r-2025-11-02-01")
+
+
+def test_the_report_says_what_changed_in_units_of_its_uncertainty(calibration: Calibration, tmp_path: Path):
+    text = page_of(calibration, tmp_path / "cal.json", before=moved(calibration, 300.0))
+    assert "As found, as left" in text
+    assert "As found by the calibration of run r-2025-11-02-01, as left by this one." in text
+    # 300 nT of k with u = 2 nT in both: E_n = -300 / (2 · √2 · 2) = -53.03 for the offset along x
+    assert "\u221253.03" in text
+    assert "changed by more than their uncertainty" in text
+    assert "No figure changed" in page_of(calibration, tmp_path / "cal.json", before=moved(calibration, 2.0))
+
+
+def run_at(started_utc: str, serial: str = "FM-07") -> Run:
+    return Run(
+        "r", started_utc, True, "", Dut(serial), Reference("none"), (Segment("a", "static"),), np.array([5.0, 1205.0]),
+        np.zeros(2, dtype=np.intp), np.zeros((2, 3)),
+    )  # fmt: skip
+
+
+def test_a_dcc_states_conformity_in_the_schema_s_own_words(judged: Calibration):
+    etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
+    laboratory = Laboratory(name="A", city="Bern", country="CH", customer=Place(name="X", city="Y", country="DE"))
+    xml = dcc_xml(judged, calibration_bytes(judged), "cal.json", run_at("2026-11-21T23:50:00Z"), laboratory)
+    root, names = etree.fromstring(xml), {"dcc": DCC, "si": SI}
+    verdicts = [e.text for e in root.iterfind(".//dcc:conformity", names)]
+    assert verdicts == ["pass", "conditionalPass", "conditionalFail", "fail"]
+    quantities = [e.getparent().getparent().getparent() for e in root.iterfind(".//dcc:conformity", names)]
+    stated = [
+        (q.findtext("si:real/si:value", namespaces=names), q.findtext("si:real/si:unit", namespaces=names))
+        for q in quantities
+    ]
+    assert stated == [(repr(line.value), si_unit(line.unit)) for line in LINES]
+    limits = [q.findtext(".//dcc:data/dcc:quantity/si:real/si:value", namespaces=names) for q in quantities]
+    assert limits == [repr(line.limit) for line in LINES]
+    expanded = [q.findtext(".//si:valueExpandedMU", namespaces=names) for q in quantities]
+    assert expanded == [repr(line.U) for line in LINES]
+    told = quantities[1].findtext(".//dcc:declaration/dcc:content", namespaces=names)
+    assert "Absolute value at most 0.5 %." in told
+    assert GUARDED in told
+    assert "Specific risk of false acceptance 16 %. Test uncertainty ratio 25." in told
+    assert [si_unit(u) for u in ("%", "ppm", "µT", "arcmin")] == [r"\percent", r"\ppm", r"\micro\tesla", r"\arcminute"]
+
+
+def test_the_calibration_before_is_the_last_of_the_same_sensor(calibration: Calibration, tmp_path: Path):
+    started = {}
+
+    def put(name: str, started_utc: str, found: Calibration) -> None:
+        (tmp_path / f"{name}.json").write_bytes(calibration_bytes(replace(found, run_id=name)))
+        started[name] = started_utc
+
+    own = replace(calibration, run_id="own")
+    put("own", "2026-11-21T08:00:00Z", calibration)
+    assert changed_since(own, tmp_path, started) is None
+    put("first", "2024-11-21T08:00:00Z", moved(calibration, 300.0))
+    put("second", "2025-11-21T08:00:00Z", moved(calibration, 2.0))
+    put("later", "2027-11-21T08:00:00Z", moved(calibration, 900.0))
+    put("another", "2026-11-20T08:00:00Z", replace(calibration, dut=replace(calibration.dut, serial="FM-08")))
+    put("real", "2026-11-20T08:00:00Z", replace(calibration, simulated=False))
+    (tmp_path / "broken.json").write_text("{")
+    assert changed_since(own, tmp_path, started).found == "second"
+    assert changed_since(own, tmp_path / "nowhere", started) is None
+    assert changed_since(own, tmp_path, {}) is None
+    with pytest.raises(InputError, match=r"another.json: is of FM-08, not of FM-07"):
+        changed_from(own, tmp_path / "another.json")
+    with pytest.raises(InputError, match="not JSON"):
+        changed_from(own, tmp_path / "broken.json")
+
+
+SHEET = 'offset = { limit = 5, unit = "uT" }\nnoise = { limit = 40, unit = "nT" }\n'
+
+
+@pytest.fixture
+def recorded(tmp_path: Path) -> Path:
+    """A bundle whose run was recorded under a specification."""
+    limits = {"offset": Limit(5.0, "uT"), "noise": Limit(40.0, "nT"), "residual": Limit(90.0, "nT")}
+    save_bundle(
+        bundle_of(replace(made_up_run(rows=40).run, specification=Specification(**limits))), tmp_path / "bundle"
+    )
+    return tmp_path / "bundle"
+
+
+def test_fit_prints_the_lines_and_writes_them(
+    recorded: Path, tmp_path: Path, home_of_its_own: Path, capsys: pytest.CaptureFixture[str]
+):
+    made = tmp_path / "cal.json"
+    assert execute(["fit", str(recorded), "--out", str(made)]) == 0
+    shown = capsys.readouterr().out
+    for said in ("offset x", "noise", "residual", "PASS", "Decision rule: guard band w = 1 U"):
+        assert said in shown, said
+    stated = json.loads(made.read_bytes())["specification"]
+    assert [line["quantity"] for line in stated] == ["offset x", "offset y", "offset z", "noise", "residual"]
+    assert {line["result"] for line in stated} == {"pass"}
+    assert stated[0]["tur"] == pytest.approx(stated[0]["limit"] / stated[0]["U"])
+    assert execute(["conformity", str(made)]) == 0
+    assert "offset x" in capsys.readouterr().out
+    assert execute(["report", str(made), "--out", str(tmp_path / "cal.html")]) == 0
+    assert "Is it in specification?" in (tmp_path / "cal.html").read_text()
+
+
+def test_another_specification_is_judged_and_said_to_have_been_chosen_afterwards(
+    recorded: Path, tmp_path: Path, home_of_its_own: Path, capsys: pytest.CaptureFixture[str]
+):
+    made, sheet = tmp_path / "cal.json", tmp_path / "sheet.toml"
+    assert execute(["fit", str(recorded), "--out", str(made)]) == 0
+    sheet.write_text(SHEET)
+    capsys.readouterr()
+    asked = ["conformity", str(made), "--specification", str(sheet)]
+    assert execute(asked) == 1  # the run is not at hand: its noise is open
+    shown = capsys.readouterr().out
+    assert "noise, which only the run shows, and it is not at hand" in " ".join(shown.split())
+    assert "not chosen before the measurement" in shown
+    assert execute([*asked, "--run", str(recorded)]) == 0
+    sheet.write_text(SHEET.replace("limit = 40", "limit = 4"))
+    assert execute([*asked, "--run", str(recorded), "--json", str(tmp_path / "lines.json")]) == 1
+    lines = json.loads((tmp_path / "lines.json").read_text())["specification"]
+    assert [line["result"] for line in lines] == ["pass", "pass", "pass", "fail"]
+    save_bundle(bundle_of(made_up_run(rows=40, seed=9).run), tmp_path / "other")
+    assert execute([*asked, "--run", str(tmp_path / "other")]) == 2
+
+
+def test_a_calibration_measured_under_none_says_so(draft: Path, capsys: pytest.CaptureFixture[str]):
+    assert execute(["conformity", str(draft)]) == 2
+    assert "was measured under no specification: name one with --specification FILE" in capsys.readouterr().err
+
+
+def test_compare_tells_a_change_by_its_exit_code(
+    calibration: Calibration, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+):
+    for name, by in (("now", 0.0), ("same", 2.0), ("then", 300.0)):
+        (tmp_path / f"{name}.json").write_bytes(calibration_bytes(moved(calibration, by)))
+    now, same, then = (str(tmp_path / f"{name}.json") for name in ("now", "same", "then"))
+    assert execute(["compare", now, same]) == 0
+    assert execute(["compare", now, then, "--json", str(tmp_path / "changes.json")]) == 1
+    assert "-53.03" in capsys.readouterr().out
+    rows = json.loads((tmp_path / "changes.json").read_text())["rows"]
+    assert rows[0]["e_n"] == pytest.approx(-300 / (4 * np.sqrt(2)), rel=1e-3)
+
+
+def test_a_report_compares_with_the_file_that_it_is_told(
+    calibration: Calibration, tmp_path: Path, home_of_its_own: Path
+):
+    for name, by in (("now", 0.0), ("then", 300.0)):
+        (tmp_path / f"{name}.json").write_bytes(calibration_bytes(moved(calibration, by)))
+    session.report(str(tmp_path / "now.json"), tmp_path / "now.html", before=tmp_path / "then.json")
+    assert "As found, as left" in (tmp_path / "now.html").read_text()
+
+
+def test_a_report_is_written_where_the_store_cannot_be_read(
+    calibration: Calibration, tmp_path: Path, home_of_its_own: Path
+):
+    (home_of_its_own / "store.sqlite").write_bytes(b"no store at all, but longer than nothing" * 40)
+    (tmp_path / "now.json").write_bytes(calibration_bytes(calibration))
+    session.report(str(tmp_path / "now.json"), tmp_path / "now.html")
+    assert "As found" not in (tmp_path / "now.html").read_text()
+
+
+def test_the_lab_s_own_folder_is_looked_through(calibration: Calibration, tmp_path: Path, home_of_its_own: Path):
+    folder = home_of_its_own / "calibrations"
+    folder.mkdir(parents=True)
+    for name, day, by in (("then", "2025-11-21", 300.0), ("now", "2026-11-21", 0.0)):
+        save_bundle(bundle_of(replace(run_at(f"{day}T08:00:00Z"), run_id=name)), tmp_path / name)
+        session.import_bundle(tmp_path / name)
+        (folder / f"{name}.json").write_bytes(calibration_bytes(replace(moved(calibration, by), run_id=name)))
+    session.report(str(folder / "now.json"), tmp_path / "now.html")
+    assert "As found by the calibration of run then" in (tmp_path / "now.html").read_text()
+    assert session.changed_since(read_calibration(folder / "then.json")) is None

@@ -1,0 +1,117 @@
+"""A chosen calibration's tabs: the specification's lines in word, shape and colour, and what changed since before."""
+
+from __future__ import annotations
+
+import pytest
+
+from labcal.gui.ipc.answers import CalibrationFile, Standing
+from labcal.gui.theming.theme import DARK, LIGHT
+from labcal.gui.viewmodels.conformity import change_rows, specification_rows, verdict
+from labcal.gui.widgets.calibration_views import CHANGED, PARAMETERS, SPECIFIED, CalibrationViews
+from labcal.gui.widgets.measurement_table import Table
+from labcal.record import Dut
+from labcal.uncertainty.conformity import Change, Changes, Judged
+
+RULE = "guard band w = 1 U, k = 2 (ILAC G8:09/2019, 4.2.3; JCGM 106:2012, 8.3)"
+LINES = (
+    Judged("offset x", -1250.0, 40.0, 1500.0, "nT", RULE, "pass", 3.7e-36, 37.5),
+    Judged("scale y", 0.49, 0.02, 0.5, "%", RULE, "conditional-pass", 0.1587, 25.0),
+    Judged("noise", 20.3, 0.5, 20.0, "nT", RULE, "conditional-fail", 0.88, None),
+    Judged("linearity z", 0.09, 0.002, 0.05, "%", RULE, "fail", 1.0, 25.0),
+)
+FOUND = Changes(
+    "r1", "r2",
+    (
+        Change("offset x", 100.0, 160.0, 20.0, "nT", 3.0),
+        Change("scale y", 4.0, 3.0, 9.0, "ppm", -0.11),
+        Change("scale z", 4.0, 3.0, None, "ppm", None),
+    ),
+    ("Offsets are not of the same state.",),
+)  # fmt: skip
+
+
+def calibration(lines: tuple[Judged, ...] = LINES, left_open: tuple[str, ...] = (), path: str = "a") -> CalibrationFile:
+    standing = Standing(path, True, False, (), (), ())
+    return CalibrationFile(
+        path, "r2", Dut("S1"), ((1.0,) * 3,) * 3, (0.0,) * 3, "", None, (), (), "", (), standing, specification=lines,
+        left_open=left_open,
+    )  # fmt: skip
+
+
+@pytest.fixture
+def views(qtbot):
+    table = Table(PARAMETERS)
+    made = CalibrationViews(table, LIGHT, lambda: table.setRowCount(1))
+    made.table = table
+    qtbot.addWidget(table)
+    qtbot.addWidget(made)
+    return made
+
+
+def text(table: Table) -> list[list[str]]:
+    return [[table.text(row, column) for column in range(table.columnCount())] for row in range(table.rowCount())]
+
+
+def test_each_result_has_its_word_shape_and_colour(views):
+    views.show_calibration(calibration())
+    assert views.tabs.tabText(SPECIFIED) == "✕ Not in specification"
+    views.tabs.setCurrentIndex(SPECIFIED)
+    rows = text(views.table)
+    assert rows[0] == ["offset x", "−1\u202f250", "40", "1500", "nT", "✓ PASS", "< 0.01 %", "37.5"]
+    assert [row[5] for row in rows] == ["✓ PASS", "▲ conditional pass", "▼ conditional fail", "✕ FAIL"]
+    assert rows[2][7] == "–"
+    colours = [views.table.item(row, 5).foreground().color().name() for row in range(4)]
+    assert colours == [LIGHT.good, LIGHT.warning, LIGHT.warning, LIGHT.bad]
+    assert RULE in views.told.text()
+    views.set_theme(DARK)
+    assert views.table.item(3, 5).foreground().color().name() == DARK.bad
+
+
+def test_the_tab_says_what_the_lines_come_to():
+    said = [verdict(LINES[:count]) for count in range(5)]
+    assert said == [
+        "In specification?",
+        "✓ In specification",
+        "▲ In specification, conditionally",
+        "▼ Not in specification, conditionally",
+        "✕ Not in specification",
+    ]
+
+
+def test_what_changed_comes_later_and_belongs_to_the_calibration_that_is_shown(views):
+    views.show_calibration(calibration())
+    assert not views.tabs.isTabEnabled(CHANGED)
+    views.show_changes("another", FOUND)
+    assert not views.tabs.isTabEnabled(CHANGED)
+    views.show_changes("a", FOUND)
+    assert views.tabs.isTabEnabled(CHANGED)
+    assert views.tabs.tabText(CHANGED) == "▲ As found, as left: 1 changed"
+    views.tabs.setCurrentIndex(SPECIFIED)
+    views.tabs.setCurrentIndex(CHANGED)
+    rows = text(views.table)
+    assert rows[0] == ["offset x", "+100", "+160", "20", "nT", "+3.00", "▲ changed"]
+    assert rows[1][5:] == ["−0.11", ""]
+    assert rows[2][3:] == ["–", "ppm", "–", ""]
+    assert "1 of 2 figures changed" in views.told.text()
+    assert "not of the same state" in views.told.text()
+    assert views.table.item(1, 5).foreground() != views.table.item(0, 6).foreground()
+    views.show_calibration(calibration(path="b"))
+    assert not views.tabs.isTabEnabled(CHANGED)
+    assert views.tabs.currentIndex() != CHANGED
+    assert views.table.columnCount() != len(rows[0])
+
+
+def test_without_lines_there_is_nothing_to_open_but_what_was_left_open(views):
+    views.show_calibration(calibration(()))
+    assert not views.tabs.isTabEnabled(SPECIFIED)
+    views.show_calibration(calibration((), ("Of the specification: noise, which this run does not determine.",)))
+    assert views.tabs.isTabEnabled(SPECIFIED)
+    views.tabs.setCurrentIndex(SPECIFIED)
+    assert (views.table.rowCount(), "does not determine" in views.told.text()) == (0, True)
+
+
+def test_rows_are_as_wide_as_their_headings():
+    from labcal.gui.viewmodels.conformity import CHANGES, SPECIFICATION
+
+    assert {len(row) for row in specification_rows(LINES)} == {len(SPECIFICATION)}
+    assert {len(row) for row in change_rows(FOUND)} == {len(CHANGES)}
