@@ -43,7 +43,7 @@ def scalar_cage(
     *,
     field_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "of each coil alone"] = 40_000.0,
     modulus_nT: Annotated[float, Limits(1_000, 100_000, unit="nT"), "of the field that rotates"] = 50_000.0,
-    n_directions: Annotated[int, Limits(12, 200), "of the field that rotates, at two moduli"] = 32,
+    n_directions: Annotated[int, Limits(16, 200), "of the field that rotates, at two moduli"] = 32,
     dwell_s: Annotated[float, Limits(0.5, 60, unit="s"), "recorded in each field"] = 2.0,
     verify: Annotated[int, Limits(4, 200), "fields that no fit sees, at the end"] = 12,
     error_nT: Annotated[float, Limits(0.01, 1e5, unit="nT"), "rms error of the magnitude there that passes"] = 5.0,

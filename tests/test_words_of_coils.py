@@ -68,6 +68,8 @@ NO_CLAIM = {
     "DUT less reference, coils off": ASKED,
     "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
     "Each coil goes to ±{} µT. Hands off?": ASKED,
+    "Each coil goes to ±{} µT, then the field rotates. Hands off?": ASKED,
+    "current at zero {}": ASKED,
     "Each coil alternates from ±{} µT downwards. Hands off?": ASKED,
     "The coils go to {} µT and the platform turns. Hands off?": ASKED,
     "Where it lives, or another stands by, that one takes the coils to zero: guardian.log says what was read back, and "

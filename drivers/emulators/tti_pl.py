@@ -43,8 +43,8 @@ class TtiEmulator(Answers):
         self._error, self._locked = 0, False
         serial = 512_340 + sum(ord(role[-1]) - ord("x") for role in roles)
         who = f"THURLBY THANDAR, PL303QMT-P, {serial}, 3.02-4.06"
-        self._words = Messages(who, self._do, self._reset, none="", end="\r\n", words=str.upper)
-        super().__init__(self._words.line, delay_s=0.008)
+        self.words = Messages(who, self._do, self._reset, none="", end="\r\n", words=str.upper)
+        super().__init__(self.words.line, delay_s=0.008)
 
     def _reset(self, t_s: float) -> None:
         for output in self._outputs.values():
@@ -111,7 +111,7 @@ class TtiEmulator(Answers):
         elif how != "DELTA" and not step[4]:
             self._set(t_s, output, what, getattr(output, what) + output.steps[what] * (1 if how == "INC" else -1))
         else:
-            self._words.events |= COMMAND_ERROR
+            self.words.events |= COMMAND_ERROR
 
     def _set(self, t_s: float, output: Output, what: str, value: float) -> None:
         if what == "OP":
@@ -121,7 +121,7 @@ class TtiEmulator(Answers):
         elif what == "IRANGE" and value in (1, 2):
             output.IRANGE = int(value)
         elif what not in MAX:
-            self._words.events |= COMMAND_ERROR
+            self.words.events |= COMMAND_ERROR
         elif not 0 <= value <= MAX[what]:
             self._refuse(OUT_OF_RANGE)
         else:
@@ -131,4 +131,4 @@ class TtiEmulator(Answers):
         output.limited = output.coil.drive(t_s, output.I, output.V, output.on)
 
     def _refuse(self, error: int) -> None:
-        self._words.events, self._error = self._words.events | EXECUTION_ERROR, error
+        self.words.events, self._error = self.words.events | EXECUTION_ERROR, error

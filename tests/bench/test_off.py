@@ -156,7 +156,7 @@ def test_check_names_one_supply_that_answers_at_two_links(
     lab: Served, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("COLUMNS", "200")
-    lab.emulator("supply_y")._serial = lab.emulator("supply_x")._serial
+    lab.emulator("supply_y").words.who = lab.emulator("supply_x").words.who
     assert execute(["bench", "check", str(lab.file)]) == 3
     said = " ".join(capsys.readouterr().out.split())
     assert said.count("the same instrument") == 2

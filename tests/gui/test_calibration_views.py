@@ -33,7 +33,8 @@ FOUND = Changes(
 def calibration(lines: tuple[Judged, ...] = LINES, left_open: tuple[str, ...] = (), path: str = "a") -> CalibrationFile:
     standing = Standing(path, True, False, (), (), ())
     return CalibrationFile(
-        path, "r2", Dut("S1"), ((1.0,) * 3,) * 3, (0.0,) * 3, "", None, (), (), "", (), standing, specification=lines,
+        path, "r2", Dut("S1"), ((1.0,) * 3,) * 3, (0.0,) * 3, "", None, (), (), (), "", (), standing,
+        specification=lines,
         left_open=left_open,
     )  # fmt: skip
 

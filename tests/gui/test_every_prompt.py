@@ -16,6 +16,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication
+from scalar_lab import SCALAR, sensor
 
 import procedures
 from labcal.bench import steps
@@ -100,6 +101,11 @@ class Questions:
         elif way == "by hand":
             bench = self.folder / "by-hand.toml"
             bench.write_text(EXAMPLE.read_text(encoding="utf-8").replace('"zaber"', '"manual"'), encoding="utf-8")
+        elif name == "scalar-cage":
+            bench, text = self.folder / "scalar.toml", EXAMPLE.read_text(encoding="utf-8")
+            for old, new in [("surprise = true", sensor(0)), *SCALAR]:
+                text = text.replace(old, new)
+            bench.write_text(text, encoding="utf-8")
         elif name == "a fault":
             (self.folder / "a_fault.py").write_text(A_FAULT, encoding="utf-8")
             name, answers = str(self.folder / "a_fault.py"), {"failed-turn": "skip"}

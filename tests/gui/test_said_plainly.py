@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 from labcal.gui.ipc.answers import Ended, RunLine
 from labcal.gui.ipc.messages import ExportRun, FitRun, ListRuns, RunProcedure, WriteReport
 from labcal.gui.viewmodels.lab import LabState
+from labcal.gui.viewmodels.lab_now import LabNow
 from labcal.gui.viewmodels.number_format import MINUS
 from labcal.gui.widgets.key_sheet import KeySheet
 from labcal.record.stream import Measurement, Prompt
@@ -64,9 +65,10 @@ def test_fit_on_the_run_page_begins_at_once_and_once(still, qtbot):
 
 
 def test_instruments_have_words_beside_their_lights(still):
-    still.show_state(LabState(lights=()))
+    still.show_state(LabState(now=LabNow(lights=())))
     assert "No bench is open." in [one.text() for one in still.side.findChildren(QLabel) if one.isVisible()]
-    still.show_state(LabState(lights=(("dut", "absent", ""), ("ref", "waiting", ""), ("stage", "ok", ""))))
+    lights = (("dut", "absent", ""), ("ref", "waiting", ""), ("stage", "ok", ""))
+    still.show_state(LabState(bench="bench.toml", now=LabNow(lights=lights)))
     assert "✓ answers   … not heard yet   ○ not asked" in words_in(still.side)
 
 

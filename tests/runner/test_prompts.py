@@ -7,6 +7,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
+from scalar_lab import SCALAR, sensor
 
 from labcal import session
 from labcal.bench import open_bench
@@ -22,7 +23,8 @@ OURS = [name for name, found in procedures().items() if found.function.__module_
 @pytest.mark.parametrize("name", OURS)
 def test_yes_on_a_real_bench_refuses_before_anything_is_energised(bench_file: BenchFile, name: str) -> None:
     seen: list[Item] = []
-    with closing(open_bench(bench_file())) as bench, Store.open() as store:
+    file = bench_file(sensor(0), *SCALAR) if name == "scalar-cage" else bench_file()
+    with closing(open_bench(file)) as bench, Store.open() as store:
         outcome = run_procedure(bench, procedures()[name], {}, store=store, answer=yes_to_all(False), tell=seen.append)
     set_points = [item for item in seen if isinstance(item, Event) and item.kind == "set-point"]
     assert not set_points

@@ -107,7 +107,7 @@ def test_a_declared_scale_that_does_not_show_takes_nothing_off_the_noise() -> No
     noisy = run.reference_vector + np.random.default_rng(3).normal(0, 3.0, (len(run), 3))
     run = replace(run, reference_vector=noisy, reference=replace(run.reference, noise_nT=3.0))
     stated = replace(run, reference=replace(run.reference, u_scale_ppm=50.0))
-    plain, beside = (uncertainty_of(joint_fit(prepare(r)[0], [])).of_noise for r in (run, stated))
+    plain, beside = (uncertainty_of(joint_fit(prepare(r)[0], [])).noise.covariance for r in (run, stated))
     assert np.sqrt(np.diag(beside)) == pytest.approx(np.sqrt(np.diag(plain)), rel=0.02)
     fits = [ml(replace(r, dut=replace(r.dut, noise_nT=None))).covariance for r in (run, stated)]
     assert np.sqrt(np.diag(fits[1])[9:]) == pytest.approx(np.sqrt(np.diag(fits[0])[9:]), rel=0.05)

@@ -243,6 +243,7 @@ class Live(QWidget):
         if (
             self._run.state == "ended"
             and self._run.order
+            and self._run.order.dut  # else the run was of whatever the bench holds
             and self._run.order.dut != self._app_state.lab.state.dut_serial
         ):
             self.put_away.emit()
