@@ -10,7 +10,7 @@ from functools import partial
 from typing import Literal, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from labcal.bench.clock import Clock
 from labcal.bench.coils.at_zero import words_of_slow_zero
@@ -35,7 +35,8 @@ from labcal.bench.guardian.client import GuardianClient
 from labcal.bench.platform import BenchPlatform
 from labcal.bench.simulated_operator import SimulatedOperator
 from labcal.bench.streams.reconnect import Reconnecting, bring_back
-from labcal.bench.streams.samples import merged
+from labcal.bench.streams.reference import blind, into_cage
+from labcal.bench.streams.samples import block_of, merged
 from labcal.bench.streams.watch import FieldLimit, Look, StreamWatch, TemperatureLimit
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event, Prompt, Stream
@@ -197,7 +198,7 @@ class Bench:
         self._wait_until(t_s)
         arrived, polled = self._pending, self._polled
         self._pending, self._polled = [], {}
-        return merged(arrived) + [_block(*what, rows) for what, rows in polled.items()]
+        return merged(arrived) + [block_of(*what, rows) for what, rows in polled.items()]
 
     def events(self) -> list[Event]:
         """What the streams lost since this was asked last: gaps, wrong checksums, broken frames."""
@@ -390,22 +391,6 @@ class Bench:
 
     def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:
         self._polled.setdefault((stream, source, columns), []).append((t_s, *values))
-
-
-def blind(reference: ReferenceConfig) -> str:
-    """Why this reference cannot tell whether the coils are at zero; "" where it can."""
-    sees = reference.kind == "vector" and reference.place not in ("remote", "computed")
-    return "" if sees else "no vector reference stands at the DUT"
-
-
-def into_cage(values: ArrayLike, reference: ReferenceConfig) -> NDArray[np.float64]:
-    """Readings (n, 3) [nT] of the reference, zero taken off, from its own axes into C."""
-    return np.asarray((np.asarray(values) - reference.offset_nT) @ np.array(reference.cage_from_sensor).T)
-
-
-def _block(stream: Stream, source: str, columns: tuple[str, ...], rows: list[tuple[float, ...]]) -> Block:
-    table = np.array(rows, dtype=float)
-    return Block(stream, source, columns, table[:, 0], table[:, 1:])
 
 
 def temperatures_of(dut: DutStream, role: str) -> tuple[str, ...]:

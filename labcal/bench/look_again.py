@@ -10,7 +10,6 @@ from typing import cast
 
 import numpy as np
 
-from labcal.bench.bench import into_cage
 from labcal.bench.clock import Clock, RealClock
 from labcal.bench.coils.agreement import LIMIT_NT
 from labcal.bench.coils.doubt import Doubt, StoredDoubt
@@ -20,6 +19,7 @@ from labcal.bench.config import BenchConfig, read_config
 from labcal.bench.driver_kit.roles import Magnetometer
 from labcal.bench.loading import Loader
 from labcal.bench.shutdown import coils_off
+from labcal.bench.streams.reference import into_cage
 from labcal.bench.streams.samples import samples
 from labcal.errors import InstrumentError
 

@@ -92,7 +92,7 @@ class ScalarCage:
 
     def magnitude_nT(self, seen: Magnitudes) -> Array:
         """What it makes the sensor see (n,) [nT] at the currents and times of `seen`."""
-        I = seen.currents_A + self.leak_A * seen.signs  # noqa: E741
+        I = seen.currents_A + self.leak_A * seen.signs  # noqa: E741  # I is the current, as in the formulas
         b = I @ self.matrix_nT_per_A.T + self.ambient_nT + self.course.at(seen.t_s)
         return np.asarray(np.linalg.norm(b, axis=1))
 
@@ -129,7 +129,7 @@ def by_components(seen: Magnitudes) -> tuple[Array, Array]:
     G_jk; all at once by least squares weighted with 1 / 2F, the uncertainty of F². A is G's Cholesky factor.
     Raises ValueError where the currents do not determine them.
     """
-    I, F = seen.currents_A, seen.magnitude_nT  # noqa: E741
+    I, F = seen.currents_A, seen.magnitude_nT  # noqa: E741  # I is the current, as in the formulas
     size = float(np.abs(I).max()) or 1.0
     J = I / size
     squares = [J[:, a] * J[:, b] * (1 if a == b else 2) for a, b in UPPER]
@@ -216,7 +216,7 @@ def largest_En(one: ScalarCage, other: ScalarCage) -> float:
 def _linearised(seen: Magnitudes, theta: Array, S: Array, drift: Array) -> tuple[Array, Array]:
     """DF / d parameters (n, 12 + 3 q) and what is left of F (n,)."""
     A = _upper(theta[:6])
-    I = seen.currents_A + theta[9:12] * seen.signs  # noqa: E741
+    I = seen.currents_A + theta[9:12] * seen.signs  # noqa: E741  # I is the current, as in the formulas
     b = I @ A.T + theta[6:9] + S @ drift
     F = np.linalg.norm(b, axis=1)
     u = b / F[:, None]

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict
 from datetime import date, datetime
 from difflib import get_close_matches
 from functools import lru_cache
-from typing import Annotated, Any, Literal, NoReturn, Self
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
@@ -20,15 +19,8 @@ from labcal.record import Dut, Reference, Run, Segment, Specification
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
 from labcal.record.run_id import checked_run_id
-from labcal.store.limits import (
-    LONGEST_NUMBER,
-    MOST_COLUMNS,
-    MOST_KEYS,
-    MOST_PARTS,
-    MOST_SEGMENTS,
-    MOST_VALUES,
-    shortened,
-)
+from labcal.store.json_text import check_json, line_of, refuse, refuse_too_many
+from labcal.store.limits import MOST_KEYS
 from labcal.store.table import decode
 
 FORMAT = "labcal-run/1"
@@ -47,7 +39,6 @@ UNITS: Mapping[str, tuple[str, ...]] = {
     "count": ("count", "1", ""),
 }
 LONGEST_KEY = 40
-LONG_NUMBER = re.compile(rf"[0-9]{{{LONGEST_NUMBER + 1}}}")
 ROUNDING = 1e-4  # how far a written axis or matrix may be from length one: four decimals are rounded, not wrong
 
 
@@ -283,15 +274,15 @@ def read_run_json(data: bytes, *, file: object, of_store: bool = False) -> RunJs
     What the store holds already (`of_store`) may be called as no run is any more.
     """
     text = decode(data, file=str(file))
-    _refuse_too_many(_check_json(text, str(file)), str(file))
+    refuse_too_many(check_json(text, str(file)), str(file))
     try:
         found = RunJson.model_validate_json(text)
     except ValidationError as error:
-        _refuse(error, text, str(file))
+        refuse(error, text, str(file))
     try:
         of_store or checked_run_id(found.run_id)
     except ValueError as error:
-        raise InputError(str(error), file=file, line=_line_of(text, ("run_id",)), column="run_id") from None
+        raise InputError(str(error), file=file, line=line_of(text, ("run_id",)), column="run_id") from None
     return found
 
 
@@ -329,89 +320,3 @@ def stated_specification(specification: Specification) -> dict[str, Any]:
 def _stated(part: Dut | Reference | Segment) -> dict[str, Any]:
     always = {"noise_nT"}
     return {key: value for key, value in asdict(part).items() if value is not None or key in always}
-
-
-def _check_json(text: str, file: str) -> Any:
-    """What the JSON says. Refuses what Python or pydantic would let pass: doubled keys, NaN, endless nesting."""
-    if text.count("{") + text.count("[") > MOST_PARTS or text.count(",") > MOST_VALUES:
-        raise InputError(f"not a run: its JSON has more than {MOST_PARTS} objects or {MOST_VALUES} values", file=file)
-    if LONG_NUMBER.search(text):
-        raise InputError(f"not a run: a number of more than {LONGEST_NUMBER} digits", file=file)
-    try:
-        return json.loads(text, object_pairs_hook=_unique, parse_constant=_not_a_number)
-    except json.JSONDecodeError as error:
-        raise InputError(f"not JSON: {error.msg}", file=file, line=error.lineno, column=error.colno) from None
-    except RecursionError:
-        raise InputError("not a run: its JSON is nested too deeply", file=file) from None
-    except ValueError as error:  # a doubled key, NaN, or an integer of thousands of digits
-        raise InputError(str(error), file=file) from None
-
-
-def _refuse_too_many(said: Any, file: str) -> None:
-    """Raise InputError for more segments, channels or keys than any run has, before each is looked at."""
-    parts = said if isinstance(said, dict) else {}
-    segments, channels = parts.get("segments"), parts.get("channels")
-    for name, part, most in (("segments", segments, MOST_SEGMENTS), ("channels", channels, MOST_COLUMNS)):
-        if isinstance(part, list | dict) and len(part) > most:
-            raise InputError(f"{len(part)} {name} are more than {most}: split the run", file=file, column=name)
-    of_segments = (one for one in segments if isinstance(one, dict)) if isinstance(segments, list) else ()
-    if len(set(parts).union(*of_segments)) > MOST_KEYS:
-        raise InputError(f"not a run: more than {MOST_KEYS} different keys", file=file)
-
-
-def _unique(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
-    found: dict[str, Any] = {}
-    for key, value in pairs:
-        if key in found:
-            raise ValueError(f"the key {shortened(key)!r} is there twice in one object")
-        found[key] = value
-    return found
-
-
-def _not_a_number(word: str) -> NoReturn:
-    raise ValueError(f"expected finite numbers, found {word}")
-
-
-def _refuse(error: ValidationError, text: str, file: str) -> NoReturn:
-    first = error.errors(include_url=False)[0]
-    path = tuple(part for part in first["loc"] if part != "[key]")
-    what = first["msg"].removeprefix("Value error, ").replace("Input should be", "expected")
-    if first["type"] == "missing":
-        what = "the key is missing"
-    elif first["type"] != "value_error":
-        what += f", found {str(first['input'])[:40]!r}"
-    column = shortened(".".join(map(str, path)), 240) or None
-    raise InputError(what, file=file, line=_line_of(text, path), column=column) from None
-
-
-def _line_of(text: str, path: Sequence[str | int]) -> int:
-    """Line (from 1) of the value at `path`, or of the deepest part of the path that is there."""
-    at = _past_blanks(text, 0)
-    for key in path:
-        at = next((start for name, start in _children(text, at) if name == key), at)
-    return text.count("\n", 0, at) + 1
-
-
-def _children(text: str, at: int) -> Iterator[tuple[str | int, int]]:
-    """Keys or indices of the valid JSON value at `at`, each with the place where its value begins."""
-    close = {"{": "}", "[": "]"}.get(text[at])
-    if close is None:
-        return
-    decoder, index = json.JSONDecoder(), 0
-    at = _past_blanks(text, at + 1)
-    while text[at] != close:
-        key: str | int = index
-        if close == "}":
-            key, at = decoder.raw_decode(text, at)
-            at = _past_blanks(text, _past_blanks(text, at) + 1)
-        yield key, at
-        at = _past_blanks(text, decoder.raw_decode(text, at)[1])
-        if text[at] == ",":
-            at = _past_blanks(text, at + 1)
-        index += 1
-
-
-def _past_blanks(text: str, at: int) -> int:
-    while at < len(text) and text[at] in " \t\r\n":
-        at += 1
-    return at

@@ -41,7 +41,7 @@ def test_who_cannot_look_whether_the_ports_are_free_does_not_fail(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (bench := tmp_path / "bench.toml").write_text("")
-    client = Met(bench, Config(), RealClock())  # type: ignore[arg-type]
+    client = Met(bench, Config(), RealClock())  # type: ignore[arg-type]  # of a bench it asks for its links alone
     monkeypatch.setattr(ports, "holder", no_more)
     client.close()
     assert client.hung_up == 2

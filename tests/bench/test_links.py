@@ -2,31 +2,25 @@
 
 from __future__ import annotations
 
-import errno
-import os
-import pty
 import select
 import socket
 import subprocess
 import sys
 import threading
-import tty
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
-import serial
 from pymodbus.client import ModbusTcpClient
 from pymodbus.framer import FramerType
 from served_lab import all_gone, example
 
 from labcal.bench import open_bench
 from labcal.bench.clock import RealClock, VirtualClock
-from labcal.bench.links import EmulatedLink, Nobody, WiredLink, open_link
+from labcal.bench.links import EmulatedLink, Nobody, open_link
 from labcal.bench.links.modbus import ModbusLink, modbus_link
 from labcal.errors import InputError, InstrumentError
 
@@ -270,103 +264,6 @@ def test_a_reply_that_came_while_the_computer_was_held_up_is_a_reply(tcp_registe
 
 
 # lost lines
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
-def test_an_unplugged_line_is_lost_until_it_is_opened_again() -> None:
-    master, slave = pty.openpty()
-    tty.setraw(slave)
-    clock = RealClock()
-    link = open_link(f"serial://{os.ttyname(slave)}?baud=115200", clock)
-    os.write(master, b"here\n")
-    assert link.ask(b"", end=b"\n", timeout_s=LONG_S) == b"here\n"
-    os.close(slave)
-    os.close(master)
-    for _ in range(2):
-        with pytest.raises(InstrumentError) as caught:
-            link.ask(b"who\n", end=b"\n", timeout_s=0.2)
-        assert caught.value.fault == "link lost"
-    with pytest.raises(InstrumentError) as caught:
-        link.reopen()
-    assert caught.value.fault == "link lost"
-
-
-@pytest.fixture
-def terminal() -> Iterator[tuple[int, WiredLink]]:
-    """A terminal's other end, and the link to it."""
-    master, slave = pty.openpty()
-    tty.setraw(slave)
-    link = WiredLink(f"serial://{os.ttyname(slave)}?baud=115200", RealClock())
-    yield master, link
-    link.close()
-    for end in (master, slave):
-        with suppress(OSError):
-            os.close(end)
-
-
-def failing(*errors: Exception, then: Any = None) -> Any:
-    """A call that fails so often, and is `then` from there on."""
-    left = list(errors)
-
-    def call(*what: Any) -> Any:
-        if left:
-            raise left.pop(0)
-        return then(*what)
-
-    return call
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
-def test_one_read_that_fails_is_no_lost_link_and_two_are_said_as_what_they_are(terminal: tuple[int, WiredLink]) -> None:
-    master, link = terminal
-    port: Any = link._port
-    os.write(master, b"here\n")
-    port.read = failing(OSError(errno.EIO, "Input/output error"), then=port.read)
-    assert link.ask(b"", end=b"\n", timeout_s=LONG_S) == b"here\n"
-    port.read = failing(*[OSError(errno.EIO, "Input/output error")] * 2)
-    with pytest.raises(InstrumentError, match=r"reading failed .*Input/output error.*; its port is there") as caught:
-        link.ask(b"", end=b"\n", timeout_s=LONG_S)
-    assert "lost" not in str(caught.value)
-    assert "Plug it in" not in str(caught.value)
-    link.reopen()
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
-@pytest.mark.parametrize(
-    ("error", "says"),
-    [
-        (OSError(errno.EIO, "Input/output error"), "writing failed"),
-        (OSError(errno.ENODEV, "No such device"), "the link is lost"),
-        (serial.SerialException("write failed: [Errno 38] Function not implemented"), "writing failed"),
-        (serial.SerialTimeoutException("Write timeout"), "writing failed"),
-        (ConnectionResetError(errno.ECONNRESET, "Connection reset by peer"), "the link is lost"),
-    ],
-)
-def test_a_link_is_lost_only_where_its_port_is_gone(terminal: tuple[int, WiredLink], error: OSError, says: str) -> None:
-    _, link = terminal
-    port: Any = link._port
-    port.write = failing(error)
-    for _ in range(2):  # whoever uses it next is told the same
-        with pytest.raises(InstrumentError, match=says) as caught:
-            link.send(b"who\n")
-        assert ("Plug it in" in str(caught.value)) == ("lost" in says)
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
-@pytest.mark.parametrize(("hung_up", "says"), [(False, "writing failed"), (True, "the link is lost")])
-def test_a_terminal_that_does_not_take_what_was_written_raises_no_error_of_its_own(
-    terminal: tuple[int, WiredLink], hung_up: bool, says: str
-) -> None:
-    import termios
-
-    master, link = terminal
-    port: Any = link._port
-    port._port.flush = failing(termios.error(errno.EIO, "Input/output error"))
-    port._port.write = len
-    if hung_up:
-        os.close(master)
-    with pytest.raises(InstrumentError, match=says):
-        link.send(b"who\n")
 
 
 def test_a_tcp_line_is_lost_when_the_other_side_goes() -> None:

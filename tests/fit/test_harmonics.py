@@ -35,7 +35,7 @@ def test_the_sixteen_harmonics_are_orthonormal_over_the_sphere() -> None:
         (lambda d: 100 * d**3, (0, 60.0, 0, 100 * np.sqrt(3 * 4 / 175))),
     ],
 )
-def test_polynomials_have_the_degrees_that_they_have(residual, rms) -> None:  # type: ignore[no-untyped-def]
+def test_polynomials_have_the_degrees_that_they_have(residual, rms) -> None:
     d = lattice(48)
     (shell,) = shells(30e3 * d, residual(d))
     assert shell.rms_nT == pytest.approx(rms, abs=1e-9)

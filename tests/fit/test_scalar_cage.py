@@ -27,7 +27,7 @@ def in_the_coils_frame() -> tuple[np.ndarray, np.ndarray]:
 def seen(steps: list[np.ndarray | None], seed: int, noise_nT: float = 0.1, from_s: float = 0.0) -> Magnitudes:
     """The magnitudes at `steps` of currents, 3.5 s apart, beside a place that waves by some nT."""
     rng, t = np.random.default_rng(seed), from_s + 3.5 * np.arange(len(steps))
-    I = np.array([np.zeros(3) if step is None else step for step in steps])  # noqa: E741
+    I = np.array([np.zeros(3) if step is None else step for step in steps])  # noqa: E741  # I is the current, as in the papers
     signs = np.array([np.zeros(3) if step is None else np.where(step >= 0, 1.0, -1.0) for step in steps])
     wave = np.outer(np.sin(2 * np.pi * t / 400), [8.0, -6.0, 5.0])
     b = (I + LEAK_A * signs) @ COILS.T + EARTH + wave
@@ -92,7 +92,7 @@ def test_what_is_declared_of_the_sensor_moves_the_answer_as_its_errors_would() -
 
 def test_the_closed_form_is_exact_where_nothing_drifts_or_leaks() -> None:
     steps = components(np.full(3, 0.8))
-    I = np.array([np.zeros(3) if step is None else step for step in steps])  # noqa: E741
+    I = np.array([np.zeros(3) if step is None else step for step in steps])  # noqa: E741  # I is the current, as in the papers
     F = np.linalg.norm(I @ COILS.T + EARTH, axis=1)
     A, b0 = by_components(Magnitudes(np.arange(len(F), dtype=float), I, 0 * I, F))
     true_A, true_b0 = in_the_coils_frame()

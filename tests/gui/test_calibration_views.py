@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from labcal.gui.ipc.answers import CalibrationFile, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Standing
 from labcal.gui.theming.theme import DARK, LIGHT
-from labcal.gui.viewmodels.conformity import change_rows, specification_rows, verdict
-from labcal.gui.widgets.calibration_views import CHANGED, PARAMETERS, SPECIFIED, CalibrationViews
+from labcal.gui.viewmodels.calibration_rows import PARAMETERS, parameter_rows
+from labcal.gui.viewmodels.conformity import CHANGES, SPECIFICATION, change_rows, specification_rows, verdict
+from labcal.gui.widgets.calibration_views import CHANGED, SPECIFIED, CalibrationViews
 from labcal.gui.widgets.measurement_table import Table
 from labcal.record import Dut
 from labcal.uncertainty.conformity import Change, Changes, Judged
@@ -42,7 +45,7 @@ def calibration(lines: tuple[Judged, ...] = LINES, left_open: tuple[str, ...] = 
 @pytest.fixture
 def views(qtbot):
     table = Table(PARAMETERS)
-    made = CalibrationViews(table, LIGHT, lambda: table.setRowCount(1))
+    made = CalibrationViews(table, LIGHT)
     made.table = table
     qtbot.addWidget(table)
     qtbot.addWidget(made)
@@ -112,7 +115,26 @@ def test_without_lines_there_is_nothing_to_open_but_what_was_left_open(views):
 
 
 def test_rows_are_as_wide_as_their_headings():
-    from labcal.gui.viewmodels.conformity import CHANGES, SPECIFICATION
-
     assert {len(row) for row in specification_rows(LINES)} == {len(SPECIFICATION)}
     assert {len(row) for row in change_rows(FOUND)} == {len(CHANGES)}
+    assert {len(row) for row in parameter_rows(calibration())} == {len(PARAMETERS)}
+
+
+def test_below_the_parameters_stands_what_makes_most_of_each_uncertainty_and_all_of_it_in_the_tip(views):
+    shares = (("reference: zero", 0.84), ("noise", 0.16))
+    budget = (
+        BudgetLine("|b|", "50 µT along x", 7.42, 2.0, "nT", shares),
+        BudgetLine("angle xy", "", 0.0151, 2.1, "deg", ()),
+    )
+    views.show_calibration(replace(calibration(), budget=budget))
+    rows = text(views.table)
+    assert len(rows) == 12 + 2
+    assert [row[0] for row in rows[:4]] == ["k x", "k y", "k z", "K xx"]
+    assert rows[12:] == [
+        ["|b| · 50 µT along x", "reference: zero 84.0 %", "7.4", "nT"],
+        ["angle xy", "–", "0.015", "deg"],
+    ]
+    assert views.table.item(12, 0).toolTip().split("\n") == [
+        "|b| 50 µT along x", "k = 2.00", "reference: zero 84.0 %", "noise 16.0 %"
+    ]  # fmt: skip
+    assert not views.told.isVisibleTo(views)

@@ -120,3 +120,9 @@ def _one_block(group: list[Block]) -> Block:
         return group[0]
     t_s, values = np.concatenate([b.t_s for b in group]), np.concatenate([b.values for b in group])
     return replace(group[0], t_s=t_s, values=values, raw=b"".join(b.raw for b in group))
+
+
+def block_of(stream: Stream, source: str, columns: tuple[str, ...], rows: list[tuple[float, ...]]) -> Block:
+    """Rows of t_s and values, as they were polled, in one block."""
+    table = np.array(rows, dtype=float)
+    return Block(stream, source, columns, table[:, 0], table[:, 1:])

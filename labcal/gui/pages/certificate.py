@@ -10,7 +10,7 @@ from typing import TypeVar
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Standing
+from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.ipc.messages import (
     ApplyCalibration,
     Approve,
@@ -27,14 +27,13 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import next_step
-from labcal.gui.viewmodels.study import cause_name
-from labcal.gui.widgets.calibration_views import PARAMETERS, CalibrationViews
+from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
-from labcal.gui.widgets.measurement_table import Table, decimals_for
+from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
 
 R = TypeVar("R")
@@ -104,7 +103,7 @@ class CertificatePage(QWidget):
         card = Card(self.tr("Chosen calibration"), self.tr("U: k=2"))
         self.heading, self.standing = card.heading, label("", wrap=True)
         self.table = Table(PARAMETERS)
-        self.views = CalibrationViews(self.table, theme, self._show_numbers)
+        self.views = CalibrationViews(self.table, theme)
         card.body.addWidget(self.standing)
         card.body.addWidget(self.views)
         card.body.addWidget(self.table, 1)
@@ -246,43 +245,6 @@ class CertificatePage(QWidget):
             ask, known = self._app_state.quick_worker.request, partial(self.views.show_changes, one.path)
             ask(ChangedSince(one.path), known, self.fault.show_fault)
         self._enable()
-
-    def _show_numbers(self) -> None:
-        if (one := self.chosen()) is None:
-            return
-        u: tuple[float | None, ...] = one.u or (None,) * 12
-        K = [v for row in one.K for v in row]
-        gain = f"nT/{one.dut.unit}"
-        rows = [
-            (f"k {axis} {one.k_means}".rstrip(), value, u[9 + n], "nT")
-            for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
-        ]
-        names = [f"K {a}{b}" for a in "xyz" for b in "xyz"]
-        rows += [(name, value, s, gain) for name, value, s in zip(names, K, u, strict=False)]
-        for effect in (*one.effects, *one.findings):
-            name = cause_name(effect.effect, effect.channels)
-            rows += [(f"{name} {p.name}", p.value, p.u, p.unit) for p in effect.parameters]
-        self.table.setRowCount(len(rows))
-        for row, (name, value, s, unit) in enumerate(rows):
-            decimals = decimals_for(2 * (s or 0.0), value)
-            self.table.set_cell(row, 0, name)
-            self.table.set_cell(row, 1, format_number(value, decimals), right=True)
-            self.table.set_cell(row, 2, "–" if s is None else format_number(2 * s, decimals, signed=False), right=True)
-            self.table.set_cell(row, 3, unit)
-        self._show_budget(one.budget)
-
-    def _show_budget(self, budget: tuple[BudgetLine, ...]) -> None:
-        """A row each quantity below the parameters: what makes most of its U; all of it where one points at it."""
-        first = self.table.rowCount()
-        self.table.setRowCount(first + len(budget))
-        for row, line in enumerate(budget, first):
-            shares = [f"{source} {100 * share:.1f} %" for source, share in line.sources]
-            tip = "\n".join([f"{line.quantity} {line.at}".rstrip(), f"k = {line.k:.2f}", *shares])
-            decimals = decimals_for(line.U, line.U)
-            self.table.set_cell(row, 0, f"{line.quantity} · {line.at}" if line.at else line.quantity, tip=tip)
-            self.table.set_cell(row, 1, shares[0] if shares else "–", right=True, tip=tip)
-            self.table.set_cell(row, 2, format_number(line.U, decimals, signed=False), right=True, tip=tip)
-            self.table.set_cell(row, 3, line.unit)
 
     def _enable(self) -> None:
         one, name = self.chosen(), self.signer.currentText().strip()

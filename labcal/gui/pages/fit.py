@@ -11,12 +11,12 @@ from labcal.gui.ipc.answers import FitFigures, Fitted, Matrix
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.widgets.common import Card, button, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.idle_queue import IdleQueue
-from labcal.gui.widgets.measurement_table import Table, decimals_for
+from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.run_chooser import NO_RUNS, RunChooser, go_to_run_button
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")

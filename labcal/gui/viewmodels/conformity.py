@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from math import floor, log10
 
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.calibration_rows import Cell
+from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.uncertainty.conformity import Changes, Judged, risk_in_words
 
 SPECIFICATION = ("figure", "value", "± U", "limit ±", "unit", "result", "risk", "TUR")
@@ -24,15 +23,6 @@ IN_ALL = {
     "conditional-fail": "Not in specification, conditionally",
     "fail": "Not in specification",
 }
-
-
-@dataclass(frozen=True, slots=True)
-class Cell:
-    """A cell: its text, whether it stands right, and its colour by the name of a state ("": none)."""
-
-    text: str
-    right: bool = False
-    state: str = ""
 
 
 def verdict(lines: Sequence[Judged]) -> str:
@@ -59,7 +49,7 @@ def change_rows(found: Changes) -> list[list[Cell]]:
     """A row for each figure, under `CHANGES`."""
     rows = []
     for row in found.rows:
-        decimals = _decimals(row.U or abs(row.left) / 100)
+        decimals = decimals_for(row.U or 0.0, row.left)
         U = "–" if row.U is None else format_number(row.U, decimals, signed=False)
         e_n = "–" if row.e_n is None else format_number(row.e_n, 2)
         numbers = [format_number(value, decimals) for value in (row.found, row.left)]
@@ -70,7 +60,7 @@ def change_rows(found: Changes) -> list[list[Cell]]:
 
 
 def _line(line: Judged) -> list[Cell]:
-    decimals = _decimals(line.U)
+    decimals = decimals_for(line.U, line.value)
     shape, word, state = RESULTS[line.result]
     return [
         Cell(line.quantity),
@@ -82,8 +72,3 @@ def _line(line: Judged) -> list[Cell]:
         Cell(risk_in_words(line.risk), right=True),
         Cell("–" if line.tur is None else format_number(line.tur, 1, signed=False), right=True),
     ]
-
-
-def _decimals(u: float) -> int:
-    """Decimals that show two figures of the uncertainty."""
-    return min(9, max(0, 1 - floor(log10(u)))) if u > 0 else 3

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from math import floor, isfinite, log10
 from typing import Literal
 
 FieldUnit = Literal["nT", "µT", "mG"]
@@ -34,3 +35,11 @@ def format_duration(seconds: float) -> str:
 def step_title(name: str) -> str:
     """A step, a segment or a measurement as a person says it: "x-50uT-full" is "x −50 µT full"."""
     return TURN.sub(lambda m: f"{m[1]} {m[2].replace('-', MINUS)}{m[3]} µT {m[4] or ''}".rstrip(), name)
+
+
+def decimals_for(u: float, value: float) -> int:
+    """Decimals that show two figures of the uncertainty; of a value without one, four figures."""
+    shown = u if u > 0 else abs(value) / 100
+    if not isfinite(shown) or shown == 0:
+        return 0
+    return min(6, max(0, 1 - floor(log10(shown))))

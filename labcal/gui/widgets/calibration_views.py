@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.calibration_rows import PARAMETERS, Cell, parameter_rows
 from labcal.gui.viewmodels.conformity import (
     CHANGES,
     SPECIFICATION,
-    Cell,
     change_rows,
     rule_of,
     specification_rows,
@@ -22,19 +20,18 @@ from labcal.gui.widgets.common import label
 from labcal.gui.widgets.measurement_table import Table
 from labcal.uncertainty.conformity import Changes
 
-PARAMETERS = ("parameter", "value", "± U", "unit")
 SPECIFIED, CHANGED = 1, 2  # tabs beside the parameters
 
 
 class CalibrationViews(QWidget):
-    """Tabs above `table`; the second tab's name says what the lines come to. `show_parameters` writes the first view.
+    """Tabs above `table`; the second tab's name says what the lines come to.
 
     `told`, to be put below the table, says by which rule was decided, or what changed most.
     """
 
-    def __init__(self, table: Table, theme: Theme, show_parameters: Callable[[], None]) -> None:
+    def __init__(self, table: Table, theme: Theme) -> None:
         super().__init__()
-        self._table, self._theme, self._show_parameters = table, theme, show_parameters
+        self._table, self._theme = table, theme
         self._one: CalibrationFile | None = None
         self._changes: Changes | None = None
         self.tabs, self.told = QTabBar(), label("", "caption", wrap=True)
@@ -80,7 +77,6 @@ class CalibrationViews(QWidget):
         if one is None:
             return
         self._table.clearContents()
-        self.told.hide()
         if at == CHANGED and self._changes is not None:
             told = " ".join((self._changes.in_words(), *self._changes.remarks))
             self._show_rows(CHANGES, change_rows(self._changes), told)
@@ -88,17 +84,15 @@ class CalibrationViews(QWidget):
             told = " ".join((rule_of(one.specification), *one.left_open))
             self._show_rows(SPECIFICATION, specification_rows(one.specification), told)
         else:
-            self._table.set_headings(PARAMETERS)
-            self._table.right_heading(1, 2)
-            self._show_parameters()
+            self._show_rows(PARAMETERS, parameter_rows(one))
 
-    def _show_rows(self, headings: tuple[str, ...], rows: list[list[Cell]], told: str) -> None:
+    def _show_rows(self, headings: tuple[str, ...], rows: list[list[Cell]], told: str = "") -> None:
         self._table.set_headings(headings)
         self._table.right_heading(*(column for column, cell in enumerate(rows[0] if rows else []) if cell.right))
         self._table.setRowCount(len(rows))
         for row, cells in enumerate(rows):
             for column, cell in enumerate(cells):
                 colour = getattr(self._theme, cell.state) if cell.state else ""
-                self._table.set_cell(row, column, cell.text, right=cell.right, colour=colour)
+                self._table.set_cell(row, column, cell.text, right=cell.right, colour=colour, tip=cell.tip)
         self.told.setText(told)
-        self.told.show()
+        self.told.setVisible(bool(told))

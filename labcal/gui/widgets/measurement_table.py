@@ -10,23 +10,13 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTab
 
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.number_format import format_number, step_title
+from labcal.gui.viewmodels.number_format import decimals_for, format_number, step_title
 from labcal.gui.widgets.common import plain, tabular_font
 from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
 NAME_PX = 18 * GRID
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-
-
-def decimals_for(u: float, value: float) -> int:
-    """Decimals that show two figures of the uncertainty; of a value without one, four figures."""
-    from math import floor, isfinite, log10
-
-    shown = u if u > 0 else abs(value) / 100
-    if not isfinite(shown) or shown == 0:
-        return 0
-    return min(6, max(0, 1 - floor(log10(shown))))
 
 
 class Table(QTableWidget):
