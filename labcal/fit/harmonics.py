@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.stats import f as f_distribution
+from scipy.special import fdtrc
 
 from labcal.geometry import unit
 
@@ -100,4 +100,4 @@ def _chance(c: Array, inverse: Array, variance: float, spare: int) -> float:
     if variance == 0:
         return float(not np.any(c))
     F = float(np.sum(c * np.linalg.solve(inverse, c))) / (c.size * variance)
-    return float(f_distribution.sf(F, c.size, 3 * spare))
+    return float(fdtrc(c.size, 3 * spare, F))

@@ -90,6 +90,7 @@ class GuardianClient:
         self._connection: Connection | None = None
         self._next_beat_s = 0.0
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
+        self._untold = set[str]()  # the coils whose orders have not met the loss: another's question may have heard of it
         self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
         self.zero_is_ordered = False  # the last that was sent: nothing was lost since
@@ -103,7 +104,9 @@ class GuardianClient:
 
         Raises InstrumentError or LimitError as the guardian says, InstrumentError (guardian lost) where it is gone.
         """
-        if self._lost:
+        told_of_it = what.get("axis") in self._untold
+        self._untold.discard(what.get("axis", ""))
+        if self._lost or told_of_it:
             self._lost = False
             raise self._read.gone()
         if self._connection is None:
@@ -113,6 +116,7 @@ class GuardianClient:
         except OSError as error:
             self._lose()
             self._lost = False
+            self._untold.discard(what.get("axis", ""))
             raise self._read.gone() from error
         if order == "measure_current":
             self._read.keep(what["axis"], told)
@@ -126,6 +130,7 @@ class GuardianClient:
     def zero(self, why: str) -> list[AtZero]:
         """Every coil to zero and open."""
         ended = [wire.zero_of(end) for end in self.ask("zero", why=why)]
+        self._untold.clear()  # what holds now is told with it
         for end in ended:
             if end.current_A is not None:
                 self._read.keep(end.axis, end.current_A, end.read_s)
@@ -178,6 +183,7 @@ class GuardianClient:
         if self._connection is not None:
             self._connection.close()
             self._connection, self._lost, self._started = None, True, None
+            self._untold = set(self.facts)
             self.zero_is_ordered = False
             self._start_after_s = time.monotonic() + STANDBY_S
 
