@@ -17,6 +17,8 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
+from prepared import Forked, prepared
+
 LABCAL = [sys.executable, str(Path(__file__).with_name("launcher.py"))]
 LOOK_S = 0.01
 WIDE = struct.pack("HHHH", 50, 4000, 0, 0)  # so that no line of it is folded
@@ -29,7 +31,13 @@ class Technician:
         self._terminal, its = os.openpty()
         fcntl.ioctl(its, termios.TIOCSWINSZ, WIDE)
         self.said = list[tuple[float, str]]()
-        self._process = subprocess.Popen(command, stdin=its, stdout=its, stderr=its, env=env, start_new_session=True)
+        self._process: subprocess.Popen[bytes] | Forked
+        if command[: len(LABCAL)] == LABCAL:
+            self._process = prepared().fork(command[len(LABCAL) :], env, its)
+        else:
+            self._process = subprocess.Popen(
+                command, stdin=its, stdout=its, stderr=its, env=env, start_new_session=True
+            )
         os.close(its)
         self.pid = self._process.pid
         self._closed = threading.Event()
