@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -216,3 +217,21 @@ def test_a_latched_coil_takes_only_less() -> None:
     latch.take(0.0)
     latch.lift()
     latch.take(1.0)
+
+
+@pytest.mark.parametrize("text", [one_tti(), three_on_one_pair()], ids=["tti", "riden-on-one-gateway"])
+def test_a_connection_that_was_forgotten_at_its_other_end_is_opened_anew_in_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str
+) -> None:
+    bench = Bench(text, tmp_path, monkeypatch)
+    monkeypatch.setattr("labcal.bench.guardian.owned_lines.is_connection", lambda url: True)
+    bench.energise({"x": 1.0, "y": 0.6, "z": 0.3})
+    wire = bench.spoil(["unheard"] * 10_000, 0.0)
+    monkeypatch.setattr(bench._link, "reopen", wire.fates.clear)
+    begun = bench.clock.now()
+    bench.guardian.zero("the session ends")
+    after = begun + np.arange(0.0, 2.0, 0.01)
+    flowing = np.abs(np.column_stack([coil.current.at(after) for coil in bench.lab.coils.values()])).max(axis=1)
+    assert flowing[0] > 0.9
+    assert flowing[-1] < 0.01
+    assert all(abs(end.current_A) < 0.01 for end in bench.guardian.zero("once more"))

@@ -12,8 +12,9 @@ from labcal.bench.guardian.coil import GuardedCoil
 from labcal.errors import InstrumentError
 
 REOPENED = ("silent", "babbles", "out of step", "link lost")  # faults after which the link is opened anew
-TIMES_TOLD = 3  # at once, who may not answer: a line that lost one message may lose another
+TIMES_TOLD = 3  # at once, who may not answer: a line that lost one message may lose another; TCP loses none
 ANSWER_S = 0.5  # that who may carry current is given to say who it is, and what it holds
+SHORT_S = 0.125  # where somebody else on its line was silent: three silent ones take no longer than there is
 
 
 def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callable[[], None]) -> list[AtZero]:
@@ -29,7 +30,7 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callabl
         tell()
         for coil in coils:
             if coil.doubt is None:
-                _greet(coil)
+                _greet(coil, ANSWER_S if all(other.doubt is None for other in coils) else SHORT_S)
         doubted = [coil for coil in coils if coil.doubt is not None]
         for coil in doubted:
             _write_zero(coil, others)
@@ -42,28 +43,40 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callabl
         return list(ended.values())
 
 
-def _greet(coil: GuardedCoil) -> None:
-    """See that the right instrument is at the end of the link, where that is not known yet or nothing flows."""
+def _greet(coil: GuardedCoil, within_s: float) -> None:
+    """See that the right instrument is at the end of the link, where that is not known yet or nothing flows.
+
+    One that may carry current has so long to answer. Over a TCP connection it is asked for its set-point in any case: one that was forgotten at the other end takes every
+    order and is heard by nobody.
+    """
     line = coil.line
-    hurry_s = line.clock.now() + ANSWER_S if coil.energised else float("inf")
+    hurry_s = line.clock.now() + within_s if coil.energised else float("inf")
     try:
         with line.gate.asking_until(hurry_s):
             if not coil.energised or not line.greeted(coil.name):
                 line.identify(coil.name)
-            if coil.energised and coil.held_A is None:
-                coil.held_A = coil.bare.set_point()
+            if coil.energised and (coil.held_A is None or line.is_connection):
+                held_A = coil.bare.set_point()
+                coil.held_A = held_A if coil.held_A is None else coil.held_A
     except InstrumentError as fault:
         coil.doubt = fault
 
 
 def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> None:
-    """Zero at once, whatever it may answer; who is there is asked only where the link was opened anew."""
-    for _ in ("as it is", "opened again"):
+    """Zero at once, whatever it may answer; who is there is asked only where the link was opened anew.
+
+    A TCP connection on which it is silent is opened anew: the next one may be heard.
+    """
+    assert coil.doubt is not None
+    forgotten = coil.line.is_connection and coil.line.greeted(coil.name) and coil.doubt.fault in REOPENED
+    for again in ("as it is", "opened again"):
         try:
             if coil.line.greeted(coil.name) or _may_be_written(coil, others):
-                for _ in range(TIMES_TOLD):
+                for _ in range(1 if coil.line.is_connection else TIMES_TOLD):
                     coil.bare.write_current(0.0)
-            return
+            if not forgotten or again == "opened again":
+                return
+            coil.line.reopen()
         except InstrumentError as fault:
             if fault.fault == "not reached":  # the file does not say where it is; others on the line need their link
                 return

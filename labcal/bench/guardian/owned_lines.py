@@ -14,6 +14,7 @@ from labcal.bench.config import BenchConfig
 from labcal.bench.driver_kit.identities import refuse_other
 from labcal.bench.driver_kit.roles import Identity, Instrument, PolarityRelay
 from labcal.bench.guardian.gate import Gate, GatedLoader
+from labcal.bench.links.urls import is_connection
 from labcal.bench.loading import speaks_modbus
 from labcal.errors import InputError, InstrumentError
 
@@ -42,6 +43,11 @@ class OwnedLine:
     def clock(self) -> Clock:
         """The clock of all that waits on this line."""
         return self.loader.clock
+
+    @property
+    def is_connection(self) -> bool:
+        """Whether it may lead nowhere although nothing was pulled, and a new one be heard at once."""
+        return is_connection(self.url)
 
     def instrument(self, name: str) -> Instrument:
         """The driver of `name`; its link is opened when it is asked for first. Raises InstrumentError (link lost)."""

@@ -41,6 +41,12 @@ def split(url: str) -> tuple[str, str, dict[str, str]]:
     return scheme, address + (f"?{foreign}" if foreign else ""), options
 
 
+def is_connection(url: str) -> bool:
+    """Whether somebody at the other end holds a TCP connection, which may be forgotten there and looks well here."""
+    scheme, _, address = url.partition("://")
+    return scheme in ("tcp", "modbus-tcp") or address.partition("://")[0].lower() in OVER_NETWORK
+
+
 def place(url: str, scheme: str, address: str) -> tuple[str, int]:
     """Host and port of a network address; "" where it names none. Raises InputError where the port is none."""
     try:
