@@ -40,7 +40,7 @@ class Response:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
-    """A sensor's place, and how it moves (6, 3) [m] with each coil's size and the balance of its halves, by their u."""
+    """A sensor's place, and how it moves (4, 3) [m] with the coils' size and the balance of halves, by their u."""
 
     place: Place
     shifts_m: Array
@@ -156,7 +156,7 @@ def _place(bench: Bench, name: str, normal: Sequence[Response], opposed: dict[in
     )  # fmt: skip
     try:
         place = locate(seen, coils)
-        return Found(place, shifts(seen, coils, place, np.full(3, geometry.u_size_m), np.full(3, geometry.u_halves)))
+        return Found(place, shifts(seen, coils, place, geometry.u_size_m, geometry.u_halves))
     except ValueError as error:
         raise InputError(f"{name}: {error}") from error
 

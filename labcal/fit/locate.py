@@ -109,16 +109,14 @@ def locate(seen: Seen, coils: Coils, start_m: Array | None = None) -> Place:
     return Place(place, np.asarray(np.linalg.inv((weight @ J).T @ (weight @ J))), float(misfit))
 
 
-def shifts(seen: Seen, coils: Coils, found: Place, u_size_m: Array, u_imbalance: Array) -> Array:
-    """How the place moves (6, 3) [m] where each coil's size, then the balance of its halves, errs by its u."""
+def shifts(seen: Seen, coils: Coils, found: Place, u_size_m: float, u_imbalance: float) -> Array:
+    """How the place moves (4, 3) [m] where all sizes err alike, as one tape measure does, and each coil's balance."""
 
     def at(changed: Coils) -> Array:
         return locate(seen, changed, found.place_m).place_m - found.place_m
 
-    each = np.eye(3)
-    sizes = [at(replace(coils, size_m=coils.size_m + u_size_m * each[j])) for j in range(3)]
-    balances = [at(replace(coils, imbalance=u_imbalance * each[j])) for j in range(3)]
-    return np.array([*sizes, *balances])
+    size = at(replace(coils, size_m=coils.size_m + u_size_m))
+    return np.array([size, *(at(replace(coils, imbalance=u_imbalance * one)) for one in np.eye(3))])
 
 
 def _ratio(seen: Seen) -> tuple[Array, Array]:
