@@ -66,6 +66,7 @@ NO_CLAIM = {
     "coils-off zero before": HELP,
     "coils off between two turns": HELP,
     "DUT less reference, coils off": ASKED,
+    "Coil {} makes a gradient now. Hands off?": ASKED,
     "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
     "Each coil goes to ±{} µT. Hands off?": ASKED,
     "Each coil goes to ±{} µT, then the field rotates. Hands off?": ASKED,

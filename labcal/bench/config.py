@@ -93,6 +93,17 @@ class CageLimits(_Table):
     temperature_C: Finite | None = None  # of the windings, where a channel tells it
 
 
+class GeometryConfig(_Table):
+    """How the pairs are wound: side or diameter, distance of the halves over it; `halves` that a person can reverse."""
+
+    shape: Literal["square", "round"] = "square"
+    size_m: PerAxis
+    spacing: PerAxis = (0.5445, 0.5445, 0.5445)
+    u_size_m: Positive = 0.005
+    u_halves: Positive = 0.002  # of the difference of what the two halves of a pair make, relative
+    halves: tuple[Literal["x", "y", "z"], ...] = ()
+
+
 class CageConfig(_Table):
     """The coils: the measured current-to-field matrix, here or in a file of its own, or constants; and their limits."""
 
@@ -100,6 +111,7 @@ class CageConfig(_Table):
     matrix_nT_per_A: tuple[Three_nT, Three_nT, Three_nT] | None = None  # columns are the coil axes in C
     calibration: str | None = None  # a cage calibration file, from the folder of bench.toml
     limits: CageLimits
+    geometry: GeometryConfig | None = None
     settle_s: Annotated[float, Field(ge=0, le=60, strict=True)] = 0.2  # after a ramp, before the field is believed
 
     @model_validator(mode="after")

@@ -40,12 +40,16 @@ class SimulatedLab(Protocol):
         """Turn the reference (3, 3) from how it stands at home."""
         ...
 
+    def reverse_half(self, t_s: float, axis: str, reversed_: bool) -> None:
+        """Swap the leads of the half towards + of this coil's pair, or put them back."""
+        ...
+
 
 class SimulatedOperator:
     """Does what a prompt's `drawing` says: mount, take away, switch mode or load, turn the dial, move the reference.
 
     "body_from_cage" (3x3, at angle 0) mounts the DUT, "mode" switches its power mode, "angle_deg" turns a dial that has
-    no motor, "load" and "on" switch a load.
+    no motor, "load" and "on" switch a load, "half" and "reversed" swap the leads of half a coil pair.
     """
 
     def __init__(self, lab: SimulatedLab, clock: Clock) -> None:
@@ -68,3 +72,5 @@ class SimulatedOperator:
             self._lab.move_reference(asked["reference_m"])
         if "reference_turned" in asked:
             self._lab.turn_reference(asked["reference_turned"])
+        if "half" in asked:
+            self._lab.reverse_half(t, asked["half"], bool(asked["reversed"]))

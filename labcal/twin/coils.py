@@ -21,41 +21,72 @@ HOT_SWITCH_A = 0.05
 
 @dataclass(frozen=True, slots=True)
 class CoilField:
-    """What 1 A in each coil makes at the centre, and how it changes with place."""
+    """What 1 A in each coil makes at the centre, and how it changes with place; `wires` tells it for any place."""
 
     matrix_nT_per_A: Array  # (3, 3): columns are coil axes
     gradient_nT_per_A_m: Array  # (3, 3, 3): d matrix / d place, last index the direction
+    wires: Wires
+    exact: bool = False
 
     def at(self, currents_A: Array, place_m: Array) -> Array:
         """Field (n, 3) [nT, C] of `currents_A` (n, 3) at `place_m` (3,) or (n, 3), to first order in the place."""
+        if self.exact and place_m.ndim == 1:
+            return np.asarray(currents_A @ self.wires.at(tuple(place_m), False).T)
         centre = currents_A @ self.matrix_nT_per_A.T
         if not np.any(place_m):
             return np.asarray(centre)
         return np.asarray(centre + np.einsum("ijk,nj,...k->ni", self.gradient_nT_per_A_m, currents_A, place_m))
 
 
-def square_coils(side_m: float, turns: int, tilt_deg: Array, spacing: float = HELMHOLTZ) -> CoilField:
+@dataclass(frozen=True)
+class Wires:
+    """Three square pairs as they are wound; `imbalance` (3,): the half towards + makes so much more, relative."""
+
+    side_m: float
+    turns: int
+    tilt_deg: Array  # (3, 3): the rotation vector of each axis away from its ideal direction
+    spacing: float
+    imbalance: tuple[float, ...] = (0.0, 0.0, 0.0)
+    _known: dict[tuple[tuple[float, ...], bool], Array] = field(default_factory=dict, compare=False)
+
+    def at(self, place_m: tuple[float, ...], opposed: bool) -> Array:
+        """Of 1 A in each coil (3, 3) [nT/A] at this place; `opposed`: with the half towards + reversed."""
+        if (place_m, opposed) not in self._known:
+            pairs = [self.pair(axis, np.array([place_m]), opposed)[0] for axis in range(3)]
+            self._known[place_m, opposed] = np.column_stack(pairs)
+        return self._known[place_m, opposed]
+
+    def pair(self, axis: int, places: Array, opposed: bool = False) -> Array:
+        """Field (n, 3) [nT/A] of one pair at `places` (n, 3)."""
+        magpylib: Any = import_module("magpylib")  # slow to import, and without types
+
+        half = self.side_m / 2
+        square = half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
+        turn = rotation_vector(np.radians(self.tilt_deg[axis]))
+        total = np.zeros_like(places)
+        for end in (-1, 1):
+            loop = np.insert(square, 2, end * self.spacing * half, axis=1)
+            loop = np.roll(loop, axis + 1, axis=1) @ turn.T  # z → the axis wanted, right-handed
+            current = self.turns * (1 + end * self.imbalance[axis] / 2) * (-1 if opposed and end > 0 else 1)
+            total += 1e9 * np.asarray(magpylib.current.Polyline(current=current, vertices=loop).getB(places))
+        return total
+
+
+def square_coils(
+    side_m: float,
+    turns: int,
+    tilt_deg: Array,
+    spacing: float = HELMHOLTZ,
+    imbalance: tuple[float, ...] = (0.0, 0.0, 0.0),
+    exact: bool = False,
+) -> CoilField:
     """Three square pairs, each axis tilted by the rotation vector `tilt_deg[axis]` (3, 3) from its ideal direction."""
     step = 0.02
     shifts = np.vstack([np.zeros(3), step * np.eye(3), -step * np.eye(3)])
-    pairs = [_pair(side_m, turns, spacing, axis, np.radians(tilt_deg[axis]), shifts) for axis in range(3)]
-    fields = np.stack(pairs, axis=-1)  # (7, 3, 3): place, component, coil
+    wires = Wires(side_m, turns, tilt_deg, spacing, imbalance)
+    fields = np.stack([wires.pair(axis, shifts) for axis in range(3)], axis=-1)  # (7, 3, 3): place, component, coil
     gradient = np.moveaxis((fields[1:4] - fields[4:7]) / (2 * step), 0, -1)
-    return CoilField(fields[0], gradient)
-
-
-def _pair(side_m: float, turns: int, spacing: float, axis: int, tilt_rad: Array, places: Array) -> Array:
-    magpylib: Any = import_module("magpylib")  # slow to import, and without types
-
-    half = side_m / 2
-    square = half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
-    turn = rotation_vector(tilt_rad)
-    total = np.zeros_like(places)
-    for end in (-1, 1):
-        loop = np.insert(square, 2, end * spacing * side_m / 2, axis=1)
-        loop = np.roll(loop, axis + 1, axis=1) @ turn.T  # z → the axis wanted, right-handed
-        total += 1e9 * np.asarray(magpylib.current.Polyline(current=float(turns), vertices=loop).getB(places))
-    return total
+    return CoilField(fields[0], gradient, wires, exact)
 
 
 @dataclass

@@ -17,7 +17,10 @@ class _Table(BaseModel):
 
 
 class CoilsTruth(_Table):
-    """Square coil pairs; `tilt_deg` (3, 3): each axis' rotation vector away from its ideal direction."""
+    """Square coil pairs; `tilt_deg` (3, 3): each axis' rotation vector away from its ideal direction; `exact`: their
+    field from the wires at every place, else to first order from the centre; `imbalance`: the half towards + makes so
+    much more than the other.
+    """
 
     side_m: Positive = 1.5
     turns: int = Field(default=46, ge=1)
@@ -25,6 +28,8 @@ class CoilsTruth(_Table):
     resistance_ohm: Positive = 6.0
     tau_s: Positive = 0.02
     residual_A: NotNegative = 0.0004
+    exact: bool = False
+    imbalance: Vector = (0.0, 0.0, 0.0)
 
 
 class AmbientTruth(_Table):
@@ -79,6 +84,7 @@ class TwinTruth(_Table):
         scale=(1.00004, 0.99997, 1.00002), noise_nT=2.5, nT_per_unit=1e5 / 15000, range_nT=200_000.0
     )
     reference_place_m: Vector = (0.0, 0.0, 0.15)
+    dut_place_m: Vector = (0.0, 0.0, 0.0)
     dut: SensorTruth = SensorTruth(
         scale=(1.013, 0.985, 1.022),
         nonorthogonality_deg=(0.7, -0.5, 0.9),

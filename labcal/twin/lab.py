@@ -35,7 +35,9 @@ class Lab:
         lots = [np.random.default_rng([seed, k]) for k in range(8)]
         wanted = {**truth.effects, **(pick_effect(seed) if truth.surprise else {})}
         coils = truth.coils
-        self.coil_field = square_coils(coils.side_m, coils.turns, np.array(coils.tilt_deg))
+        tilt = np.array(coils.tilt_deg)
+        self.coil_field = square_coils(coils.side_m, coils.turns, tilt, imbalance=coils.imbalance, exact=coils.exact)
+        self._opposed = [Steps(False) for _ in AXES]  # one half of the pair reversed
         self.coils = {axis: Coil(coils.resistance_ohm, coils.tau_s, coils.residual_A) for axis in AXES}
         self.ambient = ambient(
             lots[0], np.array(truth.ambient.earth_nT), truth.ambient.drift_nT, truth.ambient.mains_nT
@@ -92,6 +94,10 @@ class Lab:
         """Turn the reference (3, 3) from how it stands at home."""
         self._reference_turned = np.asarray(sensor_from_home, dtype=float)
 
+    def reverse_half(self, t_s: float, axis: str, reversed_: bool) -> None:
+        """Swap the leads of the half towards + of this coil's pair, or put them back."""
+        self._opposed[AXES.index(axis)].set(t_s, reversed_)
+
     # what there is
 
     def moment(self, t_s: Array, channels: Mapping[str, Array] | None = None) -> Moment:
@@ -100,7 +106,7 @@ class Lab:
         angle = self.platform.at(t_s)
         attitude = self._attitude(t_s, angle)
         mode = np.asarray(self.mode.values, dtype=np.str_)[self.mode.index(t_s)]
-        field = self.ambient.slow(t_s) + self.coil_field.at(currents, np.zeros(3))
+        field = self.ambient.slow(t_s) + self._of_coils(t_s, currents, np.array(self._truth.dut_place_m))
         channels = channels or self.housekeeping.true(t_s)
         there = np.asarray(self._there.values)[self._there.index(t_s)]
         return Moment(t_s, angle, field, attitude, currents, self.platform.busy(t_s), channels, mode, there)
@@ -108,7 +114,7 @@ class Lab:
     def reference_nT(self, t_s: Array) -> Array:
         """Readings (n, 3) of the reference in its own unit."""
         sensor, currents = self._reference, self._currents(t_s)
-        field = self.ambient.slow(t_s) + self.coil_field.at(currents, self._reference_place)
+        field = self.ambient.slow(t_s) + self._of_coils(t_s, currents, self._reference_place)
         field = field + self.ambient.mains(t_s, sensor.bandwidth_hz)
         for effect in self._reference_effects:
             field = field + effect(self.moment(t_s), self._reference_place)
@@ -132,6 +138,16 @@ class Lab:
             seen = seen + effect(moment, seen)
         reading = self._dut.read(seen, self._rng_dut)
         return self._corrupt(reading), told
+
+    def _of_coils(self, t_s: Array, currents_A: Array, place_m: Array) -> Array:
+        """What the coils make (n, 3) [nT, C] at `place_m` (3,), each pair with both halves alike or opposed."""
+        field = self.coil_field.at(currents_A, place_m)
+        opposed = np.column_stack([np.asarray(steps.values)[steps.index(t_s)] for steps in self._opposed])
+        if opposed.any():
+            wires = self.coil_field.wires
+            change = wires.at(tuple(place_m), True) - wires.at(tuple(place_m), False)
+            field = field + (currents_A * opposed) @ change.T
+        return np.asarray(field)
 
     def _currents(self, t_s: Array) -> Array:
         return np.column_stack([self.coils[axis].at(t_s) for axis in AXES])

@@ -36,7 +36,8 @@ BESIDE = ("preflight, redone", "preflight, resumed", "rotate-axis, by hand", "co
 DEAR = ("dut-moment",)  # a fifth of the time of all
 MODULES = [steps, *(import_module(f"procedures.{one.name}") for one in pkgutil.iter_modules(procedures.__path__))]
 PICTURED = {"body_from_cage", "axis_cage", "angle_deg", "file"}  # the card draws these, or offers a button for them
-SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away"}  # their texts say it all
+# Of these the texts say it all.
+SAID_IN_WORDS = {"mode", "load", "on", "reference_m", "reference_turned", "dut_away", "half", "reversed"}
 A_FAULT = """
 from labcal.bench.steps import attempt
 from labcal.errors import InstrumentError

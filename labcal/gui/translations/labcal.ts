@@ -1492,6 +1492,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Leads swapped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Switched</source>
         <translation type="unfinished"></translation>
     </message>

@@ -27,6 +27,7 @@ ASKED = {  # by what the question draws or, where it draws nothing, by its key: 
     "reference_m": "Placed",
     "reference_turned": "Placed",
     "dut_away": "Taken away",
+    "half": "Leads swapped",
     "mode": "Switched",
     "load": "Switched",
     "motor-off": "Switched off",
