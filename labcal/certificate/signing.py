@@ -7,10 +7,11 @@ file that names no approver, or one who has not signed, is PROVISIONAL: valid, a
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
@@ -45,6 +46,7 @@ class Verification:
     checks: tuple[Check, ...]
     calibration: Calibration | None  # where at least one signature holds
     run_matches: bool | None = None
+    same_chain: bool = True  # where both that run and the calibration state the head of a hash chain
 
     @property
     def valid(self) -> bool:
@@ -73,7 +75,8 @@ class Verification:
             return [f"NOT VALID: {self.file.name} carries no signature."]
         said = [f"VALID: signed by {', '.join(self.signers)}." if self.valid else "NOT VALID."]
         if self.run_matches is False:
-            said.append("It was not made from the run that was named (run_sha256 differs).")
+            what = "run_sha256" if self.same_chain else "the head of its hash chain"
+            said.append(f"It was not made from the run that was named ({what} differs).")
         if self.run_matches:
             said.append("It was made from the run that was named.")
         if self.valid and self.provisional:
@@ -137,9 +140,16 @@ def sign_simulated(path: Path, allowed_signers: Path) -> Path:
 
 
 def verify(
-    path: Path, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime, run_sha256: str | None = None
+    path: Path,
+    signers: Sequence[Signer],
+    revoked: frozenset[bytes],
+    now: datetime,
+    run_sha256: str | None = None,
+    chain: Mapping[str, Any] | None = None,
 ) -> Verification:
     """Check every signature of the calibration at `path` against `signers`, and its run where one is named.
+
+    The run is told by `run_sha256`, and by the head of its hash `chain` where both it and the calibration have one.
 
     The bytes are read once; a file beside them is never asked whom to trust. Raises InputError where `path` cannot
     be read, or a trusted person signed something that is no calibration.
@@ -151,9 +161,11 @@ def verify(
     calibration = parse_calibration(content, path)
     if not calibration.simulated:
         checks = tuple(_real(check) for check in checks)
-    return Verification(
-        path, content, checks, calibration, None if run_sha256 is None else calibration.run_sha256 == run_sha256
-    )
+    if run_sha256 is None:
+        return Verification(path, content, checks, calibration)
+    same_chain = not (chain and calibration.chain) or dict(calibration.chain) == dict(chain)
+    matches = calibration.run_sha256 == run_sha256 and same_chain
+    return Verification(path, content, checks, calibration, matches, same_chain)
 
 
 def signature_files(path: Path) -> list[Path]:

@@ -139,6 +139,7 @@ def _head(told: Mapping[str, Any]) -> Table:
         "operator": told["operator"],
         "DUT": f"{dut['serial']} {dut['model']}, {dut['nominal_nT_per_unit']:g} nT per {dut['unit']}, noise {noise}",
         "reference": ", ".join(f"{key} {value}" for key, value in reference.items() if value != ""),
+        "origin": _origin(told["chain"]),
         "samples": f"{told['n_samples']}, {_between(told['span_s'], 'g')} s",
     }
     if "procedure" in told:
@@ -151,6 +152,10 @@ def _head(told: Mapping[str, Any]) -> Table:
         if text:
             table.add_row(name, text)
     return table
+
+
+def _origin(chain: Mapping[str, Any] | None) -> str:
+    return f"chain of {chain['rows']} rows, head {chain['head']}" if chain else "not shown: there is no hash chain"
 
 
 def _segments(told: Mapping[str, Any]) -> Table:

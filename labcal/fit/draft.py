@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -24,11 +25,13 @@ def draft_calibration(
     findings: Sequence[EffectRecord] = (),
     metrics: Mapping[str, Mapping[str, float]] | None = None,
     cage_sha256: str | None = None,
+    chain: Mapping[str, Any] | None = None,
 ) -> Calibration:
     """The calibration that `found` makes of `run`, its effects those of the sensor, valid where the run has been.
 
-    `metrics` adds to what the fit says of itself; `after` carries `noise_nT`, the noise of one axis of one reading,
-    which `apply` takes for its uncertainty. Raises InputError where the fit gives none.
+    `chain` is the head of the run's hash chain and its rows, None where its origin is not shown. `metrics` adds to what
+    the fit says of itself; `after` carries `noise_nT`, the noise of one axis of one reading, which `apply` takes for
+    its uncertainty. Raises InputError where the fit gives none.
     """
     if not found.ok or found.affine is None:
         raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
@@ -55,6 +58,7 @@ def draft_calibration(
             name: value for e in found.effects if e.belongs_to == "sensor" for name, value in e.reference_value.items()
         },
         not_covered=not_covered(run),
+        chain=chain,
     )
 
 

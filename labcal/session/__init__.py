@@ -172,8 +172,9 @@ def sign(calibration: Path, name: str, passphrase: str) -> Path:
 def verify(calibration: Path, allowed_signers: Path | None = None, run: Source | None = None) -> Verification:
     """Check every signature of the calibration against the lab's trust list, or the one that is named."""
     signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
-    sha256 = None if run is None else run_bundle(run).sha256
-    return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+    named = None if run is None else run_bundle(run)
+    sha256, chain = (named.sha256, named.stated_chain) if named else (None, None)
+    return certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256, chain)
 
 
 def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
@@ -193,7 +194,9 @@ def draft(run: Source, found: Fit, out: Path, *, force: bool = False) -> Calibra
     """Write the draft calibration that a fit of `run` makes."""
     [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
-    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run))
+    made = draft_calibration(
+        bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run), chain=bundle.stated_chain
+    )
     with output.writing():
         write_bytes(out, certificate.calibration_bytes(made))
     return made
@@ -219,8 +222,9 @@ def close_loop(
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
         made = draft_calibration(
-            measured, closed.fit(), bundle.sha256, metrics=closed.metrics(), cage_sha256=_cage_sha256(run)
-        )
+            measured, closed.fit(), bundle.sha256, metrics=closed.metrics(), cage_sha256=_cage_sha256(run),
+            chain=bundle.stated_chain,
+        )  # fmt: skip
         with outputs[out].writing():
             write_bytes(out, certificate.calibration_bytes(made))
     return closed
@@ -271,7 +275,7 @@ def report(source: str, out: Path, allowed_signers: Path | None = None, *, force
             return _report_calibration(Path(source), out, allowed_signers)
         bundle = run_bundle(source)
         run = bundle.run()
-        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False)), out)
+        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
 
 
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None) -> None:
