@@ -72,6 +72,8 @@ def walk(connection: sqlite3.Connection, run: int) -> Chain | None:
 
     Raises Misfit at the first row that does not fit. Needs a transaction that is open, where somebody else may write.
     """
+    if not connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'chain'").fetchone():
+        return _without(connection, run, None)  # not opened for work since an earlier version wrote it
     chain = Chain(START, 0)
     links = connection.execute("SELECT place, kept_in, row, sha256 FROM chain WHERE run = ? ORDER BY place", (run,))
     for place, table, row, stated in links:
@@ -81,7 +83,10 @@ def walk(connection: sqlite3.Connection, run: int) -> Chain | None:
         if link(chain.head, table, values) != stated:
             raise Misfit(f"{_named(table, row, values)}: it is not as it was written, or its link is not")
         chain = Chain(stated, place)
-    return _with_nothing_else(connection, run, chain) if chain.rows else _without(connection, run)
+    if chain.rows:
+        return _with_nothing_else(connection, run, chain)
+    (earliest,) = connection.execute("SELECT min(run) FROM chain").fetchone()
+    return _without(connection, run, earliest)
 
 
 def parts(connection: sqlite3.Connection, run: int) -> list[tuple[str, int, str]]:
@@ -118,13 +123,12 @@ def _with_nothing_else(connection: sqlite3.Connection, run: int, chain: Chain) -
     return chain
 
 
-def _without(connection: sqlite3.Connection, run: int) -> None:
-    """Nothing, for a run that never had a chain. Raises Misfit where one is gone."""
+def _without(connection: sqlite3.Connection, run: int, earliest: int | None) -> None:
+    """Nothing, for a run that never had a chain; `earliest` is the first that has one. Raises Misfit where it is gone."""
     stated = connection.execute(
         "SELECT CASE WHEN json_valid(header) THEN json_extract(header, '$.chain') END FROM run WHERE number = ?", (run,)
     ).fetchone()
-    (earlier,) = connection.execute("SELECT min(run) FROM chain").fetchone()
-    if stated[0] == FORMAT or (earlier is not None and run > earlier):
+    if stated[0] == FORMAT or (earliest is not None and run > earliest):
         raise Misfit("its chain is gone")
 
 

@@ -79,8 +79,9 @@ def _check_file(store: sqlite3.Connection) -> None:
     (found,) = store.execute("PRAGMA integrity_check(1)").fetchone()
     if found != "ok":
         raise chain.Misfit(f"a page is damaged: {' '.join(found.split())}")
-    if orphan := store.execute("PRAGMA foreign_key_check").fetchone():
-        raise chain.Misfit(f"row {orphan[1]} of {orphan[0]} is of a run that is not there")
+    orphans = sorted(store.execute("PRAGMA foreign_key_check"), key=lambda found: found[0] == "chain")
+    if orphans:  # links come last: they have no number of their own
+        raise chain.Misfit(f"row {orphans[0][1]} of {orphans[0][0]} is of a run that is not there")
 
 
 def _runs(store: sqlite3.Connection, path: Path, run_id: str | None) -> list[tuple[int, str]]:

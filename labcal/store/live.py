@@ -101,7 +101,7 @@ class Store:
         if (status := self.status(run_id)) != "interrupted":
             raise InputError(f"run {run_id} was not interrupted: it is {status}")
         require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
-        self.chain(run_id)
+        self.chain_of(run_id)
         alive = Alive(self.lock_file(run_id))
         try:
             with self._written():
