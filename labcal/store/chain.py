@@ -124,7 +124,7 @@ def _with_nothing_else(connection: sqlite3.Connection, run: int, chain: Chain) -
 
 
 def _without(connection: sqlite3.Connection, run: int, earliest: int | None) -> None:
-    """Nothing, for a run that never had a chain; `earliest` is the first that has one. Raises Misfit where it is gone."""
+    """Nothing, for a run that never had a chain. Raises Misfit where it is gone: each run since `earliest` has one."""
     stated = connection.execute(
         "SELECT CASE WHEN json_valid(header) THEN json_extract(header, '$.chain') END FROM run WHERE number = ?", (run,)
     ).fetchone()
