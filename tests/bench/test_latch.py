@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -45,12 +45,14 @@ class Wire:
     late_s: float
     sent: list[bytes] = field(default_factory=list)
     at: dict[int, Any] = field(default_factory=dict)  # what happens when so many messages were sent
+    when: Callable[[], None] = lambda: None  # with each message
     _replies: list[tuple[float, bytes]] = field(default_factory=list)
     _last: bytes = b""
     _fate: str = "answered"
 
     def take(self, t_s: float, data: bytes) -> None:
         self.sent.append(data)
+        self.when()
         self._fate = self.fates.pop(0) if self.fates else "answered"
         if self._fate != "unheard":
             self.emulator.take(t_s, data)
@@ -159,6 +161,20 @@ def test_nothing_goes_up_again_once_zero_is_ordered(
             guardian.try_again()
         assert not guardian.unresolved
         assert max(bench.flowing_A().values()) < 0.005
+
+
+@pytest.mark.parametrize("text", [one_tti(), three_on_one_pair()], ids=["tti", "riden-on-one-pair"])
+def test_each_coil_is_told_zero_four_times_in_two_seconds_where_nobody_answers(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str
+) -> None:
+    bench = Bench(text, tmp_path, monkeypatch)
+    bench.energise({"x": 0.2, "y": 0.2, "z": 0.2})
+    wire = bench.spoil(["unheard"] * 100_000, 0.0)
+    begun, told = bench.clock.now(), list[float]()
+    wire.when = lambda: told.append(bench.clock.now() - begun)
+    bench.guardian.zero("somebody said off")
+    in_time = set_points([message for message, t_s in zip(wire.sent, told, strict=True) if t_s < 2.0])
+    assert all(sent.count(0.0) >= 4 for sent in in_time.values()), in_time  # a supply that misses a quarter: 1 in 256
 
 
 def test_a_latch_is_lifted_by_a_zero_read_back_and_a_new_order_of_who_was_told(

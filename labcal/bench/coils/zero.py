@@ -7,7 +7,7 @@ hears and answers late is at zero in time.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TypeVar
@@ -20,6 +20,7 @@ from labcal.errors import InstrumentError
 T = TypeVar("T")
 RAMP_STEP_S = 0.1
 ZERO_TIMEOUT_S = 1.0
+TIMES_TOLD = 2  # before anybody is asked: a supply may miss one, and its silence may take longer than there is time
 
 
 def to_zero(
@@ -42,7 +43,8 @@ def to_zero(
     levels |= _each({axis: s.set_point for axis, s in supplies.items() if axis not in levels | faults}, faults)
     going = {axis: level for axis, level in levels.items() if level and axis not in faults}
     levels |= _ramp_down(supplies, going, rates_A_per_s, clock, wait or clock.wait_until, faults)
-    write_zero({axis: supply for axis, supply in supplies.items() if axis not in going})
+    for _ in range(TIMES_TOLD):
+        write_zero(supplies)
     well, ill = [axis for axis in supplies if axis not in faults], list(faults)
     ended = {end.axis: end for axes in (well, ill) for end in _read_back(axes, supplies, clock, faults)}
     return {axis: replace(ended[axis], from_A=_stepped_A(levels.get(axis, 0.0), s)) for axis, s in supplies.items()}
@@ -93,7 +95,7 @@ def _read_back(
 ) -> list[AtZero]:
     """The currents of all, then the outputs."""
     faults: dict[str, InstrumentError] = {}
-    currents = _each({axis: partial(_read_zero, axis, supplies[axis], clock) for axis in axes}, faults)
+    currents = _currents(list(axes), supplies, clock, faults)
     _each({axis: partial(supplies[axis].output, False) for axis in currents}, faults)
     _each({axis: s.write_off for axis in faults if isinstance(s := supplies[axis], Unacknowledged)}, {})
     return [
@@ -102,6 +104,22 @@ def _read_back(
         else AtZero(axis, currents[axis][0], supplies[axis].can_open, before.get(axis), currents[axis][1])
         for axis in axes
     ]
+
+
+def _currents(
+    axes: Sequence[str], supplies: Mapping[str, CoilSupply], clock: Clock, faults: dict[str, InstrumentError]
+) -> dict[str, tuple[float, float]]:
+    """The current of each axis and when it was read.
+
+    While one does not answer, the others of its line wait to be asked, and may have missed their zero: whoever is not
+    read back yet is written it again.
+    """
+    found = dict[str, tuple[float, float]]()
+    for axis in axes:
+        found |= _each({axis: partial(_read_zero, axis, supplies[axis], clock)}, faults)
+        if axis in faults:
+            write_zero({axis: supplies[axis] for axis in axes if axis not in found})
+    return found
 
 
 def _read_zero(axis: str, supply: CoilSupply, clock: Clock) -> tuple[float, float]:
