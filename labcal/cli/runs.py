@@ -66,7 +66,7 @@ def show(run: str = RUN, json: str | None = JSON, force: bool = FORCE) -> None:
 def check_store(
     run: str | None = typer.Argument(None, metavar="RUN", help="A run id of the store; none: all of them."),
 ) -> int:
-    """Look through the store, every page, row and hash chain: exit 0 where all fits, else 1 and the first thing that does not."""
+    """Look through every page, row and hash chain: exit 0 where all fits, else 1 and the first thing that does not."""
     from labcal import session
     from labcal.cli import DONE, NEGATIVE
 
