@@ -73,7 +73,8 @@ def walk(connection: sqlite3.Connection, run: int) -> Chain | None:
     Raises Misfit at the first row that does not fit. Needs a transaction that is open, where somebody else may write.
     """
     if not connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'chain'").fetchone():
-        return _without(connection, run, None)  # not opened for work since an earlier version wrote it
+        _refuse_one_that_is_gone(connection, run, None)
+        return None  # not opened for work since an earlier version wrote it
     chain = Chain(START, 0)
     links = connection.execute("SELECT place, kept_in, row, sha256 FROM chain WHERE run = ? ORDER BY place", (run,))
     for place, table, row, stated in links:
@@ -86,7 +87,8 @@ def walk(connection: sqlite3.Connection, run: int) -> Chain | None:
     if chain.rows:
         return _with_nothing_else(connection, run, chain)
     (earliest,) = connection.execute("SELECT min(run) FROM chain").fetchone()
-    return _without(connection, run, earliest)
+    _refuse_one_that_is_gone(connection, run, earliest)
+    return None
 
 
 def parts(connection: sqlite3.Connection, run: int) -> list[tuple[str, int, str]]:
@@ -123,8 +125,8 @@ def _with_nothing_else(connection: sqlite3.Connection, run: int, chain: Chain) -
     return chain
 
 
-def _without(connection: sqlite3.Connection, run: int, earliest: int | None) -> None:
-    """Nothing, for a run that never had a chain. Raises Misfit where it is gone: each run since `earliest` has one."""
+def _refuse_one_that_is_gone(connection: sqlite3.Connection, run: int, earliest: int | None) -> None:
+    """Raise Misfit where a run without a chain had one: its head says so, and each run since `earliest` has."""
     stated = connection.execute(
         "SELECT CASE WHEN json_valid(header) THEN json_extract(header, '$.chain') END FROM run WHERE number = ?", (run,)
     ).fetchone()
