@@ -41,7 +41,7 @@ class Bundle:
     @property
     def stated_chain(self) -> dict[str, Any] | None:
         """The head of its chain as a calibration states it; None where the run's origin is not shown."""
-        return self.origin and self.origin.stated()
+        return None if self.origin is None else self.origin.stated()
 
     @property
     def sha256(self) -> str:
@@ -75,7 +75,8 @@ def load_bundle(path: Path) -> Bundle:
 
 def _bytes_of(path: Path) -> Bundle:
     if path.is_dir():
-        return Bundle(*(_from_folder(path, name) for name in (RUN_JSON, SAMPLES_CSV)), path, chain=_chain_in(path))
+        run_json, samples_csv = _from_folder(path, RUN_JSON), _from_folder(path, SAMPLES_CSV)
+        return Bundle(run_json, samples_csv, path, chain=_chain_in(path))
     if not path.exists():
         raise InputError("there is no such file or folder", file=path)
     if not path.is_file():

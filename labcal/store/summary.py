@@ -27,7 +27,7 @@ def describe(
     told: dict[str, Any] = {
         "run_id": run.run_id,
         "status": status,
-        "chain": origin and origin.stated(),
+        "chain": None if origin is None else origin.stated(),
         "started_utc": run.started_utc,
         "simulated": run.simulated,
         "operator": run.operator,
