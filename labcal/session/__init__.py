@@ -202,8 +202,8 @@ def verify(
     """
     signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
     bundle = None if run is None else run_bundle(run)
-    sha256 = None if bundle is None else bundle.sha256
-    found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+    sha256, chain = (bundle.sha256, bundle.stated_chain) if bundle else (None, None)
+    found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256, chain)
     if found.calibration is None or not found.valid:
         return found
     return replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
@@ -228,8 +228,8 @@ def draft(
     """Write the draft calibration that a fit of `run`, by these `channels` alone where they are named, makes."""
     [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
-    how = made_by("fit", found.method, channels)
-    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run), made_by=how)
+    how, cage, chain = made_by("fit", found.method, channels), _cage_sha256(run), bundle.stated_chain
+    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=cage, made_by=how, chain=chain)
     with output.writing():
         write_bytes(out, certificate.calibration_bytes(made))
     return made
@@ -257,7 +257,8 @@ def close_loop(
         with outputs[report].writing():
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
-        drafted = made(cage_sha256=_cage_sha256(run), made_by=made_by("close-loop", closed.fit().method))
+        how, cage = made_by("close-loop", closed.fit().method), _cage_sha256(run)
+        drafted = made(cage_sha256=cage, made_by=how, chain=bundle.stated_chain)
         with outputs[out].writing():
             write_bytes(out, certificate.calibration_bytes(drafted))
         keep(drafted)
@@ -314,7 +315,7 @@ def report(
             return _report_calibration(Path(source), out, allowed_signers, before)
         bundle = run_bundle(source)
         run = bundle.run()
-        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False)), out)
+        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
 
 
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, before: Path | None) -> None:

@@ -12,10 +12,11 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
-from labcal.session.sources import is_path, load_run, paths, run_bundle
+from labcal.session.sources import is_path, paths, run_bundle
 from labcal.session.working_out import keep_corrected
 from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
 from labcal.store import check_store as store_check
+from labcal.store.limits import CHAIN_JSONL
 from labcal.store.listing import FILE as STORE
 
 
@@ -28,7 +29,8 @@ def runs() -> list[RunSummary]:
 def describe_run(run: str) -> dict[str, Any]:
     """What the run that `run` names is: head, segments and what each offers, channels, measurements."""
     if is_path(run):
-        return describe(load_run(run), "a bundle, not in the store")
+        bundle = run_bundle(run)
+        return describe(bundle.run(), "a bundle, not in the store", origin=bundle.origin)
     with Store.open() as store:
         return store.describe(run)
 
@@ -46,6 +48,7 @@ def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -
     for path in made:
         draft = certificate.read_calibration(path)
         corrected = replace(draft, dut=replace(draft.dut, serial=serial.strip()), run_sha256=bundle.sha256)
+        corrected = replace(corrected, chain=bundle.stated_chain)
         write_bytes(path, certificate.calibration_bytes(corrected))
         keep_corrected(draft, corrected)
 
@@ -70,8 +73,9 @@ def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: 
     """Write the run that `run` names to `out`."""
     files, folder = (bundle_files(out), True) if format_ == "bundle" else ([out], False)
     outputs = claim("export", *files, inputs=paths(run), force=force, with_folder=folder)
-    bundle = run_bundle(run)
-    with writing(outputs):
+    bundle = run_bundle(run, with_chain=format_ == "bundle")
+    written = [one for one in outputs if bundle.chain or one.path.name != CHAIN_JSONL]
+    with writing(written):
         if format_ == "bundle":
             save_bundle(bundle, out)
         elif format_ == "csv":
