@@ -74,7 +74,8 @@ def check_store(
     if found.fault:
         say(f"NOT SOUND: {found.fault}")
         return NEGATIVE
-    say(f"sound: {found.runs} run{'s' * (found.runs != 1)}, {found.items} rows")
+    again = f", the raw frames of {found.parsed} parsed again" if found.parsed else ""
+    say(f"sound: {found.runs} run{'s' * (found.runs != 1)}, {found.items} rows{again}")
     return DONE
 
 

@@ -12,6 +12,7 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
+from labcal.session import raw_frames
 from labcal.session.sources import is_path, paths, run_bundle
 from labcal.session.working_out import keep_corrected
 from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
@@ -65,8 +66,21 @@ def import_bundle(path: Path) -> str:
 
 
 def check_store(run: str | None = None) -> Checked:
-    """Look through the local store, or one run of it, for the first thing that does not fit."""
-    return store_check(home() / STORE, run)
+    """Look through the local store, or one run of it, for the first thing that does not fit.
+
+    Where all rows fit, the raw frames are parsed again by the drivers that are here, and held against the samples.
+    """
+    found = store_check(home() / STORE, run)
+    if found.fault:
+        return found
+    parsed = 0
+    with Store.read_only(home() / STORE) as store:
+        try:
+            for run_id in [run] if run else [one.run_id for one in store.runs()]:
+                parsed += raw_frames.compare(store, run_id)
+        except raw_frames.Differs as differs:
+            return replace(found, fault=str(differs))
+    return replace(found, parsed=parsed)
 
 
 def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path, *, force: bool = False) -> None:

@@ -23,11 +23,15 @@ ITEM = f"SELECT number, {', '.join(Row._fields)} FROM item WHERE run = ? ORDER B
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """What was looked through, up to the first `fault`; "" where everything fits."""
+    """What was looked through, up to the first `fault`; "" where everything fits.
+
+    `parsed`: how many rows' raw frames were parsed again.
+    """
 
     runs: int
     items: int
     fault: str = ""
+    parsed: int = 0
 
 
 def check_store(path: Path, run_id: str | None = None) -> Checked:

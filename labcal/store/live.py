@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sqlite3
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, replace
@@ -20,6 +21,7 @@ from labcal.store import chain
 from labcal.store.bundle import Bundle, bundle_of, load_bundle
 from labcal.store.database import (
     CHECKED_BEFORE_A_RUN_BYTES,
+    PATIENCE_S,
     Connection,
     connect,
     named_faults,
@@ -62,6 +64,13 @@ class Store:
         """
         path = home() / FILE if path is None else path
         return cls(path, connect(path))
+
+    @classmethod
+    def read_only(cls, path: Path) -> Self:
+        """Open a store that is there to be read and nothing else. Raises InputError, InstrumentError as `open` does."""
+        place = f"{path.resolve().as_uri()}?mode=ro"
+        with named_faults(path):
+            return cls(path, sqlite3.connect(place, PATIENCE_S, isolation_level=None, factory=Connection, uri=True))
 
     def close(self) -> None:
         """Let go of the file."""
