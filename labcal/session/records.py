@@ -13,6 +13,7 @@ from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
 from labcal.session import raw_frames
+from labcal.session.audited import note
 from labcal.session.sources import is_path, paths, run_bundle
 from labcal.session.working_out import keep_corrected
 from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
@@ -52,6 +53,7 @@ def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -
         corrected = replace(corrected, chain=bundle.stated_chain)
         write_bytes(path, certificate.calibration_bytes(corrected))
         keep_corrected(draft, corrected)
+    note("correct", who, run=run, serial=serial.strip())
 
 
 def keep_photo(path: Path) -> dict[str, str]:
@@ -96,3 +98,4 @@ def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: 
             write_bytes(out, export.csv_table(bundle))
         else:
             write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
+    note("export", run=run, format=format_, file=out.name, run_sha256=bundle.sha256)

@@ -222,6 +222,11 @@ class Store:
                 told = f"run {run_id} does not fit its hash chain: {misfit}; {NOT_USED}"
                 raise InputError(told, file=self.path) from None
 
+    def head_of(self, run_id: str) -> str | None:
+        """The head of a run's chain as it stands, its rows not looked at; None where it has none."""
+        last = self._all(chain.LAST, self._number(run_id))
+        return str(last[0][1]) if last else None
+
     def has_head(self, run_id: str, stated: Mapping[str, Any] | None) -> bool:
         """Whether the chain of a run had this head once, as a calibration states it: a run may have gone on since.
 
