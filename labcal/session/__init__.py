@@ -183,7 +183,7 @@ def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lam
     key = certificate.keys.open_key(home(), name, passphrase)
     examine = _same_as_its_run(calibration, progress)
     signature = certificate.sign(calibration, name, key, certificate.keys.trusted(home()), examine)
-    note_file("sign", name, calibration)
+    note_file("sign", name, calibration, signature)
     return signature
 
 

@@ -21,9 +21,10 @@ def note(deed: audit.Deed, who: str = "", **about: str | None) -> None:
         raise InputError(f"done ({deed}), but not in the audit log: {fault.what}", file=fault.file) from None
 
 
-def note_file(deed: audit.Deed, who: str, path: Path) -> None:
-    """The same of a file, told by its name and the SHA-256 of what it holds now."""
-    note(deed, who, file=path.name, sha256=sha256(path.read_bytes()).hexdigest())
+def note_file(deed: audit.Deed, who: str, path: Path, signature: Path | None = None) -> None:
+    """The same of a file, told by its name and the SHA-256 of what it holds now; so is its new `signature`."""
+    signed = None if signature is None else _sha256(signature)
+    note(deed, who, file=path.name, sha256=_sha256(path), signature=signed)
 
 
 def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
@@ -33,6 +34,10 @@ def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
     except InputError as fault:
         return replace(outcome, told=f"{outcome.told}; {fault}")
     return outcome
+
+
+def _sha256(path: Path) -> str:
+    return sha256(path.read_bytes()).hexdigest()
 
 
 def _head(store: Store, run_id: str) -> str | None:

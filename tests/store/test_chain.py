@@ -211,8 +211,10 @@ def test_a_run_that_came_without_a_chain_shows_no_origin(path: Path, capsys: pyt
     assert "not shown" in capsys.readouterr().out
 
 
-def test_a_store_of_version_0_1_is_read_and_shows_no_origin(tmp_path: Path) -> None:
-    old = Path(shutil.copy(GOLDEN / "store-1.sqlite", tmp_path / "old.sqlite"))
+@pytest.mark.parametrize("version", [1, 2])
+def test_a_store_of_before_is_read_and_shows_no_origin(tmp_path: Path, version: int) -> None:
+    old = Path(shutil.copy(GOLDEN / f"store-{version}.sqlite", tmp_path / "old.sqlite"))
+    assert check_store(old).fault == ""
     with Store.open(old) as store:
         assert {store.chain_of(run.run_id) for run in store.runs()} == {None}
         record(store, "new")
