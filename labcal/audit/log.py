@@ -26,6 +26,7 @@ from labcal.audit import lab_key
 from labcal.errors import InputError
 from labcal.files.home import own_file, own_folder
 
+Row = tuple[int, bytes, bytes]
 Deed = Literal["begin", "run", "approve", "sign", "key", "trust", "revoke", "export", "correct"]
 FILE = "audit.sqlite"
 CONTEXT = b"labcal-audit/1\n"
@@ -100,38 +101,49 @@ def read(home: Path) -> Audit:
     Raises InputError where the file is no audit log at all.
     """
     path = home / FILE
-    if not path.is_file():
-        return Audit()
+    fault, rows = _rows(path) if path.is_file() and path.stat().st_size else ("", [])
+    entries, head, key = list[Entry](), START, ""
+    for row in rows:
+        try:
+            entry, key = _entry_of(row, len(entries) + 1, head, key)
+        except ValueError as error:
+            fault = f"entry {len(entries) + 1}: {error}"
+            break
+        entries.append(entry)
+        head = _link(row[1])
+    return Audit(tuple(entries), head, key, fault or _against_the_key(home, key))
+
+
+def _rows(path: Path) -> tuple[str, list[Row]]:
     with _named_faults(path), closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)) as log:
         fault = _fault_of_file(log)
-        rows = [] if fault else log.execute(ROWS).fetchall()
-    found = Audit(fault=fault)
-    for row in rows:
-        found = _with_next(found, row)
-        if found.fault:
-            return found
-    if found.fault or not found.key or (key := lab_key.kept(home)) is None:
-        return found
-    same = lab_key.public_text(key.public_key()) == found.key
-    return found if same else Audit(found.entries, found.head, found.key, f"{lab_key.NAME} is not the key of entry 1")
+        return fault, [] if fault else log.execute(ROWS).fetchall()
 
 
-def _with_next(found: Audit, row: tuple[int, bytes, bytes]) -> Audit:
-    """With the entry of one more row, or with what is wrong with it."""
-    number, text, signature = row
+def _entry_of(row: Row, number: int, before: str, key: str) -> tuple[Entry, str]:
+    """The entry of a row and the key that signs it, which the first one states. Raises ValueError."""
     try:
-        entry = Entry(**json.loads(text))
-        key = found.key or entry.about["key"]
-        if (number, entry.number, entry.before) != (len(found.entries) + 1, number, found.head):
-            raise ValueError("it does not follow the one before it, or one is gone")
-        _check(lab_key.from_public_text(key), _link(text), signature)
+        entry = Entry(**json.loads(row[1]))
+        key = key or entry.about["key"]
+        follows = (row[0], entry.number, entry.before) == (number, number, before)
+        _check(lab_key.from_public_text(key), _link(row[1]), row[2])
     except InvalidSignature:
-        wrong = "it is not as it was written: the lab's key did not sign it"
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
-        wrong = str(error) if type(error) is ValueError else "it is not as labcal writes one"
-    else:
-        return Audit((*found.entries, entry), _link(text), key)
-    return Audit(found.entries, found.head, found.key, f"entry {len(found.entries) + 1}: {wrong}")
+        raise ValueError("it is not as it was written: the lab's key did not sign it") from None
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        raise ValueError("it is not as labcal writes one") from None
+    if not follows:
+        raise ValueError("it does not follow the one before it, or one is gone")
+    return entry, key
+
+
+def _against_the_key(home: Path, stated: str) -> str:
+    """What the lab's key has against a log whose first entry states this one; "" where nothing, or no key is here."""
+    if (kept := lab_key.kept(home)) is None:
+        return ""
+    if not stated:
+        return f"there is no entry, though {lab_key.NAME} is there, which was made with the first one"
+    same = lab_key.public_text(kept.public_key()) == stated
+    return "" if same else f"{lab_key.NAME} is not the key of entry 1"
 
 
 def _check(key: Ed25519PublicKey, link: str, signature: bytes) -> None:

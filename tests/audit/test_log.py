@@ -109,6 +109,15 @@ def test_a_log_by_another_key_is_told(log: Path, capsys: pytest.CaptureFixture[s
     assert "lab-key.pem is not the key of entry 1" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("empty", [False, True])
+def test_a_log_that_is_gone_is_told_by_its_key(log: Path, empty: bool, capsys: pytest.CaptureFixture[str]) -> None:
+    log.unlink()
+    if empty:
+        log.touch()
+    assert execute(["audit"]) == 1
+    assert "there is no entry, though lab-key.pem is there" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("spoil", "says"),
     [
