@@ -15,13 +15,14 @@ from pydantic import ValidationError
 from labcal.bench.clock import RealClock
 from labcal.bench.config import BenchConfig
 from labcal.bench.loading import Loader
+from labcal.bench.streams.reference import into_cage
 from labcal.errors import InputError
 from labcal.record import RunHeader
 from labcal.record.stream import Block
 from labcal.store import Store
 
 Parse = Callable[[bytes], NDArray[np.float64]]
-ROUNDING = 1e-9  # relative: another processor may round otherwise
+ROUNDING = 1e-9  # of the largest: another processor may round otherwise
 
 
 class Differs(Exception):
@@ -31,7 +32,8 @@ class Differs(Exception):
 def compare(store: Store, run_id: str) -> int:
     """Parse the raw frames of a run again; returns how many of its blocks that were. Raises Differs.
 
-    Left out is what came with another store or without a chain, and an instrument whose driver is not here or cannot.
+    Left out is what was imported or has no chain, an instrument whose driver is not here or cannot, and a reference that
+    stands elsewhere: what is kept of that one was carried to the DUT's place with the currents of the moment.
     """
     if store.status(run_id) == "imported" or store.chain_of(run_id) is None:
         return 0
@@ -55,7 +57,8 @@ def _compare(run_id: str, block: Block, parse: Parse) -> None:
         raise Differs(f"{what}: their raw frames cannot be read again ({error})") from None
     if again.shape != block.values.shape:
         raise Differs(f"{what}: their raw frames give {len(again)}")
-    same = np.isclose(again, block.values, rtol=ROUNDING, atol=0.0, equal_nan=True).all(axis=1)
+    allowed = ROUNDING * float(np.max(np.abs(again), initial=0.0))
+    same = np.isclose(again, block.values, rtol=0.0, atol=allowed, equal_nan=True).all(axis=1)
     if not same.all():
         at_s = block.t_s[int(np.argmin(same))]
         raise Differs(f"{what}: that at {at_s:.6f} s is not what its raw frame says")
@@ -71,5 +74,21 @@ def _parsers(header: RunHeader) -> Mapping[str, Parse]:
             with suppress(InputError):
                 driver, _, settings = loader.driver(name)
                 if parse := getattr(driver, "parse_again", None):
-                    found[name] = partial(parse, settings)
-    return found
+                    found[name] = _as_kept(config, name, partial(parse, settings))
+    return {name: parse for name, parse in found.items() if not _carried(config, name)}
+
+
+def _as_kept(config: BenchConfig, name: str, parse: Parse) -> Parse:
+    """A vector reference's samples in the cage's axes, as the bench keeps them; all others as they are."""
+    if config.instruments[name].role != "reference":
+        return parse
+
+    def into_its_cage(raw: bytes) -> NDArray[np.float64]:
+        read = parse(raw)
+        return into_cage(read, config.reference) if read.shape[1] == 3 else read
+
+    return into_its_cage
+
+
+def _carried(config: BenchConfig, name: str) -> bool:
+    return config.instruments[name].role == "reference" and config.reference.place != "dut"

@@ -48,6 +48,26 @@ def test_samples_that_are_not_what_their_frames_say_are_told(
     assert f"NOT SOUND: run r1: 6 samples of dut from 1 s on: {says}" in capsys.readouterr().out
 
 
+TURNED = "offset_nT = [5.0, 6.0, 7.0]\ncage_from_sensor = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]\n"
+
+
+@pytest.mark.parametrize(("place", "parsed"), [("dut", True), ("remote", False)])
+def test_a_reference_is_compared_in_the_cage_s_axes_and_where_it_stands_elsewhere_it_is_not(
+    place: str, parsed: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    bench = BENCH.replace('place = "dut"', f'place = "{place}"\n{TURNED}').replace('"hmr2300"', '"text-line"')
+    bench = bench.replace("settings = { rate = 20 }", "")
+    assert bench.count("text-line") == 1
+    header = RunHeader("r1", "2026-03-02T08:15:00Z", True, "", Dut("SN1"), Reference("vector"), bench=bench)
+    off = READINGS - [5.0, 6.0, 7.0]
+    kept = np.column_stack([off[:, 1], -off[:, 0], off[:, 2]])
+    raw = b"".join(b"%d,%d,%d\n" % tuple(row) for row in READINGS)
+    with Store.open() as store, store.begin(header) as writer:
+        writer.write(Block("reference", "reference", ("ref_x", "ref_y", "ref_z"), np.arange(3.0), kept, raw))
+    assert execute(["check-store"]) == 0
+    assert ("parsed again" in capsys.readouterr().out) == parsed
+
+
 @pytest.mark.parametrize("bench", ["", "= no toml", "name = 'no bench'", BENCH.replace('"csv-line"', '"of-others"')])
 def test_an_instrument_whose_driver_is_not_here_is_left_out(bench: str, capsys: pytest.CaptureFixture[str]) -> None:
     recorded(READINGS, b"what it sent", bench)
