@@ -32,7 +32,7 @@ class Differs(Exception):
 def compare(store: Store, run_id: str) -> int:
     """Parse the raw frames of a run again; returns how many of its blocks that were. Raises Differs.
 
-    Left out is what was imported or has no chain, an instrument whose driver is not here or cannot, and a reference that
+    Left out is what was imported or has no chain, an instrument whose driver is not here or cannot, a reference that
     stands elsewhere: what is kept of that one was carried to the DUT's place with the currents of the moment.
     """
     if store.status(run_id) == "imported" or store.chain_of(run_id) is None:
@@ -73,9 +73,10 @@ def _parsers(header: RunHeader) -> Mapping[str, Parse]:
         for name in config.instruments:
             with suppress(InputError):
                 driver, _, settings = loader.driver(name)
-                if parse := getattr(driver, "parse_again", None):
+                parse = getattr(driver, "parse_again", None)
+                if parse is not None and not _carried(config, name):
                     found[name] = _as_kept(config, name, partial(parse, settings))
-    return {name: parse for name, parse in found.items() if not _carried(config, name)}
+    return found
 
 
 def _as_kept(config: BenchConfig, name: str, parse: Parse) -> Parse:
