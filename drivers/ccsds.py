@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import struct
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from drivers.framing import ccsds, cobs, slip
 from drivers.framing.columns import Columns, Table, channels, complete
 from drivers.framing.crc16 import crc16
-from drivers.framing.listener import Listener, Pieces
+from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.framing import Lines
@@ -62,6 +62,12 @@ class Ccsds(Listener):
         self.settings, self.channels = settings, channels(settings)
         who = Identity("", f"CCSDS packets, APID {settings.apid}", settings.serial)
         super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
+
+    @staticmethod
+    def parse_again(settings: Settings, raw: bytes) -> Array:
+        """The samples (n, 3) of packets as a record keeps them, by the parser that read them."""
+        whole = replace(settings, framing="datagram")
+        return values_again(Parser("", whole, Mishaps("")), [(0.0, packet) for packet in ccsds.packets(raw)])
 
 
 class Parser:

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field
 
-from drivers.framing.hmr2300 import LENGTH, BinaryFrames, BinaryReplies, TextFrames
+from drivers.framing.hmr2300 import LENGTH, NT_PER_COUNT, BinaryFrames, BinaryReplies, TextFrames, samples_again
 from drivers.framing.hmr2300_words import ESC, Words
 from drivers.framing.mishaps import Mishaps, overloaded
 from labcal.bench.clock import Clock
@@ -17,7 +17,6 @@ from labcal.bench.driver_kit.settings import Positive
 from labcal.bench.links import Link
 from labcal.record.stream import Block, Event
 
-NT_PER_COUNT = 1e5 / 15000
 RATES = (10, 20, 25, 30, 40, 50, 60, 100, 123, 154)
 FASTEST = {("ascii", 9600): 30, ("ascii", 19200): 50, ("binary", 9600): 100, ("binary", 19200): 154}
 FULL_SCALE = 30_000
@@ -52,6 +51,7 @@ class Hmr2300:
     """Counts become nT at 15000 a gauss. A reading at full scale is a fault, not a value."""
 
     roles = ("reference",)
+    parse_again = staticmethod(samples_again)
     never = (rb"\*\d\d(SP|RST|D|ID=\d|!BR|ZN|ZR|[TVZ]\r)",)  # what is kept when it is off, and toggles
 
     def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:

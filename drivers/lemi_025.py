@@ -8,7 +8,7 @@ import numpy as np
 
 from drivers.framing import lemi
 from drivers.framing.columns import OwnClock
-from drivers.framing.listener import Listener, Pieces
+from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
@@ -47,6 +47,11 @@ class Lemi025(Listener):
         self.settings = settings
         who = Identity("LEMI", settings.tag, settings.serial)
         super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
+
+    @staticmethod
+    def parse_again(settings: Settings, raw: bytes) -> Array:
+        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
+        return values_again(Parser("", settings, Mishaps("")), [(0.0, raw)])
 
 
 class Parser:

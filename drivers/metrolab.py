@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.polling import Polls
@@ -55,6 +56,12 @@ class Metrolab:
         self._polls, self._mishaps = Polls(clock, settings.rate), Mishaps(name)
         self._scpi = Scpi(name, link, clock, settings.timeout_s, errors=":SYST:ERR?;*STB?")
 
+    @staticmethod
+    def parse_again(settings: Settings, raw: bytes) -> NDArray[np.float64]:
+        """The samples (n, 3) of replies as a record keeps them."""
+        rows = [[nanotesla(part) for part in reply.split(";")] for reply in raw.decode().splitlines()]
+        return np.array(rows, dtype=float).reshape(-1, 3)
+
     def identify(self) -> Identity:
         """Ask who it is. Raises InstrumentError where it is no magnetometer of this family."""
         models = self.settings.models
@@ -82,7 +89,8 @@ class Metrolab:
         stamps, values, raw = np.array([g[0] for g in good]), np.array([g[1] for g in good]), [g[2] for g in good]
         if np.abs(values).max() >= self.settings.full_scale_nT:
             raise overloaded(self.name)
-        return [Block("reference", self.name, ("ref_x", "ref_y", "ref_z"), stamps, values, "\n".join(raw).encode())]
+        lines = "".join(f"{reply}\n" for reply in raw).encode()
+        return [Block("reference", self.name, ("ref_x", "ref_y", "ref_z"), stamps, values, lines)]
 
     def events(self) -> list[Event]:
         """Replies that were no good."""

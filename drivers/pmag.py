@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from drivers.framing import nmea
 from drivers.framing.columns import Columns, Table, channels, numbers
-from drivers.framing.listener import Listener, Pieces
+from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.framing import Lines
@@ -33,6 +33,11 @@ class Pmag(Listener):
         who = Identity("", f"${settings.sentence} sentence", settings.serial)
         super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
 
+    @staticmethod
+    def parse_again(settings: Settings, raw: bytes) -> Array:
+        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
+        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
+
 
 class Parser:
     """Sentences in any cutting, into blocks."""
@@ -48,8 +53,8 @@ class Parser:
             if (row := self._row(stamp, line)) is not None:
                 stamps.append(stamp)
                 rows.append(row)
-                raw.append(line)
-        return self._table.blocks(stamps, rows, b"\n".join(raw))
+                raw.append(line + b"\n")
+        return self._table.blocks(stamps, rows, b"".join(raw))
 
     def _row(self, stamp: float, line: bytes) -> list[float] | None:
         sentence = nmea.fields(line)

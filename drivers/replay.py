@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from drivers.csv_line import Parser
+from drivers.csv_line import CsvLine, Parser
 from drivers.csv_line import Settings as CsvSettings
 from drivers.framing.columns import channels
 from drivers.framing.listener import Listener
@@ -59,3 +59,5 @@ class Replay(Listener):
         digest = hashlib.sha256(recording(file)).hexdigest()
         who = Identity("", f"replay of {file.name}", settings.serial, f"sha256 {digest[:16]}")
         super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
+
+    parse_again = staticmethod(CsvLine.parse_again)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from drivers.framing.listener import Listener, Pieces
+from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps
 from drivers.text_line import Parser as TextParser
 from drivers.text_line import Settings as TextSettings
@@ -47,6 +47,11 @@ class Rm3100(Listener):
         scale = f"cycle count {settings.cycle_count}, {settings.nT_per_count:.4f} nT a count"
         who = Identity("PNI", "RM3100 bridge", settings.serial, scale)
         super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
+
+    @staticmethod
+    def parse_again(settings: Settings, raw: bytes) -> Array:
+        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
+        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
 
 
 class Parser:

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from drivers.framing.columns import NT, SECONDS, OwnClock
-from drivers.framing.listener import Listener, Pieces
+from drivers.framing.listener import Array, Listener, Pieces, values_again
 from drivers.framing.mishaps import Mishaps, overloaded
 from drivers.framing.text import Text, TextRows
 from labcal.bench.clock import Clock
@@ -57,6 +57,11 @@ class TextLine(Listener):
         self.settings = settings
         who = Identity("", "text line", settings.serial)
         super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
+
+    @staticmethod
+    def parse_again(settings: Settings, raw: bytes) -> Array:
+        """The samples (n, k) of frames as a record keeps them, by the parser that read them."""
+        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
 
 
 class Parser:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -29,6 +30,14 @@ def parse(frame: bytes, *, crc_bytes: int = 0) -> Packet | None:
         return None
     data = frame[HEADER : len(frame) - crc_bytes]
     return Packet(first & 0x7FF, second & 0x3FFF, second >> 14 == 3, bool(first >> 11 & 1), data)
+
+
+def packets(raw: bytes) -> Iterator[bytes]:
+    """The packets that stand in `raw` one after the other, by their lengths."""
+    while raw:
+        end = HEADER + 1 + int.from_bytes(raw[4:HEADER], "big")
+        yield raw[:end]
+        raw = raw[end:]
 
 
 def build(apid: int, count: int, data: bytes, *, secondary: bool = False) -> bytes:

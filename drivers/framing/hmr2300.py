@@ -6,7 +6,12 @@ import re
 import struct
 from collections import deque
 from collections.abc import Iterable
+from typing import Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
+NT_PER_COUNT = 1e5 / 15000
 END = b"\r"
 LENGTH = 7  # of a binary frame, its end sign included
 COLUMNS = (slice(7), slice(9, 16), slice(18, 25))  # of a frame's 28 bytes; a byte lost or too much is noticed
@@ -142,6 +147,23 @@ class BinaryReplies:
                 self.bad.append(stamp)
         self._skip, skipped = max(0, self._skip - len(samples)), self._skip
         return samples[skipped:]
+
+
+class Format(Protocol):
+    """What reading frames again needs of the settings."""
+
+    @property
+    def format(self) -> str:
+        """The word ascii, or binary."""
+        ...
+
+
+def samples_again(settings: Format, raw: bytes) -> NDArray[np.float64]:
+    """The samples (n, 3) [nT] of frames that stand in `raw` one after the other, as a record keeps them."""
+    binary = settings.format == "binary"
+    cuts = [raw[k : k + LENGTH] for k in range(0, len(raw), LENGTH)] if binary else [raw]
+    found = (BinaryReplies() if binary else TextFrames()).feed([(0.0, cut) for cut in cuts])
+    return np.array([counts for _, counts, _ in found], dtype=float).reshape(-1, 3) * NT_PER_COUNT
 
 
 def _common(places: Iterable[Places]) -> Places:

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.roles import Identity
@@ -14,6 +17,7 @@ from labcal.record.stream import Block, Event
 
 FIRST_S = 3.0
 Pieces = Sequence[tuple[float, bytes]]
+Array = NDArray[np.float64]
 
 
 class Parser(Protocol):
@@ -22,6 +26,12 @@ class Parser(Protocol):
     def feed(self, pieces: Pieces) -> list[Block]:
         """The blocks that these pieces complete."""
         ...
+
+
+def values_again(parser: Parser, pieces: Pieces) -> Array:
+    """The samples (n, k) that a parser which begins anew finds in the frames of a record; housekeeping is left out."""
+    found = [block.values for block in parser.feed(pieces) if block.raw]
+    return np.vstack(found) if found else np.zeros((0, 0))
 
 
 class Listener:

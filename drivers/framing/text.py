@@ -10,7 +10,7 @@ from drivers.framing.columns import ColumnMap, numbers
 from drivers.framing.mishaps import Mishaps
 from labcal.bench.driver_kit.framing import Lines
 
-Rows = tuple[list[float], list[list[float]], bytes]  # stamps of first bytes, rows, the lines as they came
+Rows = tuple[list[float], list[list[float]], bytes]  # stamps of first bytes, rows, the lines as they came, ends too
 
 
 @dataclass(frozen=True)  # without slots, so that a column map can stand beside it
@@ -47,8 +47,8 @@ class TextRows:
                 continue
             stamps.append(stamp)
             rows.append(row)
-            raw.append(line)
+            raw.append(line + b"\n")
         if self._lines.too_long:
             self._mishaps.note("bad frame", pieces[-1][0], self._lines.too_long)
             self._lines.too_long = 0
-        return stamps, rows, b"\n".join(raw)
+        return stamps, rows, b"".join(raw)

@@ -7,11 +7,11 @@ file that names no approver, or one who has not signed, is PROVISIONAL: valid, a
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date, datetime
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
@@ -55,6 +55,7 @@ class Verification:
     run_matches: bool | None = None
     recomputed: Recomputed | None = None
     expired: bool = False
+    same_chain: bool = True  # where both that run and the calibration state the head of a hash chain
 
     @property
     def valid(self) -> bool:
@@ -100,7 +101,8 @@ class Verification:
             return [f"NOT VALID: {self.file.name} carries no signature."]
         said = [f"VALID: signed by {', '.join(self.signers)}." if self.valid else "NOT VALID."]
         if self.run_matches is False:
-            said.append("It was not made from the run that was named (run_sha256 differs).")
+            what = "run_sha256" if self.same_chain else "the head of its hash chain"
+            said.append(f"It was not made from the run that was named ({what} differs).")
         if self.run_matches and (self.recomputed is None or self.recomputed.same):
             said.append("It was made from the run that was named.")
         said += _of_working_out(self.recomputed)
@@ -201,9 +203,16 @@ def sign_simulated(path: Path, allowed_signers: Path) -> Path:
 
 
 def verify(
-    path: Path, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime, run_sha256: str | None = None
+    path: Path,
+    signers: Sequence[Signer],
+    revoked: frozenset[bytes],
+    now: datetime,
+    run_sha256: str | None = None,
+    chain: Mapping[str, Any] | None = None,
 ) -> Verification:
     """Check every signature of the calibration at `path` against `signers`, and its run where one is named.
+
+    The run is told by `run_sha256`, and by the head of its hash `chain` where both it and the calibration have one.
 
     The bytes are read once; a file beside them is never asked whom to trust. Raises InputError where `path` cannot
     be read, or a trusted person signed something that is no calibration.
@@ -216,12 +225,14 @@ def verify(
     if not calibration.simulated:
         checks = tuple(_real(check) for check in checks)
     until = calibration.validity.until
+    same_chain = not (chain and calibration.chain) or dict(calibration.chain) == dict(chain)
     return Verification(
         path,
         content,
         checks,
         calibration,
-        None if run_sha256 is None else calibration.run_sha256 == run_sha256,
+        None if run_sha256 is None else calibration.run_sha256 == run_sha256 and same_chain,
+        same_chain=same_chain,
         expired=until is not None and date.fromisoformat(until) < now.date(),
     )
 

@@ -66,7 +66,7 @@ def show(run: str = RUN, json: str | None = JSON, force: bool = FORCE) -> None:
 def check_store(
     run: str | None = typer.Argument(None, metavar="RUN", help="A run id of the store; none: all of them."),
 ) -> int:
-    """Look through the store, every page and row: exit 0 where all fits, else 1 and the first thing that does not."""
+    """Look through every page, row and hash chain: exit 0 where all fits, else 1 and the first thing that does not."""
     from labcal import session
     from labcal.cli import DONE, NEGATIVE
 
@@ -74,7 +74,8 @@ def check_store(
     if found.fault:
         say(f"NOT SOUND: {found.fault}")
         return NEGATIVE
-    say(f"sound: {found.runs} run{'s' * (found.runs != 1)}, {found.items} rows")
+    again = f", the raw frames of {found.parsed} parsed again" if found.parsed else ""
+    say(f"sound: {found.runs} run{'s' * (found.runs != 1)}, {found.items} rows{again}")
     return DONE
 
 
@@ -139,6 +140,7 @@ def _head(told: Mapping[str, Any]) -> Table:
         "operator": told["operator"],
         "DUT": f"{dut['serial']} {dut['model']}, {dut['nominal_nT_per_unit']:g} nT per {dut['unit']}, noise {noise}",
         "reference": ", ".join(f"{key} {value}" for key, value in reference.items() if value != ""),
+        "origin": _origin(told["chain"]),
         "samples": f"{told['n_samples']}, {_between(told['span_s'], 'g')} s",
     }
     if "procedure" in told:
@@ -159,6 +161,10 @@ def _asked(specification: Mapping[str, Any]) -> str:
     """What the DUT was to keep, and the rule that decides."""
     limits = [f"{name} {v['limit']:g} {v['unit']}" for name, v in specification.items() if isinstance(v, dict)]
     return f"{', '.join(limits)}; {specification['rule']}, r = {specification['r']:g}".replace("_", "-")
+
+
+def _origin(chain: Mapping[str, Any] | None) -> str:
+    return f"chain of {chain['rows']} rows, head {chain['head']}" if chain else "not shown: there is no hash chain"
 
 
 def _segments(told: Mapping[str, Any]) -> Table:

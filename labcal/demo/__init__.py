@@ -50,7 +50,7 @@ def demo(folder: Path, seed: int = 0, *, stage: Progress = lambda name: None, te
     stage(STAGES[1])
     outcome = _record("preflight", folder, seed, tell, {}, f"demo-{seed}", START)
     with Store.open(folder / STORE) as store:
-        save_bundle(store.bundle(outcome.run_id), folder / RUN)
+        save_bundle(store.bundle(outcome.run_id, with_chain=True), folder / RUN)
     stage(STAGES[2])
     closed = session.close_loop(str(folder / RUN), folder / CALIBRATION, report=folder / REPORT)
     stage(STAGES[3])

@@ -21,9 +21,10 @@ from labcal.errors import InputError
 from labcal.files.atomic import replaceable, write_bytes
 from labcal.files.home import FILE, home, own_folder
 
-STORE = "store.sqlite"
+STORE, AUDIT = "store.sqlite", "audit.sqlite"
 OWN = (
     "keys",
+    "lab-key.pem",
     "photos",
     "worked-out",
     "translations",
@@ -138,7 +139,7 @@ def _is_own(path: Path) -> bool:
     if here == own or not here.is_relative_to(own):
         return here == own
     first = here.relative_to(own).parts[0].casefold()
-    return first.startswith((STORE, "not-at-zero-")) or first in OWN
+    return first.startswith((STORE, AUDIT, "not-at-zero-")) or first in OWN
 
 
 def _is_store(path: Path) -> bool:

@@ -29,11 +29,13 @@ def draft_calibration(
     metrics: Mapping[str, Mapping[str, float]] | None = None,
     cage_sha256: str | None = None,
     made_by: Mapping[str, Any] | None = None,
+    chain: Mapping[str, Any] | None = None,
 ) -> Calibration:
     """The calibration that `found` makes of `run`, its effects those of the sensor, valid where the run has been.
 
-    `metrics` adds to what the fit says of itself; `after` carries `noise_nT`, the noise of one axis of one reading,
-    which `apply` takes for its uncertainty. Raises InputError where the fit gives none.
+    `chain` is the head of the run's hash chain and its rows, None where its origin is not shown. `metrics` adds to what
+    the fit says of itself; `after` carries `noise_nT`, the noise of one axis of one reading, which `apply` takes for
+    its uncertainty. Raises InputError where the fit gives none.
     """
     if not found.ok or found.affine is None:
         raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
@@ -61,6 +63,7 @@ def draft_calibration(
         },
         not_covered=not_covered(run),
         made_by=made_by,
+        chain=chain,
     )
     judged = with_conformity(made, run)
     return judged if found.sources is None else replace(judged, budget=as_json(budgets(made, found.sources, run)))

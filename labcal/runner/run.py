@@ -27,6 +27,7 @@ from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
 from labcal.runner.prompts import Answer
 from labcal.store import RunWriter, Store
+from labcal.store.writer import iso
 from labcal.version import __version__
 
 RESUMED, INTERRUPTED = "resumed", "interrupted"
@@ -96,7 +97,7 @@ def run_procedure(
     identities = bench.identities()
     header = RunHeader(
         run_id=run_id or new_run_id(bench),
-        started_utc=bench.clock.utc().isoformat(timespec="milliseconds").replace("+00:00", "Z"),
+        started_utc=iso(bench.clock.utc()),
         simulated=bench.simulated,
         operator=operator,
         dut=_dut(bench, dut_serial),
@@ -112,7 +113,7 @@ def run_procedure(
         cage_sha256=cage_sha256,
         specification=specification,
     )
-    writer = store.begin(header)
+    writer = store.begin(header, lambda: iso(bench.clock.utc()))
     _tell_lifted(bench, writer, bench.clock.now())
     return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
 
@@ -138,7 +139,7 @@ def resume_run(
     _refuse_another(bench, procedure, header, dut_serial)
     done, at_s = so_far(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}
-    writer = store.resume(run_id)
+    writer = store.resume(run_id, lambda: iso(bench.clock.utc()))
     offset = at_s - bench.clock.now()
     software = {"software": f"labcal {__version__}"}
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
@@ -176,7 +177,9 @@ def _drive(
     offset_s: float,
 ) -> Outcome:
     seen = _Seen(tell)
-    if not isinstance(bench.clock, VirtualClock):
+    if isinstance(bench.clock, VirtualClock):
+        writer.repeats = True
+    else:
         writer.late_s = LATE_S
     drive = Drive(bench, writer.write, answer, control or Control(), seen.notice, show, offset_s, writer.check)
     ending = _in_whose_file(procedure, drive.run(procedure.function(bench, **values)))

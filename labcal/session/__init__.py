@@ -1,8 +1,8 @@
 """The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
 
-Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `working_out` (a calibration
-worked out again from its run), `instruments` (the bench without a procedure), and `measuring`, where the loop closes on
-the instruments.
+Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `audited` (who did what),
+`working_out` (a calibration worked out again from its run), `instruments` (the bench without a procedure), and
+`measuring`, where the loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
+from labcal.session.audited import note_file, note_run, read_audit
 from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
 from labcal.session.records import (
     check_store,
@@ -78,6 +79,7 @@ __all__ = [
     "new_key",
     "one_cause",
     "paths",
+    "read_audit",
     "report",
     "resume",
     "revoke_keys",
@@ -122,11 +124,12 @@ def run(
     if found.takes("calibration") and "calibration" in texts:
         filled["calibration"] = load_calibration(Path(texts.pop("calibration")))
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
-        return run_procedure(
+        outcome = run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
             specification=specification_of(lab.config, bench), run_id=run_id, control=control, tell=tell, show=show,
         )  # fmt: skip
+        return note_run(outcome, kept, operator) if store is None else outcome
 
 
 def resume(
@@ -148,9 +151,10 @@ def resume(
     """
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
-        return resume_run(
+        outcome = resume_run(
             lab, found, run, store=kept, answer=ask, dut_serial=dut, control=control, tell=tell, show=show
         )
+        return note_run(outcome, kept, kept.header(run).operator)
 
 
 def hand_out(calibration: Path, folder: Path) -> None:
@@ -159,6 +163,7 @@ def hand_out(calibration: Path, folder: Path) -> None:
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
     certificate.hand_out(calibration, folder, [entry.signer for entry in trusted_keys() if not entry.revoked])
+    note_file("export", "", calibration)
 
 
 def load_calibration(path: Path) -> Calibration:
@@ -168,14 +173,18 @@ def load_calibration(path: Path) -> Calibration:
 
 def approve(calibration: Path, name: str, progress: Progress = lambda step: None) -> Calibration:
     """Write the approver, somebody of the trust list, into a draft. Raises InputError where its run gives another."""
-    return certificate.approve(calibration, name, _same_as_its_run(calibration, progress))
+    approved = certificate.approve(calibration, name, _same_as_its_run(calibration, progress))
+    note_file("approve", name, calibration)
+    return approved
 
 
 def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
     """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
     key = certificate.keys.open_key(home(), name, passphrase)
     examine = _same_as_its_run(calibration, progress)
-    return certificate.sign(calibration, name, key, certificate.keys.trusted(home()), examine)
+    signature = certificate.sign(calibration, name, key, certificate.keys.trusted(home()), examine)
+    note_file("sign", name, calibration, signature)
+    return signature
 
 
 def _same_as_its_run(path: Path, progress: Progress) -> Callable[[Calibration], None]:
@@ -202,8 +211,8 @@ def verify(
     """
     signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
     bundle = None if run is None else run_bundle(run)
-    sha256 = None if bundle is None else bundle.sha256
-    found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+    sha256, chain = (bundle.sha256, bundle.stated_chain) if bundle else (None, None)
+    found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256, chain)
     if found.calibration is None or not found.valid:
         return found
     return replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
@@ -228,8 +237,8 @@ def draft(
     """Write the draft calibration that a fit of `run`, by these `channels` alone where they are named, makes."""
     [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
-    how = made_by("fit", found.method, channels)
-    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run), made_by=how)
+    how, cage, chain = made_by("fit", found.method, channels), _cage_sha256(run), bundle.stated_chain
+    made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=cage, made_by=how, chain=chain)
     with output.writing():
         write_bytes(out, certificate.calibration_bytes(made))
     return made
@@ -257,7 +266,8 @@ def close_loop(
         with outputs[report].writing():
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
-        drafted = made(cage_sha256=_cage_sha256(run), made_by=made_by("close-loop", closed.fit().method))
+        how, cage = made_by("close-loop", closed.fit().method), _cage_sha256(run)
+        drafted = made(cage_sha256=cage, made_by=how, chain=bundle.stated_chain)
         with outputs[out].writing():
             write_bytes(out, certificate.calibration_bytes(drafted))
         keep(drafted)
@@ -314,7 +324,7 @@ def report(
             return _report_calibration(Path(source), out, allowed_signers, before)
         bundle = run_bundle(source)
         run = bundle.run()
-        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False)), out)
+        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
 
 
 def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, before: Path | None) -> None:

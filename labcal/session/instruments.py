@@ -13,6 +13,7 @@ from labcal.bench.identify import Identified, identify_all
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
 from labcal.runner.cage import approved_cage
+from labcal.session.audited import note_file
 from labcal.store import Store
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> Cage
         found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
     with output.writing():
         write_cage(found, out)
+    note_file("approve", name, out)
     return found
 
 

@@ -12,10 +12,13 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
-from labcal.session.sources import is_path, load_run, paths, run_bundle
+from labcal.session import raw_frames
+from labcal.session.audited import note
+from labcal.session.sources import is_path, paths, run_bundle
 from labcal.session.working_out import keep_corrected
 from labcal.store import Checked, RunSummary, Store, bundle_files, describe, export, photos, save_bundle
 from labcal.store import check_store as store_check
+from labcal.store.limits import CHAIN_JSONL
 from labcal.store.listing import FILE as STORE
 
 
@@ -28,7 +31,8 @@ def runs() -> list[RunSummary]:
 def describe_run(run: str) -> dict[str, Any]:
     """What the run that `run` names is: head, segments and what each offers, channels, measurements."""
     if is_path(run):
-        return describe(load_run(run), "a bundle, not in the store")
+        bundle = run_bundle(run)
+        return describe(bundle.run(), "a bundle, not in the store", origin=bundle.origin)
     with Store.open() as store:
         return store.describe(run)
 
@@ -46,8 +50,10 @@ def correct_serial(run: str, serial: str, who: str, made: Sequence[Path] = ()) -
     for path in made:
         draft = certificate.read_calibration(path)
         corrected = replace(draft, dut=replace(draft.dut, serial=serial.strip()), run_sha256=bundle.sha256)
+        corrected = replace(corrected, chain=bundle.stated_chain)
         write_bytes(path, certificate.calibration_bytes(corrected))
         keep_corrected(draft, corrected)
+    note("correct", who, run=run, serial=serial.strip())
 
 
 def keep_photo(path: Path) -> dict[str, str]:
@@ -62,19 +68,34 @@ def import_bundle(path: Path) -> str:
 
 
 def check_store(run: str | None = None) -> Checked:
-    """Look through the local store, or one run of it, for the first thing that does not fit."""
-    return store_check(home() / STORE, run)
+    """Look through the local store, or one run of it, for the first thing that does not fit.
+
+    Where all rows fit, the raw frames are parsed again by the drivers that are here, and held against the samples.
+    """
+    found = store_check(home() / STORE, run)
+    if found.fault:
+        return found
+    parsed = 0
+    with Store.read_only(home() / STORE) as store:
+        try:
+            for run_id in [run] if run else [one.run_id for one in store.runs()]:
+                parsed += raw_frames.compare(store, run_id)
+        except raw_frames.Differs as differs:
+            return replace(found, fault=str(differs))
+    return replace(found, parsed=parsed)
 
 
 def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path, *, force: bool = False) -> None:
     """Write the run that `run` names to `out`."""
     files, folder = (bundle_files(out), True) if format_ == "bundle" else ([out], False)
     outputs = claim("export", *files, inputs=paths(run), force=force, with_folder=folder)
-    bundle = run_bundle(run)
-    with writing(outputs):
+    bundle = run_bundle(run, with_chain=format_ == "bundle")
+    written = [one for one in outputs if bundle.chain or one.path.name != CHAIN_JSONL]
+    with writing(written):
         if format_ == "bundle":
             save_bundle(bundle, out)
         elif format_ == "csv":
             write_bytes(out, export.csv_table(bundle))
         else:
             write_bytes(out, export.hdf5(bundle.run()) if format_ == "hdf5" else export.mat(bundle.run()))
+    note("export", run=run, format=format_, file=out.name, run_sha256=bundle.sha256)

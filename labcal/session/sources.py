@@ -28,14 +28,17 @@ def _run_of_name(run: str | Path) -> Run:
         return store.run(str(run))
 
 
-def run_bundle(run: Source) -> Bundle:
-    """The exported bundle of the run that `run` names, byte for byte; its `sha256` is the contract's run_sha256."""
+def run_bundle(run: Source, *, with_chain: bool = False) -> Bundle:
+    """The exported bundle of the run that `run` names, byte for byte; its `sha256` is the contract's run_sha256.
+
+    `with_chain` adds chain.jsonl of a run of the store. Raises InputError where the run does not fit its chain.
+    """
     if isinstance(run, Run):
         return bundle_of(run)
     if is_path(run):
         return load_bundle(Path(run))
     with Store.open() as store:
-        return store.bundle(str(run))
+        return store.bundle(str(run), with_chain=with_chain)
 
 
 def paths(run: Source) -> list[Path]:

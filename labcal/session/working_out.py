@@ -61,7 +61,8 @@ def _keep(made: Calibration, place: Path) -> None:
 def keep_corrected(draft: Calibration, corrected: Calibration) -> None:
     """What is kept of `draft` goes on as that of `corrected`, whose run states another serial and is else the same."""
     if (made := _kept(_whole_place(draft))) is not None:
-        keep(replace(made, dut=replace(made.dut, serial=corrected.dut.serial), run_sha256=corrected.run_sha256))
+        dut, of_run = replace(made.dut, serial=corrected.dut.serial), corrected.run_sha256
+        keep(replace(made, dut=dut, run_sha256=of_run, chain=corrected.chain))
 
 
 def recomputed(
@@ -74,7 +75,10 @@ def recomputed(
     """`stated` beside what its run gives, that of `bundle` or else of the local store; from what is kept if it can be.
 
     The whole way by the version that made it, else the final fit with its effects. `only_kept` works nothing out.
+    Before that the run's hash chain has to fit, and to have the head that is stated.
     """
+    if (wrong := _against_its_chain(stated, bundle)) is not None:
+        return Recomputed(False, (f"chain: {wrong}",), holds=False)
     for place, compared in ((_whole_place(stated), whole_way), (_final_place(stated), final_fit)):
         if (made := _kept(place)) is not None:
             return compared(stated, made)
@@ -85,6 +89,25 @@ def recomputed(
     if bundle.sha256 != stated.run_sha256:
         return Recomputed(False, (f"run_sha256: the run {stated.run_id} of this store is not the one that it states",))
     return _beside(stated, bundle, lambda step: progress(f"working the calibration out again: {step}"))
+
+
+def _against_its_chain(stated: Calibration, bundle: Bundle | None) -> str | None:
+    """What the hash chain of its run, of `bundle` or of the local store, has against it; None where nothing is."""
+    if bundle is not None or not (home() / STORE).exists():
+        return None  # a bundle's chain was walked when it was read, and `verify` compares the heads
+    with suppress(InputError), Store.open() as store:  # one that is damaged shows nothing
+        if store.has(stated.run_id):
+            return _misfit(store, stated)
+    return None
+
+
+def _misfit(store: Store, stated: Calibration) -> str | None:
+    try:
+        if store.has_head(stated.run_id, stated.chain):
+            return None
+    except InputError as misfit:
+        return misfit.what
+    return f"the head that it states is none of the run {stated.run_id} of this store"
 
 
 def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomputed:
@@ -114,9 +137,11 @@ def _whole_way(bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
     if how["command"] == CLOSE_LOOP:
         closed = loop.close_loop(run, progress)
         again = made_by(CLOSE_LOOP, closed.fit().method)
-        return draft_calibration(run, closed.fit(), bundle.sha256, metrics=closed.metrics(), made_by=again)
-    again = made_by(FIT, how["method"], how["channels"])
-    return draft_calibration(run, _fitted(run, how, progress), bundle.sha256, made_by=again)
+        return draft_calibration(
+            run, closed.fit(), bundle.sha256, metrics=closed.metrics(), made_by=again, chain=bundle.stated_chain
+        )
+    again, found = made_by(FIT, how["method"], how["channels"]), _fitted(run, how, progress)
+    return draft_calibration(run, found, bundle.sha256, made_by=again, chain=bundle.stated_chain)
 
 
 def _final_fit(stated: Calibration, bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:

@@ -1,4 +1,4 @@
-"""Run bundles: a folder, or a zip of it, with run.json and samples.csv."""
+"""Run bundles: a folder, or a zip of it, with run.json, samples.csv and, where it was recorded so, chain.jsonl."""
 
 from __future__ import annotations
 
@@ -6,15 +6,17 @@ import io
 import stat
 import zipfile
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path, PurePosixPath
-from typing import IO
+from typing import IO, Any
 
 from labcal.errors import InputError
 from labcal.files.atomic import replacing, write_bytes
 from labcal.record import Run
-from labcal.store.limits import FREELY, INFLATED, LARGEST, MOST_FILES, RUN_JSON, SAMPLES_CSV, MiB
+from labcal.store.chain import Chain
+from labcal.store.limits import CHAIN_JSONL, FREELY, INFLATED, LARGEST, MOST_FILES, RUN_JSON, SAMPLES_CSV, MiB
+from labcal.store.origin import shown
 from labcal.store.run_json import read_run_json, write_run_json
 from labcal.store.samples_csv import read_samples, write_samples
 from labcal.store.zip_directory import refuse_a_long_directory
@@ -24,12 +26,22 @@ ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 
 @dataclass(frozen=True, slots=True)
 class Bundle:
-    """The two files of a bundle, byte for byte, and where they came from (for messages)."""
+    """The files of a bundle, byte for byte, and where they came from (for messages).
+
+    `chain` is chain.jsonl, empty where there is none; `origin` its head, None where the run's origin is not shown.
+    """
 
     run_json: bytes
     samples_csv: bytes
     source: Path = Path()
     of_store: bool = False
+    chain: bytes = b""
+    origin: Chain | None = None
+
+    @property
+    def stated_chain(self) -> dict[str, Any] | None:
+        """The head of its chain as a calibration states it; None where the run's origin is not shown."""
+        return None if self.origin is None else self.origin.stated()
 
     @property
     def sha256(self) -> str:
@@ -49,9 +61,22 @@ def bundle_of(run: Run) -> Bundle:
 
 
 def load_bundle(path: Path) -> Bundle:
-    """The bytes of a bundle, folder or zip, unread. Raises InputError where it is no bundle."""
+    """The bytes of a bundle, folder or zip. Raises InputError where it is no bundle.
+
+    They are unread, unless there is a chain: then they must be what its rows make.
+    """
+    bundle = _bytes_of(path)
+    if not bundle.chain:
+        return bundle
+    bundle.run()  # a fault of its own comes first
+    origin = shown(bundle.chain, bundle.run_json, bundle.samples_csv, path / CHAIN_JSONL)
+    return replace(bundle, origin=origin)
+
+
+def _bytes_of(path: Path) -> Bundle:
     if path.is_dir():
-        return Bundle(_from_folder(path, RUN_JSON), _from_folder(path, SAMPLES_CSV), path)
+        run_json, samples_csv = _from_folder(path, RUN_JSON), _from_folder(path, SAMPLES_CSV)
+        return Bundle(run_json, samples_csv, path, chain=_chain_in(path))
     if not path.exists():
         raise InputError("there is no such file or folder", file=path)
     if not path.is_file():
@@ -65,8 +90,8 @@ def read_bundle(path: Path) -> Run:
 
 
 def bundle_files(path: Path) -> list[Path]:
-    """The files that `save_bundle` writes at `path`."""
-    return [path] if path.suffix.lower() == ".zip" else [path / RUN_JSON, path / SAMPLES_CSV]
+    """The files that `save_bundle` writes at `path`, the chain though the bundle may have none."""
+    return [path] if path.suffix.lower() == ".zip" else [path / name for name in LARGEST]
 
 
 def save_bundle(bundle: Bundle, path: Path) -> None:
@@ -80,6 +105,10 @@ def save_bundle(bundle: Bundle, path: Path) -> None:
     with replacing(path / SAMPLES_CSV) as samples, replacing(path / RUN_JSON) as header:
         samples.write_bytes(bundle.samples_csv)
         header.write_bytes(bundle.run_json)
+    if bundle.chain:
+        write_bytes(path / CHAIN_JSONL, bundle.chain)
+    else:
+        (path / CHAIN_JSONL).unlink(missing_ok=True)  # another run's
 
 
 def write_bundle(run: Run, path: Path) -> None:
@@ -104,6 +133,11 @@ def _from_folder(folder: Path, name: str) -> bytes:
         return _limited(source, LARGEST[name], path)
 
 
+def _chain_in(folder: Path) -> bytes:
+    path = folder / CHAIN_JSONL
+    return _from_folder(folder, CHAIN_JSONL) if path.exists() or path.is_symlink() else b""
+
+
 def _limited(source: IO[bytes], most: int, path: Path) -> bytes:
     """All that `source` gives. Raises InputError where that is more than `most` bytes."""
     content = source.read(most + 1)
@@ -115,7 +149,9 @@ def _limited(source: IO[bytes], most: int, path: Path) -> bytes:
 def _zipped(bundle: Bundle) -> bytes:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
-        for name, content in ((RUN_JSON, bundle.run_json), (SAMPLES_CSV, bundle.samples_csv)):
+        for name, content in zip(LARGEST, (bundle.run_json, bundle.samples_csv, bundle.chain), strict=True):
+            if not content and name == CHAIN_JSONL:
+                continue
             member = zipfile.ZipInfo(name, ZIP_DATE)
             member.create_system, member.external_attr = 3, (stat.S_IFREG | 0o644) << 16
             archive.writestr(member, content, zipfile.ZIP_DEFLATED, 6)
@@ -127,9 +163,8 @@ def _from_zip(path: Path) -> Bundle:
         refuse_a_long_directory(path)
         with zipfile.ZipFile(path) as archive:
             members = _members(archive, path)
-            return Bundle(
-                _content(archive, members[RUN_JSON], path), _content(archive, members[SAMPLES_CSV], path), path
-            )
+            found = {name: _content(archive, member, path) for name, member in members.items()}
+            return Bundle(found[RUN_JSON], found[SAMPLES_CSV], path, chain=found.get(CHAIN_JSONL, b""))
     except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError, OverflowError) as error:
         if isinstance(error, InputError):
             raise
@@ -137,11 +172,11 @@ def _from_zip(path: Path) -> Bundle:
 
 
 def _members(archive: zipfile.ZipFile, path: Path) -> dict[str, zipfile.ZipInfo]:
-    """The two files, at the top or together in one folder. Refuses paths that climb out, links and doubles."""
+    """Its files, at the top or together in one folder. Refuses paths that climb out, links and doubles."""
     found: dict[str, zipfile.ZipInfo] = {}
     folders: set[PurePosixPath] = set()
     if len(archive.infolist()) > MOST_FILES:
-        raise InputError(f"the zip has {len(archive.infolist())} files; a bundle has two", file=path)
+        raise InputError(f"the zip has {len(archive.infolist())} files; a bundle has three", file=path)
     for member in archive.infolist():
         name = PurePosixPath(member.filename.replace("\\", "/"))
         if name.is_absolute() or ".." in name.parts or ":" in member.filename:
@@ -153,11 +188,11 @@ def _members(archive: zipfile.ZipFile, path: Path) -> dict[str, zipfile.ZipInfo]
                 raise InputError(f"the zip has two files called {name.name}", file=path)
             found[name.name] = member
             folders.add(name.parent)
-    for required in LARGEST:
+    for required in (RUN_JSON, SAMPLES_CSV):
         if required not in found:
             raise InputError(f"the bundle has no {required}", file=path)
     if len(folders) > 1:
-        raise InputError(f"{RUN_JSON} and {SAMPLES_CSV} lie in different folders of the zip", file=path)
+        raise InputError(f"{' and '.join(found)} lie in different folders of the zip", file=path)
     return found
 
 

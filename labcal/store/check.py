@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from labcal.errors import InputError, InstrumentError
-from labcal.store import schema
+from labcal.store import chain, schema
 from labcal.store.bundle import Bundle
 from labcal.store.database import PATIENCE_S, named_faults
 from labcal.store.items import KINDS, SAMPLES, Row, from_row, header_from_json
@@ -23,15 +23,15 @@ ITEM = f"SELECT number, {', '.join(Row._fields)} FROM item WHERE run = ? ORDER B
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """What was looked through, up to the first `fault`; "" where everything fits."""
+    """What was looked through, up to the first `fault`; "" where everything fits.
+
+    `parsed`: how many rows' raw frames were parsed again.
+    """
 
     runs: int
     items: int
     fault: str = ""
-
-
-class _Misfit(Exception):
-    """The first thing that does not fit, in words."""
+    parsed: int = 0
 
 
 def check_store(path: Path, run_id: str | None = None) -> Checked:
@@ -48,7 +48,7 @@ def check_store(path: Path, run_id: str | None = None) -> Checked:
             _check_file(store)
             for number, name in _runs(store, path, run_id):
                 _check_run(store, number, name, looked)
-    except _Misfit as misfit:
+    except chain.Misfit as misfit:
         return Checked(looked.runs, looked.items, str(misfit))
     except sqlite3.Error as error:
         return Checked(looked.runs, looked.items, _told(error, path))
@@ -77,14 +77,15 @@ def _told(error: sqlite3.Error, path: Path) -> str:
 def _check_file(store: sqlite3.Connection) -> None:
     """The pages, the guards, and that every row belongs to a run that is there."""
     if store.execute("PRAGMA application_id").fetchone()[0] != schema.APPLICATION:
-        raise _Misfit("it is a database of another program, not a store of labcal")
+        raise chain.Misfit("it is a database of another program, not a store of labcal")
     if what := schema.fault(store):
-        raise _Misfit(f"another program has changed this store: {what}")
+        raise chain.Misfit(f"another program has changed this store: {what}")
     (found,) = store.execute("PRAGMA integrity_check(1)").fetchone()
     if found != "ok":
-        raise _Misfit(f"a page is damaged: {' '.join(found.split())}")
-    if orphan := store.execute("PRAGMA foreign_key_check").fetchone():
-        raise _Misfit(f"row {orphan[1]} of {orphan[0]} is of a run that is not there")
+        raise chain.Misfit(f"a page is damaged: {' '.join(found.split())}")
+    orphans = sorted(store.execute("PRAGMA foreign_key_check"), key=lambda found: found[0] == "chain")
+    if orphans:  # links come last: they have no number of their own
+        raise chain.Misfit(f"row {orphans[0][1]} of {orphans[0][0]} is of a run that is not there")
 
 
 def _runs(store: sqlite3.Connection, path: Path, run_id: str | None) -> list[tuple[int, str]]:
@@ -101,21 +102,25 @@ def _check_run(store: sqlite3.Connection, number: int, run_id: str, looked: _Loo
     (header,) = store.execute("SELECT header FROM run WHERE number = ?", (number,)).fetchone()
     for wrong in (_of_statuses(statuses, imported is not None), _of_head(run_id, header, imported)):
         if wrong:
-            raise _Misfit(f"run {run_id}: {wrong}")
+            raise chain.Misfit(f"run {run_id}: {wrong}")
     for row_number, *row in store.execute(ITEM, (number,)):
         item = Row(*row)
         if wrong := "it lies in an imported run" if imported else _of_item(item):
-            raise _Misfit(f"run {run_id}, row {row_number} ({item.kind}): {wrong}")
+            raise chain.Misfit(f"run {run_id}, row {row_number} ({item.kind}): {wrong}")
         looked.items += 1
+    try:
+        chain.walk(store, number)
+    except chain.Misfit as misfit:
+        raise chain.Misfit(f"run {run_id}: {misfit}") from None
     looked.runs += 1
 
 
 def _of_statuses(statuses: list[tuple[str, str]], imported: bool) -> str:
     """What is wrong with how a run stood, one after the other."""
-    words = [status for status, _ in statuses]
+    words = [str(status) for status, _ in statuses]
     if words[:1] != ["imported" if imported else "running"]:
         return f"its first status is {words[0] if words else 'missing'}"
-    for word, utc in statuses:
+    for word, (_, utc) in zip(words, statuses, strict=True):
         if word not in ("running", "interrupted") and not _ends(word):
             return f"{word!r} is no status"
         if not _is_time(utc):

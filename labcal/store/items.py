@@ -20,6 +20,7 @@ from labcal.record.stream import (
 )
 
 SAMPLES = np.dtype("<f8")
+SPAN_S, MOST_BLOCKS = 10.0, 1000  # of the bench's time, and so many blocks, are at most in one row of each stream
 
 
 def _kind(of: type) -> str:
@@ -48,21 +49,38 @@ def to_row(item: Item) -> Row:
             raise ValueError(f"{item.source}: a block of shape {item.values.shape} where {shape} is stated")
         content = _block_content(item.stream, item.source, item.columns)
         stamps, samples = (np.ascontiguousarray(part, SAMPLES).tobytes() for part in (item.t_s, item.values))
-        return Row("block", float(item.t_s[0]) if len(item) else 0.0, content, stamps, samples, item.raw)
-    return Row(_kind(type(item)), float(item.t_s), to_json(asdict(item)))
+        return Row("block", float(item.t_s[0]) + 0.0 if len(item) else 0.0, content, stamps, samples, item.raw)
+    return Row(_kind(type(item)), float(item.t_s) + 0.0, to_json(asdict(item)))
 
 
 def merged(rows: Iterable[Row]) -> Iterator[Row]:
-    """The same timeline in fewer rows: blocks of one stream between two other items become one block."""
-    blocks: dict[str, list[Row]] = {}
-    for row in rows:
-        if row.kind == "block":
+    """The same timeline in fewer rows: blocks of one stream between two other items become one block, or a few."""
+    for group in _groups(rows):
+        blocks: dict[str, list[Row]] = {}
+        for row in group:
             blocks.setdefault(row.content, []).append(row)
-            continue
-        yield from map(_joined, blocks.values())
-        blocks.clear()
-        yield row
-    yield from map(_joined, blocks.values())
+        yield from map(_joined, blocks.values()) if group[0].kind == "block" else group
+
+
+def whole(rows: Sequence[Row]) -> int:
+    """How many of the first `rows` will be merged as they are now, whatever comes after them."""
+    *_, last = [[], *_groups(rows)]
+    return len(rows) - (len(last) if last and last[0].kind == "block" else 0)
+
+
+def _groups(rows: Iterable[Row]) -> Iterator[list[Row]]:
+    """Rows that are merged with each other: where one ends depends on no row behind the next one."""
+    group: list[Row] = []
+    for row in rows:
+        if group and (row.kind != "block" or row.t_s - group[0].t_s >= SPAN_S or len(group) >= MOST_BLOCKS):
+            yield group
+            group = []
+        group.append(row)
+        if row.kind != "block":
+            yield group
+            group = []
+    if group:
+        yield group
 
 
 def _joined(rows: Sequence[Row]) -> Row:

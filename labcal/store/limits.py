@@ -6,8 +6,8 @@ from collections.abc import Collection
 from itertools import islice
 
 MiB = 1 << 20
-RUN_JSON, SAMPLES_CSV = "run.json", "samples.csv"
-LARGEST = {RUN_JSON: 16 * MiB, SAMPLES_CSV: 930 * MiB}  # bytes; a row of the store holds both, and at most 10^9
+RUN_JSON, SAMPLES_CSV, CHAIN_JSONL = "run.json", "samples.csv", "chain.jsonl"  # the last is not in every bundle
+LARGEST = {RUN_JSON: 16 * MiB, SAMPLES_CSV: 930 * MiB, CHAIN_JSONL: 930 * MiB}  # bytes; a row of the store: 10^9
 INFLATED, FREELY = 200, 16 * MiB  # times its size in the zip may a file have, and any file so many bytes
 MOST_FILES, DIRECTORY = 1_000, 1 * MiB  # in a zip: a bundle has two; bytes of what lists them
 MOST_SEGMENTS = 45_000  # a field held for a day with a look every two seconds

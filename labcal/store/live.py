@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import sqlite3
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -16,9 +17,11 @@ from labcal.record import Run, RunHeader
 from labcal.record.assemble import assemble
 from labcal.record.run_id import as_file_name, checked_run_id
 from labcal.record.stream import Event, Item
+from labcal.store import chain
 from labcal.store.bundle import Bundle, bundle_of, load_bundle
 from labcal.store.database import (
     CHECKED_BEFORE_A_RUN_BYTES,
+    PATIENCE_S,
     Connection,
     connect,
     named_faults,
@@ -38,10 +41,13 @@ from labcal.store.listing import (
     true_status,
 )
 from labcal.store.liveness import Alive
+from labcal.store.origin import chain_jsonl, last_link
 from labcal.store.place import require_same
 from labcal.store.schema import CORRECTED
 from labcal.store.summary import describe
-from labcal.store.writer import INSERT_ITEM, INSERT_STATUS, RunWriter, utc_now
+from labcal.store.writer import RunWriter, Utc, utc_now
+
+NOT_USED = "nothing is made of it. `labcal check-store` looks through the whole store; go on with a copy from before"
 
 
 class Store:
@@ -59,6 +65,13 @@ class Store:
         path = home() / FILE if path is None else path
         return cls(path, connect(path))
 
+    @classmethod
+    def read_only(cls, path: Path) -> Self:
+        """Open a store that is there to be read and nothing else. Raises InputError, InstrumentError as `open` does."""
+        place = f"{path.resolve().as_uri()}?mode=ro"
+        with named_faults(path):
+            return cls(path, sqlite3.connect(place, PATIENCE_S, isolation_level=None, factory=Connection, uri=True))
+
     def close(self) -> None:
         """Let go of the file."""
         self._connection.close()
@@ -69,8 +82,11 @@ class Store:
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None) -> None:
         self.close()
 
-    def begin(self, header: RunHeader) -> RunWriter:
-        """Begin a run. Raises InputError where its run id is taken, or the store is damaged."""
+    def begin(self, header: RunHeader, utc: Utc = utc_now) -> RunWriter:
+        """Begin a run; `utc` tells the time of its statuses.
+
+        Raises InputError where its run id is taken, or the store is damaged.
+        """
         if not header.dut.serial:
             raise InputError("a run needs the serial number of its DUT")
         require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
@@ -79,23 +95,28 @@ class Store:
         alive = Alive(self.lock_file(header.run_id))
         try:
             with self._written():
-                number = self._add(header.run_id, to_json(asdict(header)), "running")
-            return RunWriter(self.path, number, header.run_id, alive)
+                number = self._add(header.run_id, to_json({**asdict(header), "chain": chain.FORMAT}))
+                chain.append(self._connection, number, "status", ("running", utc()))
+            return RunWriter(self.path, number, header.run_id, alive, utc)
         except BaseException:
             alive.end()
             raise
 
-    def resume(self, run_id: str) -> RunWriter:
-        """Go on with an interrupted run. Raises InputError where there is none that was interrupted."""
+    def resume(self, run_id: str, utc: Utc = utc_now) -> RunWriter:
+        """Go on with an interrupted run, in the same chain.
+
+        Raises InputError where there is none that was interrupted, or what is there does not fit its chain.
+        """
         if (status := self.status(run_id)) != "interrupted":
             raise InputError(f"run {run_id} was not interrupted: it is {status}")
         require_sound(self._connection, self.path, CHECKED_BEFORE_A_RUN_BYTES)
+        self.chain_of(run_id)
         alive = Alive(self.lock_file(run_id))
         try:
             with self._written():
                 number = self._number(run_id)
-                self._connection.execute(INSERT_STATUS, (number, "running", utc_now()))
-            return RunWriter(self.path, number, run_id, alive)
+                chain.append(self._connection, number, "status", ("running", utc()))
+            return RunWriter(self.path, number, run_id, alive, utc)
         except BaseException:
             alive.end()
             raise
@@ -107,14 +128,16 @@ class Store:
         """
         bundle = load_bundle(path)
         run_id = bundle.run().run_id
-        if self._has(run_id):
+        if self.has(run_id):
             if self.bundle(run_id).sha256 != bundle.sha256:
                 raise InputError(f"the store has another run called {run_id}", file=path)
             return run_id
         with self._written():
-            number = self._add(run_id, bundle.run_json.decode("utf-8-sig"), "imported")
-            parts = (number, bundle.run_json, bundle.samples_csv)
-            self._connection.execute("INSERT INTO bundle (run, run_json, samples_csv) VALUES (?, ?, ?)", parts)
+            number = self._add(run_id, bundle.run_json.decode("utf-8-sig"))
+            chain.append(self._connection, number, "bundle", (bundle.run_json, bundle.samples_csv))
+            if bundle.chain:
+                chain.append(self._connection, number, "origin", (bundle.chain,))
+            chain.append(self._connection, number, "status", ("imported", utc_now()))
         return run_id
 
     def runs(self) -> list[RunSummary]:
@@ -150,7 +173,7 @@ class Store:
         text = f"DUT serial {data['from']} corrected to {data['to']} by {who}"
         row = to_row(Event(self.end_s(run_id), CORRECTED, text, data))
         with self._written():
-            self._connection.execute(INSERT_ITEM, (self._number(run_id), *row))
+            chain.append(self._connection, self._number(run_id), "item", row)
 
     def cage_sha256(self, run_id: str) -> str | None:
         """SHA-256 of the approved cage calibration that drove the run; None where none did, or it was imported."""
@@ -174,20 +197,66 @@ class Store:
 
     def run(self, run_id: str) -> Run:
         """The run's rows, as far as they are committed. Raises InputError where there is no such run."""
+        self.chain_of(run_id)
         imported = self._imported(run_id)
         return assemble(self.header(run_id), self.items(run_id, raw=False)) if imported is None else imported.run()
 
-    def bundle(self, run_id: str) -> Bundle:
-        """The run's exported bundle; of an imported run the bytes that came in."""
-        return self._imported(run_id) or bundle_of(self.run(run_id))
+    def bundle(self, run_id: str, *, with_chain: bool = False) -> Bundle:
+        """The run's exported bundle, with its chain.jsonl where it is asked for; of an imported run what came in."""
+        origin, imported = self.chain_of(run_id), self._imported(run_id)
+        if imported is not None:
+            return imported
+        lines = chain_jsonl(self._connection, self._number(run_id)) if with_chain else b""
+        return replace(bundle_of(self.run(run_id)), chain=lines, origin=origin)
+
+    def chain_of(self, run_id: str) -> chain.Chain | None:
+        """The head of the chain that binds all that the store has of a run; None for a run of before there were chains.
+
+        Raises InputError naming the first row that does not fit.
+        """
+        number = self._number(run_id)
+        with named_faults(self.path), self._one_state():
+            try:
+                return chain.walk(self._connection, number)
+            except chain.Misfit as misfit:
+                told = f"run {run_id} does not fit its hash chain: {misfit}; {NOT_USED}"
+                raise InputError(told, file=self.path) from None
+
+    def head_of(self, run_id: str) -> str | None:
+        """The head of a run's chain as it stands, its rows not looked at; None where it has none."""
+        last = self._all(chain.LAST, self._number(run_id))
+        return str(last[0][1]) if last else None
+
+    def has_head(self, run_id: str, stated: Mapping[str, Any] | None) -> bool:
+        """Whether the chain of a run had this head once, as a calibration states it: a run may have gone on since.
+
+        True as well where none is stated, or where a run came without a chain. Raises InputError where its chain
+        does not fit.
+        """
+        self.chain_of(run_id)
+        if stated is None:
+            return True
+        if (imported := self._imported(run_id)) is not None:
+            return imported.stated_chain in (None, dict(stated))
+        query = "SELECT 1 FROM chain WHERE run = ? AND place = ? AND sha256 = ?"
+        return bool(self._all(query, self._number(run_id), stated["rows"], stated["head"]))
 
     def describe(self, run_id: str) -> dict[str, Any]:
         """What the run is, in one look (see `labcal.store.summary`)."""
-        status = self.status(run_id)
+        status, origin = self.status(run_id), self.chain_of(run_id)
         if (imported := self._imported(run_id)) is not None:
-            return describe(imported.run(), status)
+            return describe(imported.run(), status, origin=imported.origin)
         header, items = self.header(run_id), list(self.items(run_id, raw=False))
-        return describe(assemble(header, items), status, header, items)
+        return describe(assemble(header, items), status, header, items, origin)
+
+    @contextmanager
+    def _one_state(self) -> Iterator[None]:
+        """What is read within is of one moment, whoever writes meanwhile."""
+        self._connection.execute("BEGIN")
+        try:
+            yield
+        finally:
+            self._connection.execute("ROLLBACK")
 
     @contextmanager
     def _written(self) -> Iterator[None]:
@@ -196,19 +265,16 @@ class Store:
             yield
         require_same(self.path, self._connection.files)
 
-    def _add(self, run_id: str, header: str, status: str) -> int:
+    def _add(self, run_id: str, header: str) -> int:
         self._require_free(run_id)
-        insert = "INSERT INTO run (run_id, header) VALUES (?, ?)"
-        number = self._connection.execute(insert, (run_id, header)).lastrowid
-        assert number is not None
-        self._connection.execute(INSERT_STATUS, (number, status, utc_now()))
-        return number
+        return chain.begin(self._connection, run_id, header)
 
     def _require_free(self, run_id: str) -> None:
-        if self._has(run_id):
+        if self.has(run_id):
             raise InputError(f"the store has a run called {run_id} already")
 
-    def _has(self, run_id: str) -> bool:
+    def has(self, run_id: str) -> bool:
+        """Whether there is a run of this id."""
         return bool(self._all("SELECT 1 FROM run WHERE run_id = ?", run_id))
 
     def _number(self, run_id: str) -> int:
@@ -220,7 +286,12 @@ class Store:
 
     def _imported(self, run_id: str) -> Bundle | None:
         found = self._all("SELECT run_json, samples_csv FROM bundle WHERE run = ?", self._number(run_id))
-        return Bundle(found[0][0], found[0][1], Path(run_id), of_store=True) if found else None
+        if not found:
+            return None
+        came = self._all("SELECT chain_jsonl FROM origin WHERE run = ?", self._number(run_id))
+        lines = came[0][0] if came else b""
+        origin = last_link(lines) if lines else None
+        return Bundle(found[0][0], found[0][1], Path(run_id), of_store=True, chain=lines, origin=origin)
 
     def lock_file(self, run_id: str) -> Path:
         """The file that is locked as long as the run's writer is alive."""

@@ -14,8 +14,8 @@ from pathlib import Path
 from labcal.errors import InputError
 
 APPLICATION = 0x6C61_6263  # "labc", in the file's header
-VERSION = 2
-GUARDED_LESS = 1  # the version before rows could only be added at the end; it is brought to this one when it is opened
+VERSION = 3  # 1: rows could be put between others; 2: no chain. Those are brought to this one when they are opened
+LATER = {2: ("_taken", "_last"), 3: ("chain", "origin")}  # by version: how the names of what it added end or begin
 
 TABLES = """
 CREATE TABLE run (
@@ -43,6 +43,18 @@ CREATE TABLE bundle (  -- imported runs, byte for byte
     run_json BLOB NOT NULL,
     samples_csv BLOB NOT NULL
 );
+CREATE TABLE origin (  -- of an imported run: the chain that its bundle held, byte for byte
+    run INTEGER PRIMARY KEY REFERENCES run (number),
+    chain_jsonl BLOB NOT NULL
+);
+CREATE TABLE chain (  -- every row of a run in the order of writing, each bound to all before it
+    run INTEGER NOT NULL REFERENCES run (number),
+    place INTEGER NOT NULL,  -- 1, 2, 3 ...
+    kept_in TEXT NOT NULL,  -- the row's table
+    row INTEGER NOT NULL,  -- its key there
+    sha256 TEXT NOT NULL,
+    PRIMARY KEY (run, place)
+) WITHOUT ROWID;
 """
 CORRECTED = "serial-corrected"  # an Event of this kind: from here on the run is of another DUT's serial
 IS_CORRECTION = f"kind = 'event' AND content LIKE '%\"{CORRECTED}\"%'"
@@ -57,6 +69,8 @@ TAKEN = {  # by table: when a new row would take another's place
     "status": "EXISTS (SELECT 1 FROM status WHERE rowid = NEW.rowid)",
     "item": "EXISTS (SELECT 1 FROM item WHERE number = NEW.number)",
     "bundle": "EXISTS (SELECT 1 FROM bundle WHERE run = NEW.run)",
+    "origin": "EXISTS (SELECT 1 FROM origin WHERE run = NEW.run)",
+    "chain": "NEW.place <> (SELECT coalesce(max(place), 0) + 1 FROM chain WHERE run = NEW.run)",
 }
 ORDERED = {"run": "number", "status": "rowid", "item": "number"}  # by table: the key that tells the order
 GUARDS = (
@@ -85,7 +99,7 @@ def fault(connection: sqlite3.Connection) -> str:
     """What of the tables and guards is not as labcal made it, in words; "" where all is."""
     there, version = _named(connection), connection.execute("PRAGMA user_version").fetchone()[0]
     for name, (kind, text) in _expected().items():
-        if kind == "index" or (version == GUARDED_LESS and name.endswith(("_taken", "_last"))):
+        if kind == "index" or _added_after(version, name):
             continue  # no guard, or added when the store is opened for work
         if name not in there:
             return f"its {kind} {name} is gone"
@@ -98,7 +112,7 @@ def fault(connection: sqlite3.Connection) -> str:
 def require(connection: sqlite3.Connection, path: Path) -> None:
     """Raise InputError where the store is of a version that is not known here, or its guards were tampered with."""
     version = connection.execute("PRAGMA user_version").fetchone()[0]
-    if version not in (VERSION, GUARDED_LESS):
+    if not 1 <= version <= VERSION:
         raise InputError(f"a store of version {version}; this labcal reads versions 1 to {VERSION}", file=path)
     if what := fault(connection):
         raise InputError(
@@ -121,6 +135,11 @@ def bring_up(connection: sqlite3.Connection) -> None:
         if name not in there:
             connection.execute(text)
     connection.execute(f"PRAGMA user_version = {VERSION}")
+
+
+def _added_after(version: int, name: str) -> bool:
+    """Whether a store of `version` cannot have what is called so."""
+    return (version < 3 and name.startswith(LATER[3])) or (version < 2 and name.endswith(LATER[2]))
 
 
 @cache

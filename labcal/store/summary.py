@@ -10,14 +10,25 @@ import numpy as np
 
 from labcal.record import Run, RunHeader, Segment, offers, period_s
 from labcal.record.stream import Item, Measurement
+from labcal.store.chain import Chain
 from labcal.store.run_json import stated_specification
 
 
-def describe(run: Run, status: str, header: RunHeader | None = None, items: Iterable[Item] = ()) -> dict[str, Any]:
-    """The run as JSON: finite numbers only. `header` and `items` are there for what was recorded here."""
+def describe(
+    run: Run,
+    status: str,
+    header: RunHeader | None = None,
+    items: Iterable[Item] = (),
+    origin: Chain | None = None,
+) -> dict[str, Any]:
+    """The run as JSON: finite numbers only. `header` and `items` are there for what was recorded here.
+
+    `chain` is the head of its hash chain; None where its origin is not shown.
+    """
     told: dict[str, Any] = {
         "run_id": run.run_id,
         "status": status,
+        "chain": None if origin is None else origin.stated(),
         "started_utc": run.started_utc,
         "simulated": run.simulated,
         "operator": run.operator,

@@ -13,8 +13,9 @@ from typing import Self
 
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import Block, Item
+from labcal.store import chain
 from labcal.store.database import connect, transaction
-from labcal.store.items import Row, merged, to_row
+from labcal.store.items import Row, merged, to_row, whole
 from labcal.store.liveness import Alive
 from labcal.store.place import require_same
 
@@ -26,13 +27,17 @@ SAY_S = 1.0  # so long nobody is told that the end of a run waits for the disk
 TOLD_S = 0.1  # a row that has waited less has not waited
 PASSING = ("store locked", "disk full")  # faults that may go away by themselves
 ROWS_BUFFERED = 5_000
-INSERT_ITEM = "INSERT INTO item (run, kind, t_s, content, stamps, samples, raw) VALUES (?, ?, ?, ?, ?, ?, ?)"
-INSERT_STATUS = "INSERT INTO status (run, status, utc) VALUES (?, ?, ?)"
+Utc = Callable[[], str]
+
+
+def iso(moment: datetime) -> str:
+    """A moment of UTC as a record states it, ISO 8601."""
+    return moment.isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
 def utc_now() -> str:
     """The system's time, ISO 8601."""
-    return datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+    return iso(datetime.now(UTC))
 
 
 class RunWriter:
@@ -41,11 +46,12 @@ class RunWriter:
     Use it as a context manager: a run that is left without `finish` ends `finished`, `stopped` or `failed: …` as it
     was left. A writer that dies without leaving shows as `interrupted`. `late_s`: how long a row may wait for the disk
     before `write` and `check` say that it does; nobody who hands items in ever waits for the disk itself. `waits` hears
-    what `finish` waits for.
+    what `finish` waits for. `utc` tells the time of a status. With `repeats`, which rows blocks are merged into depends
+    on what is handed in alone and not on when it is committed: the last blocks wait for what comes after them.
     """
 
-    def __init__(self, path: Path, run: int, run_id: str, alive: Alive) -> None:
-        self.run_id, self.late_s = run_id, LATE_S
+    def __init__(self, path: Path, run: int, run_id: str, alive: Alive, utc: Utc = utc_now) -> None:
+        self.run_id, self.late_s, self.repeats, self._utc = run_id, LATE_S, False, utc
         self.waits: Callable[[InstrumentError], None] = lambda fault: None
         self._path, self._run, self._alive = path, run, alive
         self._connection = connect(path)
@@ -88,12 +94,12 @@ class RunWriter:
         """Bring everything written so far to the disk now."""
         with self._committing:
             with self._hand:
-                rows, begun_s = tuple(self._pending), time.monotonic()
+                rows, begun_s = self._pending[: self._ready()], time.monotonic()
             if rows:
                 self._insert(rows)
-                with self._hand:
-                    del self._pending[: len(rows)]
-                    self._since_s = begun_s if self._pending else None
+            with self._hand:
+                del self._pending[: len(rows)]
+                self._since_s = begun_s if self._ready() else None
 
     def finish(self, status: str) -> None:
         """Commit what is left and state how it ended: `finished`, `stopped`, `failed: why`, `interrupted` as before.
@@ -138,7 +144,7 @@ class RunWriter:
         try:
             self.commit()
             with transaction(self._connection, self._path):
-                self._connection.execute(INSERT_STATUS, (self._run, status, utc_now()))
+                chain.append(self._connection, self._run, "status", (status, self._utc()))
         except InstrumentError as fault:
             told = self._with_wait(fault)
             if fault.fault not in PASSING or time.monotonic() > deadline:
@@ -147,9 +153,14 @@ class RunWriter:
         require_same(self._path, self._connection.files)
         return None
 
+    def _ready(self) -> int:
+        """How many of the rows that are there may go to the disk."""
+        return whole(self._pending) if self.repeats and not self._closing.is_set() else len(self._pending)
+
     def _insert(self, rows: Sequence[Row]) -> None:
         with transaction(self._connection, self._path):
-            self._connection.executemany(INSERT_ITEM, ((self._run, *row) for row in merged(rows)))
+            for row in merged(rows):
+                chain.append(self._connection, self._run, "item", row)
 
     def _commit_in_time(self) -> None:
         while not self._closing.is_set():

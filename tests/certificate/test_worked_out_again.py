@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import sqlite3
 from collections.abc import Callable
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -172,6 +174,24 @@ def test_what_was_worked_out_is_kept_by_what_it_came_from(draft: Path, monkeypat
     assert len(steps) == 2
     monkeypatch.setattr(working_out, "__version__", "9.9.9")
     assert working_out.recomputed(stated, only_kept=True).same  # by the very version that made it
+
+
+@pytest.mark.usefixtures("trusting")
+def test_a_run_that_does_not_fit_its_chain_makes_it_not_valid_though_its_numbers_are_kept(
+    draft: Path, key: Ed25519PrivateKey, other_key: Ed25519PrivateKey
+):
+    session.approve(draft, "bob")
+    signed_by_two_elsewhere(draft, key, other_key)
+    assert session.verify(draft).status == "released"
+    with closing(sqlite3.connect(home() / "store.sqlite")) as store, store:
+        (guard,) = store.execute("SELECT sql FROM sqlite_master WHERE name = 'bundle_update'").fetchone()
+        store.execute("DROP TRIGGER bundle_update")
+        store.execute("UPDATE bundle SET samples_csv = samples_csv || x'0a'")
+        store.execute(guard)
+    result = session.verify(draft)
+    assert result.status == "invalid"
+    assert "chain: run" in " ".join(result.sentences())
+    assert not working_out.recomputed(read_calibration(draft)).holds
 
 
 @pytest.mark.usefixtures("trusting")

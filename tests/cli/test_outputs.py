@@ -41,13 +41,14 @@ ASKED = {
     "conformity --json": ("conformity {calibration} --specification {specification}", "lines.json"),
     "compare --json": ("compare {calibration} {calibration}", "changes.json"),
     "runs --json": ("runs", "runs.json"),
+    "audit --json": ("audit", "audit.json"),
     "show --json": ("show {bundle}", "show.json"),
     "export --out": ("export {bundle} --format csv", "samples.csv"),
     "bench serve --out": ("bench serve {bench}", "served.toml"),
     "bench cage --out": ("bench cage RUN --as Roe", "cage.json"),
 }
 READS = {
-    "demo --out": (), "runs --json": (), "bench cage --out": (),
+    "demo --out": (), "runs --json": (), "audit --json": (), "bench cage --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
     "verify --json": ("{calibration}",),
     "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),

@@ -9,7 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
+from drivers.csv_line import CsvLine
+from drivers.csv_line import Settings as CsvSettings
 from drivers.emulators.tti_pl import TtiEmulator
 from drivers.tti_pl import TtiSupply
 from drivers.zaber import ZaberStage
@@ -24,7 +27,7 @@ from labcal.model.effects import Family, Scene, Term, family
 from labcal.model.effects.regressors import on_each_axis, per_axis
 from labcal.record import Channel, Run
 from labcal.testing import check_driver, check_estimator, check_procedure
-from labcal.testing.drivers import DriverCase, stages
+from labcal.testing.drivers import DriverCase, stages, streams
 from labcal.testing.drivers.rig import installed
 from labcal.testing.effects import Trial, check_derivative, check_found, check_left_where_it_is_not
 from labcal.testing.made_up_runs import made_up_run
@@ -95,6 +98,17 @@ class Late(TtiEmulator):
 def test_a_driver_or_emulator_that_breaks_a_promise(driver: Any, emulator: Any, says: str) -> None:
     with pytest.raises(AssertionError, match=says):
         check_driver(driver, emulator, forbidden=FORBIDDEN, to_panel=b"LOCAL\n")
+
+
+def test_a_magnetometer_that_reads_its_own_frames_otherwise() -> None:
+    class Otherwise(CsvLine):
+        @staticmethod
+        def parse_again(settings: CsvSettings, raw: bytes) -> NDArray[np.float64]:
+            return CsvLine.parse_again(settings, raw[: raw.rindex(b"\n")])
+
+    case = replace(installed("csv-line", forbidden=[b"x"]), driver=Otherwise)
+    with pytest.raises(AssertionError, match=r"parse_again: the raw frames of its blocks.* give other samples"):
+        streams.it_reads_its_own_frames_again_alike(case)
 
 
 def test_a_driver_that_is_not_installed_is_told_where_it_is_declared() -> None:

@@ -20,7 +20,7 @@ def test_the_sheets_own_sentence() -> None:
     np.testing.assert_array_equal(blocks[0].values, [[21034.1, -1890.0, 43210.7]])
     np.testing.assert_array_equal(blocks[1].values, [[23.4]])
     np.testing.assert_allclose(blocks[0].t_s, [0.99])
-    assert blocks[0].raw == GOOD.rstrip(b"\n")
+    assert blocks[0].raw == GOOD
     assert lost == {}
 
 

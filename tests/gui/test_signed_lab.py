@@ -168,7 +168,7 @@ def test_a_run_is_exported_and_imported_by_clicks(qtbot, own_lab, tmp_path, monk
     qtbot.mouseClick(page.export, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: own_lab.app_state.lab.state.message == f"Exported: {out}", timeout=LONG_MS)
     with zipfile.ZipFile(out) as bundle:
-        assert sorted(bundle.namelist()) == ["run.json", "samples.csv"]
+        assert sorted(bundle.namelist()) == ["chain.jsonl", "run.json", "samples.csv"]
         other = json.loads(bundle.read("run.json")) | {"run_id": "another"}
         samples = bundle.read("samples.csv")
     with zipfile.ZipFile(out, "w") as bundle:

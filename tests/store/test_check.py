@@ -79,7 +79,7 @@ EDITS = (
     (ITEM.format("samples = substr(samples, 9)", "block"), "row 61 (block): 2392 bytes of samples where 2400 belong"),
     (ITEM.format("t_s = 99.0", "block"), "row 61 (block): its stamps are not those it was written with"),
     (ITEM.format("samples = x'00'", "event"), "row 63 (event): it has samples and is no block"),
-    ("UPDATE item SET run = 3 WHERE number = 63", "run imported, row 63 (event): it lies in an imported run"),
+    ("UPDATE item SET run = 3 WHERE number = 63", "run r2: row 63 of item is gone, that link"),
     ("UPDATE run SET header = '{}' WHERE run_id = 'r2'", "run r2: "),
     ("UPDATE run SET header = replace(header, 'r2', 'r9') WHERE run_id = 'r2'", "run r2: its head is of run r9"),
     ("UPDATE run SET header = '{}' WHERE run_id = 'imported'", "run imported: its head is not its bundle's"),

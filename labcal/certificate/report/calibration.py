@@ -204,6 +204,10 @@ def _not_covered(c: Calibration, run: Run | None) -> tuple[str, ...]:
     )
 
 
+def _head(c: Calibration) -> str:
+    return f"{c.chain['head']}, {c.chain['rows']} rows" if c.chain else "origin not shown"
+
+
 def _signatures(c: Calibration, v: Verification, checked: str) -> list[Block | None]:
     rows = tuple((k.file.name, k.principal or "unknown", k.fingerprint or "–", k.objection or "good") for k in v.checks)
     table = Table(("File", "Signed by", "Key", "Result"), rows) if rows else None
@@ -211,6 +215,7 @@ def _signatures(c: Calibration, v: Verification, checked: str) -> list[Block | N
         (
             ("SHA-256 of this file", sha256(v.content).hexdigest()),
             ("SHA-256 of its run", c.run_sha256),
+            ("Head of its run's chain", _head(c)),
             ("Supersedes", c.supersedes or "–"),
             ("Checked", checked),
         )

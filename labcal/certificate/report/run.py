@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,7 +28,7 @@ from labcal.uncertainty.unstated import not_covered
 Array = NDArray[np.float64]
 
 
-def run_page(run: Run, run_sha256: str, fit: Fit) -> Page:
+def run_page(run: Run, run_sha256: str, fit: Fit, chain: Mapping[str, Any] | None = None) -> Page:
     """The page of `run`; `fit` is the maximum-likelihood fit (its `ok` may be False, and the page says why)."""
     field = fit.affine.apply(run.reading) if fit.affine else None
     residual, labels = _residual(run, fit, field)
@@ -36,7 +39,7 @@ def run_page(run: Run, run_sha256: str, fit: Fit) -> Page:
         simulated=run.simulated,
         summary="" if fit.ok else f"No fit: {fit.why_not}.",
         headline=_headline(run, residual, labels),
-        facts=_facts(run, run_sha256),
+        facts=_facts(run, run_sha256, chain),
         sections=sections(
             section("Coverage", _coverage(run, field)),
             section("Field magnitude", [Plot(lambda f: draw_magnitude(f, run, field), 2.3, _thin_note(run))]),
@@ -97,7 +100,7 @@ def _left(run: Run, residual: Array | None, labels: tuple[str, ...]) -> list[Blo
     ]
 
 
-def _facts(run: Run, run_sha256: str) -> Facts:
+def _facts(run: Run, run_sha256: str, chain: Mapping[str, Any] | None) -> Facts:
     noise = "not stated" if run.dut.noise_nT is None else f"{run.dut.noise_nT:g} nT, one axis, one sample"
     return Facts(
         (
@@ -110,6 +113,7 @@ def _facts(run: Run, run_sha256: str) -> Facts:
             ("Samples", number(len(run), 0)),
             ("Lasted", f"{number(float(run.t_s[-1] - run.t_s[0]))} s" if len(run) else "–"),
             ("SHA-256", run_sha256),
+            ("Head of its chain", f"{chain['head']}, {chain['rows']} rows" if chain else "origin not shown"),
         )
     )
 

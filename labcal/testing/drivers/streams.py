@@ -26,4 +26,18 @@ def it_gives_finite_ordered_samples_with_their_raw_bytes(case: DriverCase) -> No
     require(all(b.raw for b in main), f"{rig.name}: a block has no raw bytes; the record keeps what was received.")
 
 
-PROMISES = (it_gives_finite_ordered_samples_with_their_raw_bytes,)
+def it_reads_its_own_frames_again_alike(case: DriverCase) -> None:
+    """A driver that can parse the frames of a record again finds the samples that it gave, though blocks are joined."""
+    rig = case.rig()
+    if (parse_again := getattr(type(rig.driver), "parse_again", None)) is None:
+        return
+    rig.driver.identify()
+    rig.driver.start()
+    blocks = [b for _ in range(READS) for b in rig.driver.read_until(rig.clock.now() + EACH_S) if b.raw]
+    rig.driver.stop()
+    again = parse_again(rig.settings, b"".join(b.raw for b in blocks))
+    same = np.array_equal(again, np.vstack([b.values for b in blocks]))
+    require(same, f"{rig.name}.parse_again: the raw frames of its blocks, one after the other, give other samples.")
+
+
+PROMISES = (it_gives_finite_ordered_samples_with_their_raw_bytes, it_reads_its_own_frames_again_alike)

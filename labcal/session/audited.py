@@ -1,0 +1,53 @@
+"""What the lab's audit log is told; a run that has ended is told of whatever becomes of its entry."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+
+from labcal import audit
+from labcal.errors import InputError, InstrumentError
+from labcal.files.home import home
+from labcal.runner import Outcome
+from labcal.store import Store
+
+
+def note(deed: audit.Deed, who: str = "", **about: str | None) -> None:
+    """Add to the log what was done, and to what; without `who` the user of the machine did it. Raises InputError."""
+    try:
+        audit.append(home(), deed, who, {name: value for name, value in about.items() if value is not None})
+    except InputError as fault:
+        raise InputError(f"done ({deed}), but not in the audit log: {fault.what}", file=fault.file) from None
+
+
+def note_file(deed: audit.Deed, who: str, path: Path, signature: Path | None = None) -> None:
+    """The same of a file, told by its name and the SHA-256 of what it holds now; so is its new `signature`."""
+    signed = None if signature is None else _sha256(signature)
+    note(deed, who, file=path.name, sha256=_sha256(path), signature=signed)
+
+
+def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
+    """Add a run as it ended, with the head of its chain; the outcome says so where the log does not take it."""
+    try:
+        note("run", who, run=outcome.run_id, status=outcome.status, chain=_head(store, outcome.run_id))
+    except InputError as fault:
+        return replace(outcome, told=f"{outcome.told}; {fault}")
+    return outcome
+
+
+def _sha256(path: Path) -> str:
+    return sha256(path.read_bytes()).hexdigest()
+
+
+def _head(store: Store, run_id: str) -> str | None:
+    """The head of a run's chain; None where its store cannot tell any more."""
+    try:
+        return store.head_of(run_id)
+    except (InputError, InstrumentError):
+        return None
+
+
+def read_audit() -> audit.Audit:
+    """The lab's audit log, every entry looked at. Raises InputError where the file is none."""
+    return audit.read(home())
