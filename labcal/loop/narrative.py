@@ -80,6 +80,14 @@ def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
     return f"{taken} in sample, but other forms of what is accepted take as much"
 
 
+def why_astray(step: HeldOutErrors, left_nT: float) -> str:
+    """Why a cause is not named that the last fit of map and effects together cannot carry."""
+    return (
+        f"taken to first order ({step.before:.1f} to {step.after:.1f} nT held out), and given up: fitted in full, map "
+        f"and effects together leave {left_nT:.1f} nT"
+    )
+
+
 def why_equivalent(accepted: Candidate, after_nT: float) -> str:
     """Why an equivalent cause is not named in the place of the accepted one."""
     return f"does as well as {accepted.label} in its place ({after_nT:.1f} nT held out): a rival, neither is sure"
