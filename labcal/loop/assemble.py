@@ -183,7 +183,8 @@ def _records(found: Evidence, after: JointFit, uncertain: Sources) -> list[Effec
                 improvement_ci95_nT=(low, high),
                 p_value=p_value(own.scored, found.null_distribution),
                 rivals=tuple(_rival(other) for other in others),
-                why=why_accepted(step, own.scored),
+                why=why_accepted(step, own.scored, chosen.group),
+                group=chosen.group,
             )
         )
     return out
@@ -212,7 +213,7 @@ def _rejected(found: Evidence) -> list[EffectRecord]:
     """Every cause that was scored and not accepted, at the last step that scored it."""
     last = {w.candidate.cause: w for ranking in found.rankings for w in ranking}
     taken = {c.cause for c in found.accepted}
-    return [_rejected_record(found, w) for cause, w in last.items() if cause not in taken]
+    return [_rejected_record(found, w) for w in last.values() if not {m.cause for m in w.candidate.parts} <= taken]
 
 
 def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:

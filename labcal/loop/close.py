@@ -22,6 +22,7 @@ from labcal.loop.result import ClosedLoop, Finding
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
 from labcal.loop.selection.final_fit import base_fit, final_fit
 from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.members import told_apart
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
@@ -51,6 +52,7 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     progress("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
     found, after = final_fit(problem, found, selection)
+    found = told_apart(found)
     before = base_fit(problem, found) if found.accepted else after
     return assemble(run, found, before, after, {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck})
 

@@ -60,10 +60,11 @@ def _remedy(finding: Finding) -> NextExperiment:
     return NextExperiment(why, "put the bundle or the wiring right, and close the loop again")
 
 
-def why_accepted(step: HeldOutErrors, own: Scored) -> str:
-    """Why an effect was accepted."""
+def why_accepted(step: HeldOutErrors, own: Scored, group: str = "") -> str:
+    """Why an effect was accepted, as one of a `group` where it was."""
     change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
-    return f"{change}; evidence over a slow wander without a name: {_nats(own.evidence)}"
+    beside = f"with the others of {group} in, " if group else ""
+    return f"{beside}{change}; evidence over a slow wander without a name: {_nats(own.evidence)}"
 
 
 def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:

@@ -42,7 +42,7 @@ def in_sample_rms(fitted: JointFit) -> float:
 
 def _nearest(problem: LinearProblem, found: Evidence) -> JointFit:
     """The joint fit from the base, or, where that does not arrive, the better of that and one from the search's map."""
-    terms = [chosen.term for chosen in found.accepted]
+    terms = [part.term for chosen in found.accepted for part in chosen.parts]
     fitted = joint_fit(problem, terms, found.pool.valid)
     if arrives(in_sample_rms(fitted), found):
         return fitted
