@@ -31,7 +31,8 @@ KINDS = {
     ),
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
-        "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER", "findings.residual_tests:MIN_ROWS MIN_VISITS",
+        "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
+        "findings.residual_tests:MIN_ROWS MIN_VISITS",
         "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS",
     ),
     "setting of an estimator": (
