@@ -27,12 +27,23 @@ def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Res
     sentences = {
         "clean": f"The base model reaches the noise: {change}.",
         "explained": f"{named} {verb} the residual: {change}.",
-        "partly-explained": f"{named} {verb} part of the residual: {change}.",
+        "partly-explained": f"{named} {verb} part of the residual{_share(found)}: {change}.",
         "ambiguous": f"{named} {verb} the residual: {change}; but {_others(found)} as well on this run.",
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
     left = f" What is left: {shape.says}" if shape is not None else ""
     return sentences[verdict] + left + (f" {rows}." if rows else "")
+
+
+def _share(found: Evidence) -> str:
+    """How much of what lies above the noise the named effects carry on held-out data."""
+    excess = found.cv_error.before**2 - found.level.nT**2
+    carried = found.cv_error.before**2 - found.cv_error.after**2
+    return (
+        f", {100 * min(carried / excess, 1.0):.0f} % of its square above the noise"
+        if found.accepted and excess > 0
+        else ""
+    )
 
 
 def _others(found: Evidence) -> str:

@@ -38,7 +38,7 @@ KINDS = {
     "setting of an estimator": (
         "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
-        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS",
+        "selection.discrepancy:DEGREES HARMONICS", "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS",
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
