@@ -17,7 +17,16 @@ from typing import Annotated, Any, Literal
 import numpy as np
 import rfc8785
 from numpy.typing import NDArray
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    SerializerFunctionWrapHandler,
+    ValidationError,
+    model_serializer,
+    model_validator,
+)
 
 from labcal.errors import InputError
 from labcal.files.text_safety import checked_text
@@ -121,6 +130,12 @@ class _Effect(_Part):
     p_value: Annotated[float, Field(ge=0, le=1)] | None = None
     rivals: tuple[_Rival, ...] = ()
     why: Text = ""
+    group: Text = ""
+
+    @model_serializer(mode="wrap")
+    def _told(self, whole: SerializerFunctionWrapHandler) -> dict[str, object]:
+        """Without a group where there is none, as files were before there were groups."""
+        return {name: value for name, value in whole(self).items() if name != "group" or value}
 
 
 class _Validity(_Part):

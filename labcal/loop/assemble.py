@@ -18,7 +18,7 @@ from labcal.loop.findings.confounded import confounded
 from labcal.loop.findings.residual_shape import describe
 from labcal.loop.findings.residual_tests import residual_tests as residual_tests
 from labcal.loop.findings.run_findings import findings
-from labcal.loop.narrative import summary, tests_text, why_accepted, why_equivalent, why_rejected
+from labcal.loop.narrative import summary, tests_text, why_accepted, why_astray, why_equivalent, why_rejected
 from labcal.loop.noise.autocorrelation import serially_correlated
 from labcal.loop.result import ClosedLoop, Errors, Pictures, Verdict
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate, fixed_choice, rms
@@ -183,7 +183,8 @@ def _records(found: Evidence, after: JointFit, uncertain: Sources) -> list[Effec
                 improvement_ci95_nT=(low, high),
                 p_value=p_value(own.scored, found.null_distribution),
                 rivals=tuple(_rival(other) for other in others),
-                why=why_accepted(step, own.scored),
+                why=why_accepted(step, own.scored, chosen.group),
+                group=chosen.group,
             )
         )
     return out
@@ -212,7 +213,7 @@ def _rejected(found: Evidence) -> list[EffectRecord]:
     """Every cause that was scored and not accepted, at the last step that scored it."""
     last = {w.candidate.cause: w for ranking in found.rankings for w in ranking}
     taken = {c.cause for c in found.accepted}
-    return [_rejected_record(found, w) for cause, w in last.items() if cause not in taken]
+    return [_rejected_record(found, w) for w in last.values() if not {m.cause for m in w.candidate.parts} <= taken]
 
 
 def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
@@ -220,6 +221,8 @@ def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
     term, step = w.candidate.term, found.refused.get(w.candidate.cause)
     before, after, said = (step.before, step.after, why_rejected(w, step)) if step else (None, None, why_rejected(w))
     gain = step.improvement() if step else None
+    if step and (left := found.astray.get(w.candidate.cause)) is not None:
+        said = why_astray(step, left)
     for chosen, proof, rivals in zip(found.accepted, found.contributions, found.equivalents, strict=True):
         for rival in rivals[1:]:
             if rival.scored.candidate.cause == w.candidate.cause:

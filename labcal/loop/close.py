@@ -20,7 +20,9 @@ from labcal.loop.data.outliers import at_saturation_limit
 from labcal.loop.narrative import of_faulty_data
 from labcal.loop.result import ClosedLoop, Finding
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
+from labcal.loop.selection.final_fit import base_fit, final_fit
 from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.members import told_apart
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
@@ -49,7 +51,9 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
         run = run.select(~gaps)
     progress("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
-    before, after = (joint_fit(problem, [c.term for c in chosen], found.pool.valid) for chosen in ((), found.accepted))
+    found, after = final_fit(problem, found, selection)
+    found = told_apart(found)
+    before = base_fit(problem, found) if found.accepted else after
     return assemble(run, found, before, after, {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck})
 
 

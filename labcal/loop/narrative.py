@@ -27,12 +27,23 @@ def summary(found: Evidence, verdict: Verdict, aside: dict[str, int], shape: Res
     sentences = {
         "clean": f"The base model reaches the noise: {change}.",
         "explained": f"{named} {verb} the residual: {change}.",
-        "partly-explained": f"{named} {verb} part of the residual: {change}.",
+        "partly-explained": f"{named} {verb} part of the residual{_share(found)}: {change}.",
         "ambiguous": f"{named} {verb} the residual: {change}; but {_others(found)} as well on this run.",
         "unexplained": f"There is structure that no known effect carries: {change}.",
     }
     left = f" What is left: {shape.says}" if shape is not None else ""
     return sentences[verdict] + left + (f" {rows}." if rows else "")
+
+
+def _share(found: Evidence) -> str:
+    """How much of what lies above the noise the named effects carry on held-out data."""
+    excess = found.cv_error.before**2 - found.level.nT**2
+    carried = found.cv_error.before**2 - found.cv_error.after**2
+    return (
+        f", {100 * min(carried / excess, 1.0):.0f} % of its square above the noise"
+        if found.accepted and excess > 0
+        else ""
+    )
 
 
 def _others(found: Evidence) -> str:
@@ -60,10 +71,11 @@ def _remedy(finding: Finding) -> NextExperiment:
     return NextExperiment(why, "put the bundle or the wiring right, and close the loop again")
 
 
-def why_accepted(step: HeldOutErrors, own: Scored) -> str:
-    """Why an effect was accepted."""
+def why_accepted(step: HeldOutErrors, own: Scored, group: str = "") -> str:
+    """Why an effect was accepted, as one of a `group` where it was."""
     change = f"the held-out rms falls from {step.before:.1f} to {step.after:.1f} nT"
-    return f"{change}; evidence over a slow wander without a name: {_nats(own.evidence)}"
+    beside = f"with the others of {group} in, " if group else ""
+    return f"{beside}{change}; evidence over a slow wander without a name: {_nats(own.evidence)}"
 
 
 def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
@@ -78,6 +90,14 @@ def why_rejected(w: Scored, step: HeldOutErrors | None = None) -> str:
     if w.drop < policy.POLICY.material_share:
         return f"{taken}: not worth its parameters"
     return f"{taken} in sample, but other forms of what is accepted take as much"
+
+
+def why_astray(step: HeldOutErrors, left_nT: float) -> str:
+    """Why a cause is not named that the last fit of map and effects together cannot carry."""
+    return (
+        f"taken to first order ({step.before:.1f} to {step.after:.1f} nT held out), and given up: fitted in full, map "
+        f"and effects together leave {left_nT:.1f} nT"
+    )
 
 
 def why_equivalent(accepted: Candidate, after_nT: float) -> str:

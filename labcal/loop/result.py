@@ -191,6 +191,7 @@ class ClosedLoop:
 def effect_json(record: EffectRecord) -> dict[str, Any]:
     """The contract's EFFECT."""
     ci = record.improvement_ci95_nT
+    group = {"group": record.group} if record.group else {}
     return {
         "effect": record.effect,
         "channels": list(record.channels),
@@ -207,4 +208,5 @@ def effect_json(record: EffectRecord) -> dict[str, Any]:
             for r in record.rivals
         ],
         "why": record.why,
+        **group,
     }

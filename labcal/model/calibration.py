@@ -55,6 +55,7 @@ class EffectRecord:
     p_value: float | None = None
     rivals: tuple[Rival, ...] = ()
     why: str = ""
+    group: str = ""  # the set of channels that it was accepted with
 
 
 @dataclass(frozen=True, slots=True)

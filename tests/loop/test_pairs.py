@@ -43,6 +43,9 @@ def test_two_loads_that_hide_each_other_are_found_together(
     accepted, _ = stepwise_forward(pool)
     assert {name for c in accepted for name in c.term.channels} == {"i_one", "i_other"}
     assert {c.family.id for c in accepted} <= {"offset-current", "offset-current-squared"}
+    monkeypatch.setattr(stepwise, "best_set", lambda *given: None)
+    accepted, _ = stepwise_forward(pool)
+    assert {name for c in accepted for name in c.term.channels} == {"i_one", "i_other"}
     monkeypatch.setattr(stepwise, "score_pairs", lambda *given: [])
     assert stepwise_forward(pool)[0] == []
 

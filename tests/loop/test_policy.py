@@ -31,19 +31,20 @@ KINDS = {
     ),
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
-        "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER", "findings.residual_tests:MIN_ROWS MIN_VISITS",
+        "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
+        "findings.residual_tests:MIN_ROWS MIN_VISITS",
         "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS",
     ),
     "setting of an estimator": (
         "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
-        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS",
+        "selection.discrepancy:DEGREES HARMONICS", "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS",
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
         "candidates.columns:GROUP_COLUMNS", "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
-        "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "findings.run_findings:ONE_SIGNAL",
+        "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
         "selection.crossval:NEVER", "selection.joint_fit:STEPS HALVINGS ROUNDS SETTLED_nT",
     ),

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from labcal import session
@@ -21,4 +22,5 @@ def test_a_practice_run_comes_out_as_it_is(shared: Path, tmp_path: Path, name: s
     named = {effect.effect for effect in closed.accepted}
     assert closed.verdict in truth["verdicts"]
     assert all(named & set(cause) for cause in truth["cause"])
+    assert all(closed.after.train_rms_nT <= 1.03 * (e.holdout_rms_after_nT or np.inf) for e in closed.accepted[-1:])
     assert named <= {e for cause in truth["cause"] for e in cause} | set(truth["also_fine"])

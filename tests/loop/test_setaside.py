@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop.data.outliers import at_saturation_limit
+from labcal.loop import close_loop
+from labcal.loop.data.outliers import at_saturation_limit, hampel_outliers
 from labcal.record import Run
+
+Rows = dict[str, np.ndarray]
 
 
 @pytest.fixture
@@ -35,3 +38,46 @@ def test_a_coarse_reading_that_dwells_where_the_turn_comes_back_is_at_no_rail(pl
         read = 13.0 * np.round((dwelling + draw.normal(0, 15.0, dwelling.shape)) / 13.0)
         false += bool(at_saturation_limit(replace(plain, reading=read)).any())
     assert false == 0
+
+
+def _with_bursts(rows: Rows, seed: int) -> np.ndarray:
+    """Stretches of 3 to 10 wild readings in 1 to 2 % of the rows; which rows they are."""
+    draw, n = np.random.default_rng(seed), len(rows["t_s"])
+    wild = np.zeros(n, dtype=bool)
+    while wild.mean() < 0.012:
+        start = int(draw.integers(15, n - 25))
+        wild[start : start + int(draw.integers(3, 11))] = True
+    rows["dut"][wild] += draw.normal(0, 8000.0, (int(wild.sum()), 3))
+    return wild
+
+
+def test_bursts_are_set_aside_and_leave_the_calibration_as_it_was(making: ModuleType, tmp_path: Path) -> None:
+    """Their noise is not declared: neither the map nor its uncertainty may swell."""
+    (rows, segments), (spoiled, _) = making.recorded(), making.recorded()
+    wild = _with_bursts(spoiled, 3)
+    clean, burst = (
+        close_loop(session.load_run(str(making.written(tmp_path / name, some, segments, noise_nT=None))))
+        for name, some in (("clean", rows), ("burst", spoiled))
+    )
+    assert abs(burst.set_aside["outliers"] - wild.sum()) <= 0.1 * wild.sum() + 1
+    assert [e.effect for e in burst.accepted] == ["outliers"]
+    assert burst.noise_nT < 1.15 * clean.noise_nT
+    assert np.linalg.norm(burst.affine.k_nT - clean.affine.k_nT) < 5.0
+
+
+@pytest.mark.parametrize("level", [400.0, 8000.0])
+def test_a_pulse_that_holds_its_level_is_no_burst(level: float) -> None:
+    draw = np.random.default_rng(2)
+    residual = draw.normal(0, 1.0, (600, 3))
+    for start in range(40, 560, 70):
+        residual[start : start + 6] += level
+    assert not hampel_outliers(residual, np.zeros(600, dtype=np.intp)).any()
+
+
+def test_wild_stretches_in_many_rows_are_a_process_and_no_bursts() -> None:
+    draw = np.random.default_rng(2)
+    residual = draw.normal(0, 1.0, (600, 3))
+    for start in range(20, 580, 30):
+        residual[start : start + 5] += draw.normal(0, 300.0, (5, 3))
+    aside = hampel_outliers(residual, np.zeros(600, dtype=np.intp))
+    assert aside.mean() < 0.05

@@ -67,5 +67,5 @@ def test_a_rival_brings_its_twins_as_an_accepted_cause_does(started: Callable[..
 
 def test_the_bare_platform_says_nothing_of_the_device_and_is_not_proposed_for_it() -> None:
     bare = next(e for e in experiments() if e.procedure == "platform-signature")
-    assert bare.concerns == {"cage-field", "reference-drift"}
+    assert bare.concerns == {"cage-field", "reference-drift", "reference-temperature"}
     assert {name for name, factor in bare.alters if factor == 0} >= {"axis-tilt", "field-gradient", "lag"}

@@ -22,6 +22,8 @@ class Candidate:
     family: Family
     term: Term
     trials: int = 1  # points that were tried to find it: its multiplicity
+    members: tuple[Candidate, ...] = ()  # of a set: what it is made of
+    group: str = ""  # the set that it was accepted with
 
     @property
     def cause(self) -> Cause:
@@ -31,7 +33,12 @@ class Candidate:
     @property
     def size(self) -> int:
         """Parameters that were fitted: the linear ones, and the nonlinear ones that were searched."""
-        return len(self.term.parameters) + sum(1 for s in self.term.shape if s.grid)
+        return len(self.term.parameters) + sum(1 for part in self.parts for s in part.term.shape if s.grid)
+
+    @property
+    def parts(self) -> tuple[Candidate, ...]:
+        """The members of a set; itself, where it is none."""
+        return self.members or (self,)
 
     @property
     def label(self) -> str:

@@ -17,6 +17,7 @@ from labcal.fit.vector.observations import AXIS, VECTOR, Observations
 from labcal.fit.vector.solve import Parameterisation
 from labcal.fit.vector.system import Noise, evaluate, map_of
 from labcal.geometry import rotation, shortest_rotation
+from labcal.loop.data.credible import credible, is_of_the_rig, min_new_share, without_wild_rows
 from labcal.model import AffineMap
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.protocol import Rig
@@ -83,11 +84,19 @@ class LinearProblem:
         return AffineMap(K, k)
 
     def columns(self, candidate: Term) -> Array:
-        """An effect's whitened columns (n, q, p)."""
+        """An effect's whitened columns (n, q, p), of the rig's in directions that are credible."""
+        made = self._columns(candidate)
+        if self.scene.rig is None or not is_of_the_rig(candidate):
+            return made
+        whole = self.whole or self
+        share = min_new_share([candidate], without_wild_rows(whole.residual_nT), whole.scene.field_nT)
+        return credible(made, self.T, share)
+
+    def _columns(self, candidate: Term) -> Array:
         if self.bins is not None and self.whole is not None:
             if not self.whole.whiten.strides[0]:  # one W for all rows commutes with the mean
                 return np.asarray(self.whole.whiten[0] @ self.bins.averaged(candidate.columns(self.whole.scene)))
-            return self.bins.averaged(self.whole.columns(candidate))
+            return self.bins.averaged(self.whole._columns(candidate))
         return np.asarray(self.whiten @ candidate.columns(self.scene))
 
     def length_nT(self, residual_nT: Array) -> Array:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from labcal.fit.vector.system import Noise
 from labcal.loop import policy
 from labcal.loop.data.linear_problem import LinearProblem, linearise
+from labcal.loop.data.outliers import hampel_outliers
 from labcal.loop.noise.differences import white_level
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import stretches
@@ -84,15 +85,17 @@ def _angle_step(problem: LinearProblem) -> float:
 def _static_noise(problem: LinearProblem) -> float | None:
     """Spread of the residual in segments whose field stands still; None without any.
 
-    Counted about what follows a channel or the power mode there: a load that is switched at rest is no noise.
+    Counted about what follows a channel or the power mode there: a load that is switched at rest is no noise. Nor are
+    wild readings.
     """
     square, free = 0.0, 0
+    good = ~hampel_outliers(problem.y, problem.scene.segment)
     for part in stretches(problem.scene.segment):
         field = problem.scene.field_nT[part]
         still = float(field.std(axis=0).max()) < policy.POLICY.still_share * float(np.linalg.norm(field.mean(axis=0)))
         known = _regressors_at_rest(problem.scene, part)
         if still and len(field) > ROWS_EACH * known.shape[1]:
-            y = problem.y[part]
+            y, known = problem.y[part][good[part]], known[good[part]]
             found, _, rank, _ = np.linalg.lstsq(known, y, rcond=1e-9)
             square += float(np.sum((y - known @ found) ** 2))
             free += (len(y) - int(rank)) * y.shape[1]

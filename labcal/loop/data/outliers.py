@@ -14,6 +14,8 @@ Mask = NDArray[np.bool_]
 NEIGHBOUR_READINGS = 10  # distinct readings next to an extreme that it is compared with
 WINDOW = 4  # neighbours on either side
 LONGEST_OUTLIER = WINDOW // 2  # rows in a row: of more the median of the neighbours is no measure
+WIDE_WINDOW = 12  # neighbours on either side of a burst
+LONGEST_BURST = 10  # rows in a row: less than half of the wide window's
 
 
 def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array | None = None) -> Mask:
@@ -23,14 +25,32 @@ def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array |
     by, moves, and is compared with the line through two neighbours (`labcal.model.plausibility`).
 
     Where the accepted `effects` (n, q) themselves jump, as a switched current does, a row between the levels is none.
+    Stretches of a few rows count where their readings are as far from each other: a level that holds is a process.
     """
-    away, around = _neighbourhood(residual, segment)
+    jump = 0.0 if effects is None else _local_span(effects)
+    away, limit = _from_neighbours(residual, segment, WINDOW)
+    far = np.asarray((np.abs(away) > limit + jump).any(axis=1))
+    return np.asarray((far & ~_in_long_runs(far)) | _bursts(residual, segment, jump))
+
+
+def _bursts(residual: Array, segment: NDArray[np.intp], jump: Array | float) -> Mask:
+    """Stretches of three rows and more (n,) that are far from their neighbours and from each other; few of all rows."""
+    away, limit = _from_neighbours(residual, segment, WIDE_WINDOW)
+    limit = limit + jump
+    far = np.asarray((np.abs(away) > limit).any(axis=1))
+    change = np.max(np.abs(np.diff(residual, axis=0)) / np.maximum(limit[1:], 1e-300), axis=1)
+    out = np.zeros_like(far)
+    for start, stop in _runs(far):
+        several = LONGEST_OUTLIER < stop - start <= LONGEST_BURST
+        out[start:stop] = several and bool(np.median(change[start : stop - 1]) > 1)
+    return out if out.mean() <= policy.POLICY.max_outlier_share else np.zeros_like(out)
+
+
+def _from_neighbours(residual: Array, segment: NDArray[np.intp], window: int) -> tuple[Array, Array]:
+    """Distance of each row from the median of its neighbours (n, q), and the distance that makes an outlier."""
+    away, around = _neighbourhood(residual, segment, window)
     spread = 1.4826 * np.median(np.abs(away), axis=0)
-    limit = policy.POLICY.outlier_sigmas * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
-    if effects is not None:
-        limit = limit + _local_span(effects)
-    far = (np.abs(away) > limit).any(axis=1)
-    return np.asarray(far & ~_in_long_runs(np.asarray(far)))
+    return away, policy.POLICY.outlier_sigmas * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
 
 
 def outlier_distance(residual: Array, good: Mask) -> float:
@@ -48,15 +68,15 @@ def _local_span(effects: Array) -> Array:
     return np.asarray(near.max(axis=0) - near.min(axis=0))
 
 
-def _neighbourhood(residual: Array, segment: NDArray[np.intp]) -> tuple[Array, Array]:
+def _neighbourhood(residual: Array, segment: NDArray[np.intp], window: int) -> tuple[Array, Array]:
     """Distance of each row from the median of its neighbours (n, q), and their own median distance from it."""
     away, around = np.zeros_like(residual), np.zeros_like(residual)
     for part in stretches(segment):
         y = residual[part]
-        if len(y) < 2 * WINDOW + 1:
+        if len(y) < 2 * window + 1:
             continue
-        padded = np.pad(y, ((WINDOW, WINDOW), (0, 0)), mode="reflect")
-        near = np.stack([padded[k : k + len(y)] for k in range(2 * WINDOW + 1) if k != WINDOW])
+        padded = np.pad(y, ((window, window), (0, 0)), mode="reflect")
+        near = np.stack([padded[k : k + len(y)] for k in range(2 * window + 1) if k != window])
         middle = np.median(near, axis=0)
         away[part], around[part] = y - middle, np.median(np.abs(near - middle), axis=0)
     return away, around
@@ -64,11 +84,16 @@ def _neighbourhood(residual: Array, segment: NDArray[np.intp]) -> tuple[Array, A
 
 def _in_long_runs(mask: Mask) -> Mask:
     """Members of stretches longer than LONGEST_OUTLIER rows."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
     out = np.zeros_like(mask)
-    for start, stop in zip(edges[::2], edges[1::2], strict=True):
+    for start, stop in _runs(mask):
         out[start:stop] = stop - start > LONGEST_OUTLIER
     return out
+
+
+def _runs(mask: Mask) -> list[tuple[int, int]]:
+    """Where stretches of members begin, and where they end."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]]))).tolist()
+    return list(zip(edges[::2], edges[1::2], strict=True))
 
 
 def at_saturation_limit(run: Run) -> Mask:

@@ -7,15 +7,21 @@ from collections.abc import Sequence
 from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.noise.coloured import NullModel
 from labcal.loop.selection.related import related_columns, span_of_related
 
 
 def min_material_drop(pool: CandidateSet, accepted: Sequence[Candidate]) -> float:
     """The least drop of the mean square that is worth a name beside what is accepted."""
-    law = policy.POLICY
-    null = pool.null_model(accepted, related_columns(pool, accepted)).null
+    null_model = pool.null_model(accepted, related_columns(pool, accepted))
+    return material_beside(pool, null_model) if accepted else policy.POLICY.material_share * null_model.null.level**2
+
+
+def material_beside(pool: CandidateSet, null_model: NullModel) -> float:
+    """The same beside a null model that has causes in it: a part of what that leaves above the noise."""
+    law, null = policy.POLICY, null_model.null
     rest = (null.rss / pool.n_data - 1.0) / pool.decimation
-    return max(law.material_share * null.level**2, law.min_share_of_excess * rest if accepted else 0.0)
+    return max(law.material_share * null.level**2, law.min_share_of_excess * rest)
 
 
 def earns_its_extension(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> bool:

@@ -139,6 +139,14 @@ def fixed_choice(accepted: Sequence[Candidate]) -> Callable[[CandidateSet], Sequ
     return lambda part: accepted
 
 
+def own_proof(
+    pool: CandidateSet, blocks: BlockFolds, others: Sequence[Candidate], members: Sequence[Candidate], one: Candidate
+) -> HeldOutErrors:
+    """Held-out errors without and with `one` of the members, all the rest in."""
+    rest = [*others, *(m for m in members if m is not one)]
+    return cross_validate(pool, blocks, fixed_choice([*rest, one]), rest)
+
+
 def _beside_changepoint(t_s: Array, known_s: Array, effects: Sequence[Candidate]) -> NDArray[np.bool_]:
     """Rows (n,) between the two known times that a step of one of these effects lies between."""
     out = np.zeros(len(t_s), dtype=bool)

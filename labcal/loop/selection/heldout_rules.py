@@ -12,6 +12,7 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.discrepancy import stands_beside_discrepancy
 from labcal.loop.selection.equivalents import Equivalent, equally_likely
 from labcal.model.effects.regressors import WEATHER, stretches
 
@@ -34,7 +35,8 @@ def first_unsupported(
         return None
     for i in range(len(steps) - 1, 0, -1):
         begins = _first_of_its_cause(accepted, i)
-        if begins and misfit_remains(steps[begins:], level, policy.POLICY.max_misfit_of_later):
+        remains = begins and misfit_remains(steps[begins:], level, policy.POLICY.max_misfit_of_later)
+        if remains and not stands_beside_discrepancy(pool, accepted, accepted[i]):
             return i
     return None
 
@@ -53,7 +55,7 @@ def first_doubtful(
 ) -> int | None:
     """The first accepted effect whose lead over other families is smaller than what its own form misses; else None.
 
-    Where no form reaches the noise, the nearest one may be so by coincidence.
+    Where no form reaches the noise, the nearest one may be so by coincidence; not where it leads beside a discrepancy.
     """
     missed = steps[-1].after ** 2 - level.nT**2 if steps else 0.0
     if not steps or level.source == "differences" or steps[-1].after <= policy.POLICY.floor_ratio * level.nT:
@@ -62,7 +64,9 @@ def first_doubtful(
         for other in _other_explanations(pool, accepted, chosen) if _first_of_its_cause(accepted, i) == i else ():
             swapped = [other if c is chosen else c for c in accepted if c is chosen or c.cause != chosen.cause]
             if cross_validate(pool, blocks, fixed_choice(swapped)).after ** 2 - steps[-1].after ** 2 < missed:
-                return i
+                if not stands_beside_discrepancy(pool, accepted, chosen):
+                    return i
+                break
     return None
 
 
@@ -144,7 +148,8 @@ def n_reportable(
     if not accepted or cv_error.after <= policy.POLICY.floor_ratio * level.nT:
         return len(accepted)
     if not explains_excess(pool, cv_error, level, accepted):
-        return len(accepted) - 1
+        sure = all(stands_beside_discrepancy(pool, accepted, c) for c in accepted)
+        return len(accepted) - (0 if sure and improves(cv_error) else 1)
     if level.source == "differences":
         return len(accepted)
     most = policy.POLICY.max_equivalents

@@ -8,12 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.data.credible import min_new_share
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
-from labcal.loop.noise.nuisance import MIN_NEW_SHARE, inverse_gram, ols_with_nuisance
+from labcal.loop.noise.nuisance import inverse_gram, ols_with_nuisance
 from labcal.model import Parameter
-from labcal.model.effects import Scene, Term, families
+from labcal.model.effects import Scene, Term
 
 Array = NDArray[np.float64]
 STEPS = 8
@@ -33,6 +34,11 @@ class JointFit:
     beta: tuple[Array, ...]  # of each term
     covariance: Array  # of the base's coordinates, phases, betas and searched parameters, coloured noise included
     used: NDArray[np.bool_]  # (n,) the rows of the fit
+
+    @classmethod
+    def at(cls, problem: LinearProblem, used: NDArray[np.bool_]) -> JointFit:
+        """The base alone where `problem` is, however it was found."""
+        return cls(problem, (), (), _covariance(problem, (), (), used), used)
 
     def effects(self, scene: Scene) -> Array | float:
         """Σ e (n, 3) [nT]."""
@@ -110,15 +116,9 @@ def _line_search(
 
 
 def _min_new_share(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
-    """The part of a column's square that has to be new to the base.
-
-    The map is driven by readings, the rig's effects by the reference: a turn common to all mountings, which no run
-    shows, seems to differ from a turn of the map by twice the angle between the two (two standard deviations).
-    """
-    if not any(family.kernel is term.kernel for family in families() if family.belongs_to == "rig" for term in terms):
-        return MIN_NEW_SHARE
+    """The share of a column's square that has to be new to the base."""
     apart = here.residual_nT + sum_of_effects(terms, beta, here.scene)
-    return max(MIN_NEW_SHARE, float(4 * np.sum(apart[used] ** 2) / np.sum(here.scene.field_nT[used] ** 2)))
+    return min_new_share(terms, apart[used], here.scene.field_nT[used])
 
 
 def _negligible(A: Array, step: Array) -> bool:

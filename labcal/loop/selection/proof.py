@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +40,7 @@ class Evidence:
     null_distribution: Array  # of all candidates, on surrogates of what is left (sorted) [nats]
     refused: Mapping[Cause, HeldOutErrors]  # causes that held-out data did not support, with their contributions
     outlier_distance: float  # of the rows set aside, in standard deviations of the others
+    astray: Mapping[Cause, float] = field(default_factory=dict)  # what final fits with these leave [nT]
 
 
 def select_and_prove(pool: CandidateSet, level: NoiseFloor) -> Evidence:

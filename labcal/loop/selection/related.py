@@ -23,7 +23,7 @@ RANDOM_DIRECTIONS = 3  # on which columns are projected to be compared
 def related_columns(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Span]:
     """All other candidates of the accepted causes and of related families, as a few columns that span them."""
     parts = []
-    for chosen in accepted:
+    for chosen in (part for one in accepted for part in one.parts):
         parts += span_of_related(pool, chosen, (chosen.family.id, *chosen.family.extends, *chosen.family.related))
         parts += initial_state_columns(pool, chosen)
     return parts

@@ -12,9 +12,17 @@ from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.noise.autocorrelation import correlation_time_s
-from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, block_folds, cross_validate, fixed_choice
+from labcal.loop.selection.crossval import (
+    BlockFolds,
+    HeldOutErrors,
+    block_folds,
+    cross_validate,
+    fixed_choice,
+    own_proof,
+)
 from labcal.loop.selection.equivalents import equally_likely, not_worse
 from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
+from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
 
 OUT_OF_REACH = 3.0  # times the rms that another candidate leaves: more is no matter of refinement
@@ -84,9 +92,20 @@ def _select_once(pool: CandidateSet, blocks: BlockFolds | None, most: int, refus
     accepted, rankings = stepwise(pool, most, refused)
     blocks = blocks or block_folds(pool.problem, correlation_time_s(pool.problem.scene.t_s, pool.residual(accepted)))
     simple = _simplest(pool, blocks, prefer_computable(pool, blocks, accepted, refused))
-    kept = backward_check(pool, list(simple))
+    kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
     contributions = [_contribution(pool, blocks, kept, i) for i in range(len(kept))]
     return _Round(kept, rankings, contributions, blocks, {c.cause for c in simple} - {c.cause for c in kept})
+
+
+def _proven_members(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candidate]) -> list[Candidate]:
+    """The same with those members of sets alone that blocks held out support, the other members in."""
+    out = []
+    for chosen in accepted:
+        others = [c for c in accepted if c is not chosen]
+        good = [m for m in chosen.members if improves(own_proof(pool, blocks, others, chosen.members, m))]
+        whole = len(good) == len(chosen.members)
+        out += [chosen] if whole else [together(pool, good, len(chosen.members))] if good else []
+    return out
 
 
 def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor) -> tuple[RoundOutcome, int]:

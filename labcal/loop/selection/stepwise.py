@@ -20,6 +20,7 @@ from labcal.loop.parallel import parallel_map
 from labcal.loop.selection.admission import earns_its_extension, min_material_drop
 from labcal.loop.selection.pairs import score_pairs
 from labcal.loop.selection.related import related_columns
+from labcal.loop.selection.sets import best_set, pruned_beside
 
 MAX_EFFECTS = 3  # effects accepted at most
 NEARLY_WHITE = 1.5  # times the white level: no frequency of the noise left has more
@@ -42,6 +43,9 @@ def stepwise_forward(
             ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
         rankings.append(ranking)
         best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play])
+        whole = best_set(pool, accepted, out_of_play)
+        if whole is not None and whole.evidence > max(best.evidence if best else 0.0, policy.POLICY.min_evidence):
+            best, rankings[-1] = whole, [whole, *ranking]
         if best is None:
             both = _material_pair(pool, accepted, ranking, out_of_play) if len(accepted) + 2 <= most else []
             accepted = [*accepted, *both]
@@ -99,16 +103,22 @@ def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bo
 
 def is_same_source(one: Candidate, other: Candidate) -> bool:
     """Whether `other` is the same cause as `one`, or its current or square: a detail of the same load."""
-    return other.term.channels == one.term.channels and other.family.id in (one.family.id, *one.family.related)
+    return any(
+        b.term.channels == a.term.channels and b.family.id in (a.family.id, *a.family.related)
+        for a in one.parts
+        for b in other.parts
+    )
 
 
 def backward_check(pool: CandidateSet, accepted: list[Candidate]) -> list[Candidate]:
-    """Those that still have the evidence of a name beside the others."""
+    """Those that still have the evidence of a name beside the others; of sets the members that have."""
 
     def evidence(chosen: Candidate) -> float:
         others = [c for c in accepted if c is not chosen]
         return pool.score(chosen, pool.null_model(others, related_columns(pool, others))).evidence
 
+    if len(accepted) > 1 and any(c.members for c in accepted):
+        accepted = [pruned_beside(pool, [o for o in accepted if o is not c], c) for c in accepted]
     while len(accepted) > 1:
         each = parallel_map(evidence, accepted)
         weakest = int(np.argmin(each))

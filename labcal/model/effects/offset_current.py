@@ -55,6 +55,7 @@ FAMILY = Family(
     kernel,
     candidates,
     shapes=(BEHIND, LATE),
+    adds_up=True,
     related=("offset-current-squared",),
     time_constants=time_constants,
     experiment="hold the attitude and switch the load that draws this current on and off",

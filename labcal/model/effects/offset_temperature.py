@@ -61,6 +61,7 @@ FAMILY = Family(
     kernel,
     candidates,
     shapes=(BEHIND, LATE),
+    adds_up=True,
     time_constants=time_constants,
     experiment="hold the attitude and warm the sensor, then let it cool",
     responds={"heat": 1.0},

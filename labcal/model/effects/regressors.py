@@ -59,6 +59,11 @@ def of_the_rig(run: Run) -> list[Channel]:
     return [c for c in rig if _moves(c.values)]
 
 
+def weather_of_the_room(run: Run) -> list[Channel]:
+    """Temperatures of the room that move and are known for half of the rows: what the rig's instruments follow."""
+    return [c for c in run.channels if c.role == "room" and c.quantity == "temperature" and _moves(c.values)]
+
+
 def some_moment(run: Run) -> Shape:
     """Where a step may lie: the residual shows where it is looked for."""
     return replace(STEP, value=float(run.t_s[0] + run.t_s[-1]) / 2)

@@ -1,0 +1,54 @@
+"""Effects of the rig that the base would have to undo almost whole: no field that anything in the lab makes.
+
+The map is driven by readings, the rig's effects by the reference. One that is nearly a turn or a stretch of the whole
+field differs from the same turn of the map by the residual itself, turned or stretched: made as large as the field, it
+takes any residual off, whatever its cause. A direction of which the share s of the square is new to the base, and which
+takes off a residual of rms r, has the rms r / √s itself; what would be more than half of the field is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.noise.nuisance import MIN_NEW_SHARE, Reduced
+from labcal.model.effects import Term, families
+
+Array = NDArray[np.float64]
+WILD = 10.0  # times the median: longer residuals are cut before anything is known of them
+
+
+def is_of_the_rig(term: Term) -> bool:
+    """Whether the reference drives it."""
+    return any(family.kernel is term.kernel for family in families() if family.belongs_to == "rig")
+
+
+def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> float:
+    """The share of a column's square that has to be new to the base, where readings and reference are `apart_nT`.
+
+    Both (n, 3) on the rows of the fit; `apart_nT` with the effects still in it.
+    """
+    if not any(map(is_of_the_rig, terms)):
+        return MIN_NEW_SHARE
+    return max(MIN_NEW_SHARE, float(4 * np.sum(apart_nT**2) / np.sum(field_nT**2)))
+
+
+def without_wild_rows(residual_nT: Array) -> Array:
+    """A residual (n, 3) whose rows are no longer than ten times their median: outliers are not known yet."""
+    length = np.linalg.norm(residual_nT, axis=1)
+    limit = WILD * float(np.median(length))
+    return np.asarray(residual_nT * (np.minimum(length, limit) / np.maximum(length, 1e-300))[:, None])
+
+
+def credible(columns: Array, base: Array, share: float) -> Array:
+    """Columns (n, q, p) without the directions of which no more than this share is new to the base's (n, q, t)."""
+    flat = np.concatenate([base, columns], axis=2).reshape(-1, base.shape[2] + columns.shape[2])
+    reduced = Reduced.of(flat.T @ flat, base.shape[2])
+    known = reduced.values <= share
+    if not known.any():
+        return columns
+    length = reduced.length[base.shape[2] :]
+    out = (reduced.vectors[:, known] / length[:, None]) @ (reduced.vectors[:, known].T * length)
+    return np.asarray(columns - columns @ out)

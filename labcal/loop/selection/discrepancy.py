@@ -1,0 +1,93 @@
+"""A name whose form is not whole: it stands where it leads even beside a smooth function of all that is recorded.
+
+What a form misses is smooth in something: the field, the angle, the rate, a channel. Beside such a function (Kennedy &
+O'Hagan's discrepancy, J. R. Stat. Soc. B 63, 425, 2001, without a prior of its own) the nearest form has no lead by
+coincidence: what it carries that no smooth function does is its own, and the other causes compete for that alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations_with_replacement
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop import policy
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.library import Candidate, Span
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.nuisance import principal_span
+from labcal.loop.selection.admission import min_material_drop
+from labcal.model.effects import Scene
+from labcal.model.effects.regressors import on_each_axis, stretches
+
+Array = NDArray[np.float64]
+DEGREES = (2, 3)  # of what is not straight
+HARMONICS = (1, 2, 3)  # of the platform's angle
+
+
+def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> bool:
+    """Whether `chosen` has the evidence of a name, and a lead over every unrelated cause, beside a discrepancy."""
+    if chosen.family.bound_to_run or chosen.family.generic:
+        return False
+    others = [c for c in accepted if c is not chosen]
+    law, beside = policy.POLICY, [discrepancy(pool, chosen)]
+    own = pool.score(chosen, pool.null_model(others, beside))
+    if own.evidence < law.min_evidence or own.drop < min_material_drop(pool, others):
+        return False
+    related = {chosen.family.id, *chosen.family.extends, *chosen.family.related}
+    rivals = [c for c in all_candidates(pool, others) if _is_unrelated(c, chosen, related)]
+    found = pool.rank(rivals, others, beside)
+    return not found or found[0].evidence < own.evidence - law.equivalent_nats
+
+
+def _is_unrelated(candidate: Candidate, chosen: Candidate, related: set[str]) -> bool:
+    return candidate.family.id not in related and chosen.family.id not in candidate.family.extends
+
+
+def discrepancy(pool: CandidateSet, chosen: Candidate) -> Span:
+    """A smooth function of everything that is recorded; of the channels that `chosen` follows what is not straight."""
+
+    def made() -> Span:
+        scene = pool.problem.scene if pool.problem.whole is None else pool.problem.whole.scene
+        drives = list(_drives(scene, chosen.term.channels))
+        columns = np.concatenate([on_each_axis(drive) for drive in drives], axis=2)
+        return Span(principal_span(cosine_transform(_whitened(pool, columns)[pool.transformed_rows])))
+
+    return pool.cached(("discrepancy", chosen.term.channels), (), made)
+
+
+def _whitened(pool: CandidateSet, columns: Array) -> Array:
+    problem = pool.problem
+    if problem.bins is None or problem.whole is None:
+        return np.asarray(problem.whiten @ columns)
+    return problem.bins.averaged(problem.whole.whiten @ columns)
+
+
+def _drives(scene: Scene, own: Sequence[str]) -> Iterator[Array]:
+    """Powers of the field, its rate, harmonics of the angle, powers of every channel, each (n,)."""
+    field = _scaled(scene.driving_field_nT)
+    for degree in DEGREES:
+        for axes in combinations_with_replacement(range(3), degree):
+            yield np.prod(field[:, axes], axis=1)
+    rate = _scaled(np.concatenate([np.gradient(field[part], axis=0) for part in stretches(scene.segment)]))
+    yield from (*rate.T, *(rate**2).T)
+    if scene.rig is not None and np.isfinite(scene.rig.angle_rad).any():
+        angle = np.nan_to_num(scene.rig.angle_rad)
+        turning = np.isfinite(scene.rig.angle_rad)
+        yield from (turning * wave(k * angle) for k in HARMONICS for wave in (np.cos, np.sin))
+    for name, values in scene.channels.items():
+        x = _scaled(values - np.median(values))
+        yield from (_bent(x**degree, x) for degree in DEGREES) if name in own else (x**k for k in (1, *DEGREES))
+
+
+def _bent(values: Array, x: Array) -> Array:
+    """What no line in `x` (n,) takes of values (n,): of a load that is switched all powers are the same."""
+    line = np.column_stack([np.ones_like(x), x])
+    return np.asarray(values - line @ np.linalg.lstsq(line, values, rcond=None)[0])
+
+
+def _scaled(values: Array) -> Array:
+    return np.asarray(values / max(float(np.max(np.abs(values))), 1e-300))

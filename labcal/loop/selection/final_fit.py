@@ -1,0 +1,71 @@
+"""The fit that goes into the file: map, phases and effects together, no worse than the steps that chose the effects."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from labcal.fit.vector.ml import estimate
+from labcal.fit.vector.observations import SCALAR
+from labcal.loop import policy
+from labcal.loop.candidates.library import Cause
+from labcal.loop.data.linear_problem import LinearProblem, linearise
+from labcal.loop.selection.crossval import rms
+from labcal.loop.selection.joint_fit import JointFit, joint_fit
+from labcal.loop.selection.proof import Evidence, prove
+from labcal.loop.selection.select import Selection
+
+
+def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> tuple[Evidence, JointFit]:
+    """The fit with the accepted effects; those that it does not arrive with are given up, and the rest proven anew."""
+    astray = dict[Cause, float]()
+    while found.accepted:
+        fitted = _nearest(problem, found)
+        left = in_sample_rms(fitted)
+        if arrives(left, found):
+            return found, fitted
+        count = len(found.accepted) - 1
+        astray[found.accepted[count].cause] = left
+        found = _proven_again(found, selection, count, astray)
+    return found, base_fit(problem, found)
+
+
+def arrives(left_nT: float, found: Evidence) -> bool:
+    """Whether a final fit leaves no more than the held-out error that its last effect was accepted with."""
+    return left_nT <= policy.POLICY.equivalent_rms * found.contributions[-1].after
+
+
+def in_sample_rms(fitted: JointFit) -> float:
+    """What a fit leaves on its own rows [nT]."""
+    return rms(fitted.problem.length_nT(fitted.problem.residual_nT)[fitted.used])
+
+
+def _nearest(problem: LinearProblem, found: Evidence) -> JointFit:
+    """The joint fit from the base, or, where that does not arrive, the better of that and one from the search's map."""
+    terms = [part.term for chosen in found.accepted for part in chosen.parts]
+    fitted = joint_fit(problem, terms, found.pool.valid)
+    if arrives(in_sample_rms(fitted), found):
+        return fitted
+    return min(fitted, joint_fit(found.pool.whole, terms, found.pool.valid), key=in_sample_rms)
+
+
+def _proven_again(found: Evidence, selection: Selection, count: int, astray: Mapping[Cause, float]) -> Evidence:
+    """The evidence for the first `count` effects alone."""
+    fewer = replace(selection, accepted=selection.accepted[:count], contributions=selection.contributions[:count])
+    again = prove(found.base_set, found.pool, fewer, found.level)
+    return replace(again, refused={**found.refused, **again.refused}, astray=dict(astray))
+
+
+def base_fit(problem: LinearProblem, found: Evidence) -> JointFit:
+    """The base alone: by least squares where it reaches the noise, else as robust as the base of every fit.
+
+    What nobody understands pulls least squares farther than a fit that trusts far rows less.
+    """
+    rows = found.pool.valid
+    if found.cv_error.after <= policy.POLICY.floor_ratio * found.level.nT:
+        return joint_fit(problem, [], rows)
+    as_scalar = bool((problem.observations.kind == SCALAR).all())
+    robust = estimate(problem.run, parameterisation=problem.parameterisation.name, as_scalar=as_scalar).solution
+    p = problem
+    there = linearise(p.run, p.observations, p.noise, p.base, p.parameterisation, robust.theta, robust.phase)
+    return JointFit.at(there, rows)

@@ -1,0 +1,103 @@
+"""The fit that goes into the file, and what a column of the rig may be made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.fit.vector.ml import ml
+from labcal.loop import close_loop
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.credible import credible, min_new_share, without_wild_rows
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.policy import POLICY
+from labcal.loop.selection import final_fit as final
+from labcal.loop.selection.joint_fit import joint_fit
+
+Started = Callable[..., LinearProblem]
+
+
+def _wander(rows: dict[str, np.ndarray]) -> np.ndarray:
+    """What belongs to nothing: a walk of each axis [nT]."""
+    return np.cumsum(np.random.default_rng(3).normal(0, 40.0, rows["dut"].shape), axis=0)
+
+
+def test_no_gradient_takes_off_what_belongs_to_nothing(started: Started) -> None:
+    """A stretch of the whole field, which the map undoes but for the residual itself, would take off all of it."""
+    problem = started(_wander)
+    pool = CandidateSet.of(problem, 0.85)
+    raw = problem.y - problem.T @ pool.coefficients(())
+    for candidate in (c for c in pool.candidates if c.family.id == "field-gradient"):
+        left = pool.residual([candidate])
+        assert np.sum(left**2) > 0.4 * np.sum(raw**2)
+
+
+def test_directions_that_are_hardly_new_are_left_out_and_the_others_stay() -> None:
+    draw = np.random.default_rng(1)
+    base, other = draw.normal(size=(200, 3, 4)), draw.normal(size=(200, 3, 1))
+    nearly = base[:, :, :1] + 1e-2 * draw.normal(size=(200, 3, 1))
+    columns = np.concatenate([7.0 * nearly, 0.1 * other], axis=2)
+    found = credible(columns, base, 1e-2)
+    assert np.linalg.matrix_rank(found.reshape(600, 2), tol=1e-6 * np.abs(columns).max()) == 1
+    beta = np.linalg.lstsq(found.reshape(600, 2), other.ravel(), rcond=1e-6)[0]
+    assert np.linalg.norm(found @ beta - other[:, :, 0]) < 0.2 * np.linalg.norm(other)
+    assert credible(columns, base, 1e-8) is columns
+
+
+def test_the_share_that_has_to_be_new_is_half_a_field(started: Started) -> None:
+    """What is new by less than it, and takes off the residual, is larger than half of the field itself."""
+    problem = started()
+    rig = next(c.term for c in CandidateSet.of(problem, 0.85).candidates if c.family.id == "field-gradient")
+    residual, field = np.full((50, 3), 30.0), np.full((50, 3), 600.0)
+    assert np.sqrt(30.0**2 / min_new_share([rig], residual, field)) == pytest.approx(300.0)
+
+
+def test_a_wild_row_does_not_decide_what_is_credible() -> None:
+    residual = np.full((101, 3), 20.0)
+    residual[50] = 1e6
+    assert np.linalg.norm(without_wild_rows(residual)[50]) == pytest.approx(200.0 * np.sqrt(3))
+
+
+def test_an_effect_that_the_last_fit_does_not_arrive_with_is_given_up(
+    making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows, segments = making.recorded()
+    rows["dut"] = rows["dut"] + 300.0 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    assert [effect.effect for effect in close_loop(run).accepted] == ["offset-current"]
+    monkeypatch.setattr(final, "joint_fit", lambda problem, terms, rows: joint_fit(problem, [], rows))
+    closed = close_loop(run)
+    assert closed.accepted == ()
+    assert closed.verdict == "unexplained"
+    said = next(e.why for e in closed.rejected if e.effect == "offset-current")
+    assert "fitted in full, map and effects together leave" in said
+
+
+def test_with_nothing_accepted_the_map_is_that_of_the_fit(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    rows["dut"] = rows["dut"] + _wander(rows)
+    run = session.load_run(str(making.written(tmp_path, rows, segments)))
+    closed, plain = close_loop(run), ml(run)
+    assert closed.accepted == ()
+    assert closed.verdict == "unexplained"
+    assert plain.affine is not None
+    assert np.allclose(closed.affine.k_nT, plain.affine.k_nT, atol=0.5)
+    assert np.allclose(closed.affine.K, plain.affine.K, rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize("name", ["final-fit-1", "final-fit-2"])
+def test_after_is_what_the_accepted_effects_reach(shared: Path, name: str) -> None:
+    """Two runs whose gradient took off what it took to first order only."""
+    folder = shared / "data" / "defects" / name
+    if not folder.exists():
+        pytest.skip("needs the runs that show a defect")
+    closed = close_loop(session.load_run(str(folder)))
+    assert "field-gradient" not in [effect.effect for effect in closed.accepted]
+    for effect in closed.accepted[-1:]:
+        assert effect.holdout_rms_after_nT is not None
+        assert closed.after.train_rms_nT <= POLICY.equivalent_rms * effect.holdout_rms_after_nT

@@ -1,0 +1,43 @@
+"""A gain that steps, and a reference that follows the room: put in, found, and put back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+from labcal import session
+from labcal.loop import close_loop
+
+DIRECTIONS = np.array([1.0, -0.7, 0.5])
+
+
+def test_a_gain_that_steps_is_found_with_its_moment(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    at, gains = float(rows["t_s"][260]) - 0.2, 0.004 * DIRECTIONS
+    field = (rows["dut"] - 800) / 1.05
+    rows["dut"] = rows["dut"] + 1.05 * field * gains * (rows["t_s"] >= at)[:, None]
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, segments))))
+    assert [e.effect for e in closed.accepted] == ["gain-step"]
+    assert closed.verdict == "explained"
+    found = {p.name: p for p in closed.accepted[0].parameters}
+    assert abs(found["t_step_s"].value - at) < 1.0
+    for axis, put_in in zip("xyz", gains, strict=True):
+        assert abs(found[f"g_{axis}"].value - put_in) < max(5 * found[f"g_{axis}"].u, 0.1 * abs(put_in))
+
+
+def test_a_reference_that_follows_the_room_is_the_rigs(making: ModuleType, tmp_path: Path) -> None:
+    rows, segments = making.recorded()
+    t = rows["t_s"]
+    rows["temp_room"] = 21.3 + 1.4 * np.sin(t / 61.0) + 0.004 * t
+    warm = (rows["temp_room"] - np.median(rows["temp_room"]))[:, None]
+    rows["ref"] = rows["ref"] * (1 - 0.002 * warm) - 90.0 * DIRECTIONS * warm
+    channels = making.CHANNELS | {"temp_room": {"unit": "degC", "quantity": "temperature", "role": "room"}}
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, segments, channels))))
+    assert [(e.effect, e.channels, e.belongs_to) for e in closed.accepted] == [
+        ("reference-temperature", ("temp_room",), "rig")
+    ]
+    found = {p.name: p.value for p in closed.accepted[0].parameters}
+    assert abs(found["g"] - 0.002) < 0.0004
+    assert np.allclose([found[f"c_{a}"] for a in "xyz"], 90.0 * DIRECTIONS, atol=20.0)
