@@ -34,6 +34,9 @@ def close_loop(
         help="While causes are open, measure on --bench what tells them apart.",
     ),
     bench: Path | None = typer.Option(None, help="The bench to measure on."),
+    empirical: bool = typer.Option(
+        False, "--empirical", help="Ship a term without a name where no known effect carries what is left."
+    ),
     yes: bool = typer.Option(False, "--yes", help="Agree to the plans; on a real bench prompts still need a person."),
     seed: int | None = typer.Option(None, help="Of the simulated lab: that of the run."),
     force: bool = FORCE,
@@ -48,7 +51,7 @@ def close_loop(
             raise InputError("--measure needs a bench: say --bench FILE")
         closed = _measuring(run, bench, out, report, seed, sure=yes, force=force)
     else:
-        closed = session.close_loop(run, out, step_line, report=report, force=force)
+        closed = session.close_loop(run, out, step_line, report=report, empirical=empirical, force=force)
     if json_file is not None:
         write_json(closed.to_json(), json_file, "close-loop", inputs=read, force=force)
     if json_file != "-":

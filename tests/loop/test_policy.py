@@ -27,7 +27,8 @@ KINDS = {
         "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
         "selection.select:MAX_ROUNDS OUT_OF_REACH", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
-        "selection.surrogates:SURROGATES TAIL", "noise.cross_correlation:MAX_LAG",
+        "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
+        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
     ),
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
@@ -37,7 +38,8 @@ KINDS = {
     "setting of an estimator": (
         "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
-        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS",
+        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "empirical.marginal:RATIOS",
+        "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
