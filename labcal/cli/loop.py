@@ -102,6 +102,11 @@ def _show(closed: ClosedLoop) -> None:
                 first = (name, ", ".join(effect.channels)) if number == 0 else ("", "")
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
         screen.print(effects)
+    for effect in closed.proposed:
+        told = f"{effect.holdout_rms_before_nT:.1f} to {effect.holdout_rms_after_nT:.1f} nT held out"
+        of = " and ".join(effect.inputs)
+        screen.print(f"Proposed, not shipped: a term without a name, a function of {of} ({told}). {effect.why}")
+        screen.print("--empirical ships it; it holds only where this run has been.", highlight=False)
     if closed.conformity is not None:
         show_conformity(closed.conformity)
     for remark in closed.remarks:

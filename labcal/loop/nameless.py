@@ -9,6 +9,7 @@ import numpy as np
 from labcal.loop.assemble import assemble
 from labcal.loop.empirical.proof import with_smooth
 from labcal.loop.empirical.splines import table
+from labcal.loop.empirical.words import experiment, looks_like
 from labcal.loop.result import ClosedLoop
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
@@ -33,12 +34,18 @@ def with_empirical(
     chance = min(1.0, float(np.exp(-more.equivalents[-1][0].scored.evidence)))  # Markov's bound on a Bayes factor
     seen = _domain(after.problem.scene.select(found.pool.valid), term)
     record = replace(_described(built, term), p_value=chance, domain=(seen,))
+    assert record.basis is not None
+    left = after.problem.residual_nT
+    looks = looks_like(record.basis, np.array(seen.hull), left, after.problem.scene, term.inputs)
+    record = replace(record, why=f"{record.why}. {looks.says(term.inputs)}")
+    proposal = experiment(run, record, looks)
     if not ship:
-        return replace(closed, proposed=(record,))
+        return replace(closed, proposed=(record,), next_experiment=proposal)
     of = "a function of " + " and ".join(record.inputs)
     told = built.summary.replace(more.accepted[-1].label, of)
     says = f"{told} This cause has no name: it is an empirical term, and holds only where it has been seen."
-    return replace(built, accepted=(*built.accepted[:-1], record), summary=says)
+    accepted = (*built.accepted[:-1], record)
+    return replace(built, accepted=accepted, summary=says, next_experiment=proposal)
 
 
 def _described(built: ClosedLoop, term: Term) -> EffectRecord:

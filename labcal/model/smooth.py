@@ -97,3 +97,16 @@ def _lower(ordered: list[list[float]]) -> list[list[float]]:
 
 def _turn(a: list[float], b: list[float], c: list[float]) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def curve(basis: Basis, x: Array) -> tuple[Array, Array]:
+    """The function on each body axis at inputs x (n, k), and its standard uncertainty, both (n, 3) [nT].
+
+    For pictures and words: without its mean over the run, which is the map's, and with what is the map's in the field.
+    """
+    phi = basis.at(list(x.T))
+    columns = phi[:, None, :, None] * np.eye(3)[None, :, None, :]
+    columns = columns.reshape(len(x), 3, -1) - np.array(basis.projection)[:3]
+    f = columns @ np.array(basis.coefficients).ravel()
+    variance = np.einsum("nip,pq,niq->ni", columns, np.array(basis.covariance), columns)
+    return np.asarray(f), np.asarray(np.sqrt(np.maximum(variance, 0.0)))

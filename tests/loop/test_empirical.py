@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from runpy import run_path
@@ -15,6 +16,7 @@ from labcal.errors import InputError
 from labcal.fit import draft_calibration
 from labcal.loop import ClosedLoop, close_loop
 from labcal.loop.empirical.marginal import RATIOS, Reduced
+from labcal.loop.empirical.words import POINTS, _of_one
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import NullModel
 from labcal.model import Calibration
@@ -158,3 +160,25 @@ def test_nothing_is_built_on_noise(kind: str) -> None:
 @pytest.mark.parametrize("shape", ["resonant in the rate", "two channels' product", "temperature times field"])
 def test_shapes_of_two_inputs_and_of_motion_are_carried_to_fresh_rows(shape: str) -> None:
     assert run_path(str(BLIND))["shape_trial"](shape, 40)["gone"] > 0.7
+
+
+@pytest.mark.parametrize(
+    ("kind", "shape"),
+    [
+        ("straight", lambda x: 3 * x),
+        ("quadratic", lambda x: (x - 0.2) ** 2),
+        ("saturating", lambda x: np.tanh(2.2 * x)),
+        ("resonant", lambda x: 1 / (1 + ((x - 0.1) / 0.2) ** 2)),
+        ("a step", lambda x: np.tanh(x / 0.03)),
+        ("wavy", lambda x: np.sin(9 * x)),
+    ],
+)
+def test_a_curve_is_told_in_words(kind: str, shape: Callable[[np.ndarray], np.ndarray]) -> None:
+    assert _of_one(shape(np.linspace(-1, 1, POINTS)))[0] == kind
+
+
+def test_the_proposal_says_what_it_looks_like_and_what_to_measure(run: Run, shipped: ClosedLoop) -> None:
+    proposed = shipped.next_experiment
+    assert proposed is not None
+    assert "wavy" in shipped.accepted[0].why
+    assert "v_bus up and down" in proposed.do
