@@ -421,7 +421,7 @@ def _calibration(f: _File) -> Calibration:
 def _effect(stated: _Effect) -> EffectRecord:
     parameters = tuple(Parameter(**p.model_dump()) for p in stated.parameters)
     rivals = tuple(Rival(**r.model_dump()) for r in stated.rivals)
-    basis = stated.basis and Basis(**stated.basis.model_dump())
+    basis = None if stated.basis is None else Basis(**stated.basis.model_dump())
     domain = tuple(Domain(**d.model_dump()) for d in stated.domain)
     plain = stated.model_dump(exclude={"parameters", "rivals", "basis", "domain"})
     return EffectRecord(**plain, parameters=parameters, rivals=rivals, basis=basis, domain=domain)

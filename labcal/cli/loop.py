@@ -98,6 +98,10 @@ def _show(closed: ClosedLoop) -> None:
         effects = Table("Cause", "Channel", "Parameter", "Value", "u", "Unit", box=None)
         for effect in closed.accepted:
             name = effect.effect + (" (provisional)" if effect.provisional else "")
+            if effect.basis is not None:
+                of = f"{len(effect.parameters)} coefficients over {' and '.join(effect.inputs)}"
+                effects.add_row(name, ", ".join(effect.channels), of, "", "", "nT")
+                continue
             for number, p in enumerate(effect.parameters):
                 first = (name, ", ".join(effect.channels)) if number == 0 else ("", "")
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)

@@ -72,10 +72,14 @@ def _weighed(pool: CandidateSet, null: NullModel, names: Inputs, spectra: Sequen
     """A function of these inputs at the length that is most likely."""
     reduced = _reduced(pool, null, _plain(pool, names), spectra)
     each = [
-        _Weighed(names, length, reduced.best(np.kron(functions_of_length(len(names), length), np.eye(3))))
+        _Weighed(names, length, reduced.best(_on_each_axis(functions_of_length(len(names), length))))
         for length in LENGTHS[len(names)]
     ]
     return max(each, key=lambda w: w.marginal.log)
+
+
+def _on_each_axis(functions: Array) -> Array:
+    return np.asarray(np.kron(functions, np.eye(3)))
 
 
 def _reduced(pool: CandidateSet, null: NullModel, plain: Term, spectra: Sequence[int]) -> Reduced:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,12 +60,19 @@ class Looks:
 
 def looks_like(basis: Basis, hull: Array, left_nT: Array, scene: Scene, inputs: tuple[str, ...]) -> Looks:
     """The shape of a function over its domain; `left_nT` (n, 3) is what remains of the rows of `scene`."""
+    looks = shape_of(basis, hull, inputs)
+    if len(inputs) == 2:
+        return looks
+    return replace(looks, both_ways=not _differs_on_the_way_back(values(inputs, scene)[:, 0], left_nT, scene))
+
+
+def shape_of(basis: Basis, hull: Array, inputs: tuple[str, ...]) -> Looks:
+    """The same of the function alone."""
     if len(inputs) == 2:
         return Looks(_of_two(basis, hull))
     x = np.linspace(hull.min(), hull.max(), POINTS)
     kind, place = _of_one(_main(curve(basis, x[:, None])[0]))
-    at = None if place is None else float(x[place])
-    return Looks(kind, at, both_ways=not _differs_on_the_way_back(values(inputs, scene)[:, 0], left_nT, scene))
+    return Looks(kind, None if place is None else float(x[place]))
 
 
 def _main(f: Array) -> Array:
