@@ -54,7 +54,7 @@ KINDS = {
         "findings.working_range:SETTLED_S DIRECTIONS",
     ),
     "words for what is left, beside the verdict": (
-        "empirical.words:POINTS NEARLY_ALL SHORT FLAT RETURNS OTHER_WAY",
+        "empirical.words:POINTS NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
         "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
         "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
         "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS",

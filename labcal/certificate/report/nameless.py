@@ -62,8 +62,9 @@ def draw_map(figure: FigureBase, term: EffectRecord, run: Run) -> None:
     f, u = curve(term.basis, x)
     seen = ~term.domain[0].outside(x)
     along = np.linalg.svd(f[seen] - f[seen].mean(axis=0), full_matrices=False)[2][0]
+    panels = figure.subplots(1, 2, sharey=True)
     for panel, values, name in zip(
-        figure.subplots(1, 2, sharey=True),
+        panels,
         (f @ along, COVERAGE * np.sqrt(u**2 @ along**2)),
         (f"offset along ({along[0]:.2f}, {along[1]:.2f}, {along[2]:.2f}), nT", "U (k = 2), nT"),
         strict=True,
@@ -74,7 +75,7 @@ def draw_map(figure: FigureBase, term: EffectRecord, run: Run) -> None:
         panel.set(xlabel=_label(term.inputs[0], run))
         panel.set_title(name)
         panel.grid(visible=False)
-    figure.axes[0].set(ylabel=_label(term.inputs[1], run))
+    panels[0].set(ylabel=_label(term.inputs[1], run))
 
 
 def _label(name: str, run: Run) -> str:

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 POINTS = 200  # of a curve
 NEARLY_ALL = 0.97  # of a curve's square, that a simpler curve may stand for it
 SHORT = 0.15  # of the range, within which a step is over
+LEVEL = 0.1  # of the height: nearer to an end's value than this is at it
 FLAT = 0.25  # of the steepest slope: an end that is flatter has saturated
 RETURNS = 0.4  # of a hill's height, that its feet may differ by
 OTHER_WAY = 0.03  # of what is left, that the direction of the input may explain beyond chance
@@ -93,7 +94,7 @@ def _of_one(y: Array) -> tuple[str, int | None]:
     turns = np.flatnonzero(np.diff(np.sign(slope[steep])) != 0)
     if not len(turns):
         inside = int(np.argmax(np.abs(slope)))
-        if np.sum(np.abs(y - np.sort(y[[0, -1]])[:, None]).min(axis=0) > height / 10) < SHORT * len(y):
+        if np.sum(np.abs(y - np.sort(y[[0, -1]])[:, None]).min(axis=0) > LEVEL * height) < SHORT * len(y):
             return "a step", inside
         return ("saturating", inside) if not (steep[0] and steep[-1]) else ("a bent curve", None)
     if len(turns) == 1 and abs(y[0] - y[-1]) < RETURNS * height:
