@@ -135,6 +135,7 @@ def close_loop(
     *,
     out: str | Path | None = None,
     report: str | Path | None = None,
+    empirical: bool = False,
     force: bool = False,
     progress: Callable[[str], None] = lambda step: None,
 ) -> ClosedLoop:
@@ -148,6 +149,9 @@ def close_loop(
         Write the calibration with the effects found here, as `fit` does.
     report : str or Path, optional
         Write the page for people here, `.html` or `.pdf`.
+    empirical : bool
+        Where structure remains that no known effect carries, ship a smooth function of what is recorded; else it
+        stands under `proposed`.
     force : bool
         Replace files that are there; a signed one never is.
     progress : callable
@@ -175,7 +179,7 @@ def close_loop(
     >>> print(f"{closed.before.holdout_rms_nT:.0f} nT -> {closed.after.holdout_rms_nT:.0f} nT")
     126 nT -> 27 nT
     """
-    return session.close_loop(run, _path(out), progress, report=_path(report), force=force)
+    return session.close_loop(run, _path(out), progress, report=_path(report), empirical=empirical, force=force)
 
 
 @_as_input_error()

@@ -33,10 +33,12 @@ from labcal.files.text_safety import checked_text
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Rival
+from labcal.model.smooth import Basis, Domain
 from labcal.record import Dut
 
 LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
 WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other
+NEW_OF_EFFECTS = frozenset({"group", "inputs", "basis", "domain"})
 ROUNDING = 1e-6  # of a covariance scaled to unit variances
 
 
@@ -72,6 +74,12 @@ def _square(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...
     return rows
 
 
+def _even(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
+    if len({len(row) for row in rows}) > 1:
+        raise ValueError("has rows of unlike length")
+    return rows
+
+
 def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
     if len(set(names)) < len(names):
         raise ValueError("names one thing twice")
@@ -87,6 +95,9 @@ CovarianceRow = Annotated[tuple[float, ...], Field(min_length=12, max_length=12)
 Covariance = Annotated[tuple[CovarianceRow, ...], Field(min_length=12, max_length=12), AfterValidator(_covariance)]
 JointCovariance = Annotated[
     tuple[tuple[float, ...], ...], Field(min_length=12), AfterValidator(_square), AfterValidator(_covariance)
+]
+Table = Annotated[
+    tuple[Annotated[tuple[float, ...], Field(min_length=1)], ...], Field(min_length=1), AfterValidator(_even)
 ]
 Plain = dict[Name, float | Text | bool | None]
 Sha256 = Annotated[str, Field(pattern=r"\A[0-9a-f]{64}\z")]
@@ -117,6 +128,22 @@ class _Rival(_Part):
     holdout_rms_after_nT: Uncertainty
 
 
+class _Basis(_Part):
+    kind: Name
+    knots: Table
+    degree: Annotated[int, Field(ge=0, le=9)]
+    functions: Table
+    projection: Table
+    prior_nT: Uncertainty
+    coefficients: Table
+    covariance: Annotated[Table, AfterValidator(_square), AfterValidator(_covariance)]
+
+
+class _Domain(_Part):
+    inputs: Annotated[Names, Field(min_length=1, max_length=2)]
+    hull: Annotated[Table, Field(min_length=2)]
+
+
 class _Effect(_Part):
     effect: Name
     channels: Names
@@ -131,11 +158,15 @@ class _Effect(_Part):
     rivals: tuple[_Rival, ...] = ()
     why: Text = ""
     group: Text = ""
+    inputs: Annotated[Names, Field(max_length=2)] = ()
+    basis: _Basis | None = None
+    domain: tuple[_Domain, ...] = ()
 
     @model_serializer(mode="wrap")
-    def _told(self, whole: SerializerFunctionWrapHandler) -> dict[str, object]:
-        """Without a group where there is none, as files were before there were groups."""
-        return {name: value for name, value in whole(self).items() if name != "group" or value}
+    def _what_is_there(self, whole: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Without what only some effects have: readers before them know no such keys."""
+        stated: dict[str, Any] = whole(self)
+        return {name: value for name, value in stated.items() if name not in NEW_OF_EFFECTS or value}
 
 
 class _Validity(_Part):
@@ -391,7 +422,10 @@ def _calibration(f: _File) -> Calibration:
 def _effect(stated: _Effect) -> EffectRecord:
     parameters = tuple(Parameter(**p.model_dump()) for p in stated.parameters)
     rivals = tuple(Rival(**r.model_dump()) for r in stated.rivals)
-    return EffectRecord(**stated.model_dump(exclude={"parameters", "rivals"}), parameters=parameters, rivals=rivals)
+    basis = None if stated.basis is None else Basis(**stated.basis.model_dump())
+    domain = tuple(Domain(**d.model_dump()) for d in stated.domain)
+    plain = stated.model_dump(exclude={"parameters", "rivals", "basis", "domain"})
+    return EffectRecord(**plain, parameters=parameters, rivals=rivals, basis=basis, domain=domain)
 
 
 def _frozen(values: object) -> NDArray[np.float64]:

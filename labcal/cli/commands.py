@@ -10,6 +10,7 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     bench,
     conformity,
     demo,
+    effect,
     fitting,
     gui,
     keys,

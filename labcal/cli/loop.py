@@ -34,6 +34,9 @@ def close_loop(
         help="While causes are open, measure on --bench what tells them apart.",
     ),
     bench: Path | None = typer.Option(None, help="The bench to measure on."),
+    empirical: bool = typer.Option(
+        False, "--empirical", help="Ship a term without a name where no known effect carries what is left."
+    ),
     yes: bool = typer.Option(False, "--yes", help="Agree to the plans; on a real bench prompts still need a person."),
     seed: int | None = typer.Option(None, help="Of the simulated lab: that of the run."),
     force: bool = FORCE,
@@ -48,7 +51,7 @@ def close_loop(
             raise InputError("--measure needs a bench: say --bench FILE")
         closed = _measuring(run, bench, out, report, seed, sure=yes, force=force)
     else:
-        closed = session.close_loop(run, out, step_line, report=report, force=force)
+        closed = session.close_loop(run, out, step_line, report=report, empirical=empirical, force=force)
     if json_file is not None:
         write_json(closed.to_json(), json_file, "close-loop", inputs=read, force=force)
     if json_file != "-":
@@ -95,10 +98,19 @@ def _show(closed: ClosedLoop) -> None:
         effects = Table("Cause", "Channel", "Parameter", "Value", "u", "Unit", box=None)
         for effect in closed.accepted:
             name = effect.effect + (" (provisional)" if effect.provisional else "")
+            if effect.basis is not None:
+                of = f"{len(effect.parameters)} coefficients over {' and '.join(effect.inputs)}"
+                effects.add_row(name, ", ".join(effect.channels), of, "", "", "nT")
+                continue
             for number, p in enumerate(effect.parameters):
                 first = (name, ", ".join(effect.channels)) if number == 0 else ("", "")
                 effects.add_row(*first, p.name, f"{p.value:.4g}", f"{p.u:.2g}", p.unit)
         screen.print(effects)
+    for effect in closed.proposed:
+        told = f"{effect.holdout_rms_before_nT:.1f} to {effect.holdout_rms_after_nT:.1f} nT held out"
+        of = " and ".join(effect.inputs)
+        screen.print(f"Proposed, not shipped: a term without a name, a function of {of} ({told}). {effect.why}")
+        screen.print("--empirical ships it; it holds only where this run has been.", highlight=False)
     if closed.conformity is not None:
         show_conformity(closed.conformity)
     for remark in closed.remarks:

@@ -59,7 +59,10 @@ def draft_calibration(
         operator=run.operator,
         covariance_of=found.covariance_of,
         k_at={
-            name: value for e in found.effects if e.belongs_to == "sensor" for name, value in e.reference_value.items()
+            name: value
+            for e in found.effects
+            if e.belongs_to == "sensor" and e.basis is None
+            for name, value in e.reference_value.items()
         },
         not_covered=not_covered(run),
         made_by=made_by,

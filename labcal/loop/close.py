@@ -17,6 +17,7 @@ from labcal.loop.data.gaps import unresolved_gaps
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.data.noise_floor import NoiseFloor, noise_floor
 from labcal.loop.data.outliers import at_saturation_limit
+from labcal.loop.nameless import with_empirical
 from labcal.loop.narrative import of_faulty_data
 from labcal.loop.result import ClosedLoop, Finding
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
@@ -31,10 +32,12 @@ from labcal.record import Run
 Progress = Callable[[str], None]
 
 
-def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
+def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: bool = False) -> ClosedLoop:
     """Find the residual of `run`, trace it, and say what it is. Raises InputError where the run says too little.
 
     Rows in unresolved gaps of a channel that supports a cause are left out, and all is decided again on the others.
+    Where structure remains that no known effect carries, an empirical term is built and proven: shipped where
+    `empirical` asks for it, else proposed.
     """
     while True:
         progress("fitting the base model")
@@ -54,7 +57,9 @@ def close_loop(run: Run, progress: Progress = lambda text: None) -> ClosedLoop:
     found, after = final_fit(problem, found, selection)
     found = told_apart(found)
     before = base_fit(problem, found) if found.accepted else after
-    return assemble(run, found, before, after, {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck})
+    aside = {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck}
+    closed = assemble(run, found, before, after, aside)
+    return with_empirical(run, found, closed, before, aside, ship=empirical)
 
 
 def _supporting_channels(found: Selection) -> set[str]:

@@ -137,6 +137,7 @@ class ClosedLoop:
     covariance_of: tuple[str, ...] = MAP_PARAMETERS
     conformity: Assessment | None = None  # of what is shipped, where the run has a specification
     sources: Sources | None = None  # what `covariance` is made of
+    proposed: tuple[EffectRecord, ...] = ()  # an empirical term that nobody asked to be shipped
 
     @property
     def done(self) -> bool:
@@ -176,6 +177,7 @@ class ClosedLoop:
             "set_aside": dict(self.set_aside),
             "accepted": [effect_json(e) for e in self.accepted],
             "rejected": [effect_json(e) for e in self.rejected],
+            "proposed": [effect_json(e) for e in self.proposed],
             "verdict": self.verdict,
             "summary": self.summary,
             "next_experiment": None if self.next_experiment is None else asdict(self.next_experiment),
@@ -192,7 +194,7 @@ def effect_json(record: EffectRecord) -> dict[str, Any]:
     """The contract's EFFECT."""
     ci = record.improvement_ci95_nT
     group = {"group": record.group} if record.group else {}
-    return {
+    stated = {
         "effect": record.effect,
         "channels": list(record.channels),
         "reference_value": dict(record.reference_value),
@@ -210,3 +212,8 @@ def effect_json(record: EffectRecord) -> dict[str, Any]:
         "why": record.why,
         **group,
     }
+    if record.domain:
+        stated["domain"] = [asdict(domain) for domain in record.domain]
+    if record.basis is not None:
+        stated |= {"inputs": list(record.inputs), "basis": asdict(record.basis)}
+    return stated

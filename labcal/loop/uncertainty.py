@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.fit.vector.observations import SCALAR, observe
 from labcal.fit.vector.system import evaluate
+from labcal.loop.candidates.prior import precision
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.bounded import weighed_spectra
 from labcal.loop.noise.coloured import grams_of_bands
@@ -88,11 +89,15 @@ def _changed(found: JointFit, error: DeclaredError) -> Array:
 
 
 def _of_noise(found: JointFit, A: Array, inverse: Array, D: Array) -> FitNoise:
-    """A^+ S A^+ᵀ with each bounded spectrum S of the residual; what declared errors D left in it is no noise."""
+    """A^+ S A^+ᵀ with each bounded spectrum S of the residual, and what priors leave open.
+
+    What declared errors D left in the residual is no noise.
+    """
     moved = cosine_transform(np.concatenate([A, _shown(A, inverse, D)], axis=2))
     spectra = weighed_spectra(moved, cosine_transform(found.problem.y[found.used]))
     grams = inverse @ grams_of_bands(moved[:, :, : len(inverse)], spectra.bands) @ inverse
-    return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1), spectra.dof)
+    before = inverse @ precision(found.terms, found.problem.T.shape[2], len(inverse)) @ inverse
+    return FitNoise.of(spectra.weight, np.tensordot(spectra.spectra, grams, axes=1) + before, spectra.dof)
 
 
 def _shown(A: Array, inverse: Array, D: Array) -> Array:

@@ -20,7 +20,7 @@ from labcal.model.seen import Seen
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time")
+FLAGS = ("saturated", "outlier", "field", "temperature", "rate", "mode", "time", "domain")
 MATERIAL = 1.15  # held-out residuals beyond this many times the noise are more than noise
 SPAN_ROWS = 200  # over which the size of an effect of the run's own clock is taken
 FEW = 8  # rows of a channel: fewer do not tell what it does in a gap
@@ -237,8 +237,11 @@ def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
 def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
     """Mean square (3,) of an effect that a row goes without: over the run's span, its modes, or the rows that have it.
 
-    Never less than what the run's held-out residual lost by it: the recording may not show it at all.
+    Never less than what the run's held-out residual lost by it: the recording may not show it at all. Of an empirical
+    term it is its prior, for the mean of the run is no more than that.
     """
+    if record.basis is not None:
+        return np.full(3, record.basis.prior_nT**2)
     if (rows := _where_it_acts(calibration, effect)) is not None:
         return np.asarray(np.mean(effect.predict(rows) ** 2, axis=0))
     before, after = record.holdout_rms_before_nT or 0.0, record.holdout_rms_after_nT or 0.0

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.model.affine import MAP_PARAMETERS, AffineMap
+from labcal.model.smooth import Basis, Domain
 from labcal.record import Dut, Run
 
 if TYPE_CHECKING:
@@ -56,6 +57,9 @@ class EffectRecord:
     rivals: tuple[Rival, ...] = ()
     why: str = ""
     group: str = ""  # the set of channels that it was accepted with
+    inputs: tuple[str, ...] = ()  # of an empirical term
+    basis: Basis | None = None  # of an empirical term
+    domain: tuple[Domain, ...] = ()  # where it has been seen
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +150,7 @@ class Calibration:
         Applied
             `field_nT` (n, 3) in body axes, `u_nT` (n,), the standard uncertainty of one component with the noise
             included, and `flags` (n,), empty or words apart by spaces: saturated outlier field temperature rate mode
-            time.
+            time domain.
 
         Raises
         ------
@@ -174,6 +178,7 @@ class Calibration:
 
 def k_means(effects: Sequence[EffectRecord], k_at: Mapping[str, float] | None = None) -> str:
     """What k belongs to beside these effects, as "at i_eps = 0.0532 A"; empty where it depends on no channel."""
+    effects = [effect for effect in effects if effect.basis is None]  # that is nought on the mean, nowhere by itself
     stated = {name: value for effect in effects for name, value in effect.reference_value.items()}
     units = {name: _unit_of_drive(effect) for effect in effects for name in effect.channels[:1]}
     said = [

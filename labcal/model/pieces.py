@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import DELAY, Fitted, Scene, Shape, Term, load_shipped
+from labcal.model.effects.inputs import outside
 from labcal.model.effects.past import Past, State
 from labcal.model.readings import Readings
 
@@ -109,6 +110,11 @@ class Walk:
                     jacobian[usable, :, place] = columns[:, :, linear.index(parameter.name)]
                 elif parameter.name in slopes:
                     jacobian[usable, :, place] = (slopes[parameter.name] - value[usable]) / self._steps[parameter.name]
+        if self._record.domain:
+            flags["domain"] = self._outside(rows)
+        if self._record.basis is not None:  # what has no name is no more than it was seen to be
+            usable &= ~flags["domain"]
+            value[~usable], jacobian[~usable] = 0.0, 0.0
         if self.effect.term.found_by("own secant") is not None:
             flags["rate"] = self._recording.out_of_reach(rows, float(self.effect.beta[0]))
             variance[flags["rate"]] += value[flags["rate"]] ** 2
@@ -117,6 +123,15 @@ class Walk:
             flags["time"] = flags.get("time", unsure) | unsure
             variance[unsure] += self._jump(rows, unsure) ** 2 / 4
         return Taken(value, jacobian, variance, usable, flags, self._late(rows))
+
+    def _outside(self, rows: slice) -> Mask:
+        """Rows (n,) that have what the effect depends on, and lie where it was not seen."""
+        around = self._near(rows) if self._reach_s and not self.at_once else rows
+        usable = self._usable(around)
+        out = np.zeros(len(usable), dtype=bool)
+        if usable.any():
+            out[usable] = outside(self._record.domain, self._scene(around, usable, None))
+        return out[rows.start - around.start : rows.stop - around.start]
 
     def _slopes(self, rows: slice) -> dict[str, Array]:
         """The effect (m, 3) in the usable ones of the rows, each uncertain shape of it a step further."""

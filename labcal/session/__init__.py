@@ -250,15 +250,19 @@ def close_loop(
     progress: Callable[[str], None] = lambda text: None,
     *,
     report: Path | None = None,
+    empirical: bool = False,
     force: bool = False,
 ) -> ClosedLoop:
-    """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`, the page to `report`."""
+    """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`, the page to `report`.
+
+    `empirical` ships a term without a name where structure remains that no known effect carries.
+    """
     outputs = {output.path: output for output in claim("close-loop", out, report, inputs=paths(run), force=force)}
     if report is not None:
         check_form(report)  # before the work, not after it
     bundle = run_bundle(run)
     measured = bundle.run()
-    closed = with_installed_procedure(loop.close_loop(measured, progress))
+    closed = with_installed_procedure(loop.close_loop(measured, progress, empirical=empirical))
     made = partial(draft_calibration, measured, closed.fit(), bundle.sha256, metrics=closed.metrics())
     if measured.specification is not None:
         closed = replace(closed, conformity=assess(made(), measured.specification, measured))
@@ -266,8 +270,8 @@ def close_loop(
         with outputs[report].writing():
             write_report(closed_loop_page(closed, measured), report)
     if out is not None:
-        how, cage = made_by("close-loop", closed.fit().method), _cage_sha256(run)
-        drafted = made(cage_sha256=cage, made_by=how, chain=bundle.stated_chain)
+        how = made_by("close-loop", closed.fit().method, empirical=empirical)
+        drafted = made(cage_sha256=_cage_sha256(run), made_by=how, chain=bundle.stated_chain)
         with outputs[out].writing():
             write_bytes(out, certificate.calibration_bytes(drafted))
         keep(drafted)

@@ -35,10 +35,10 @@ Progress = Callable[[str], None]
 MadeBy = Mapping[str, Any]
 
 
-def made_by(command: str, method: str, channels: Sequence[str] | None = None) -> MadeBy:
+def made_by(command: str, method: str, channels: Sequence[str] | None = None, *, empirical: bool = False) -> MadeBy:
     """How this version makes a calibration (contract: made_by)."""
     named = None if channels is None else tuple(channels)
-    return {"command": command, "method": method, "channels": named, "empirical": False, "version": version()}
+    return {"command": command, "method": method, "channels": named, "empirical": empirical, "version": version()}
 
 
 def version() -> str:
@@ -128,15 +128,16 @@ def _way(stated: Calibration) -> MadeBy:
     if stated.made_by is not None:
         return stated.made_by
     looped = bool(stated.effects) or "train_rms_nT" in stated.metrics.get("after", {})
-    return {"command": CLOSE_LOOP if looped else FIT, "method": "ml", "channels": None, "version": ""}
+    command = CLOSE_LOOP if looped else FIT
+    return {"command": command, "method": "ml", "channels": None, "empirical": False, "version": ""}
 
 
 def _whole_way(bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
     """All that its command did, by this version."""
     run = bundle.run()
     if how["command"] == CLOSE_LOOP:
-        closed = loop.close_loop(run, progress)
-        again = made_by(CLOSE_LOOP, closed.fit().method)
+        closed = loop.close_loop(run, progress, empirical=how["empirical"])
+        again = made_by(CLOSE_LOOP, closed.fit().method, empirical=how["empirical"])
         return draft_calibration(
             run, closed.fit(), bundle.sha256, metrics=closed.metrics(), made_by=again, chain=bundle.stated_chain
         )

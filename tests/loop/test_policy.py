@@ -27,7 +27,8 @@ KINDS = {
         "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
         "selection.select:MAX_ROUNDS OUT_OF_REACH", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
-        "selection.surrogates:SURROGATES TAIL", "noise.cross_correlation:MAX_LAG",
+        "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
+        "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
     ),
     "size of a sample": (
         "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
@@ -38,7 +39,9 @@ KINDS = {
     "setting of an estimator": (
         "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
-        "selection.discrepancy:DEGREES HARMONICS", "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS",
+        "selection.discrepancy:DEGREES HARMONICS",
+        "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "empirical.marginal:RATIOS",
+        "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
@@ -53,6 +56,7 @@ KINDS = {
         "findings.working_range:SETTLED_S DIRECTIONS",
     ),
     "words for what is left, beside the verdict": (
+        "empirical.words:POINTS NEARLY_ALL SHORT LEVEL FLAT RETURNS OTHER_WAY",
         "findings.confounded:LOCKED_SHARE MOVING MOSTLY ONE_RATE", "findings.working_range:AXIAL",
         "findings.residual_shape:DOMINANT_SHARE MIN_EXPLAINED CONCENTRATION STEEP SMOOTH SWITCHES TWO_LEVELS "
         "ALTERNATIONS MOST_STEPS MEMORY DIFFERENT_FIELDS SLOPE_ROWS PART_ROWS",

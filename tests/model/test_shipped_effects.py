@@ -41,9 +41,10 @@ def shipped(effect: str, term: Term) -> EffectRecord:
 
 
 OURS = [f for f in families() if f.kernel.__module__.startswith("labcal.")]
+BUILT = ("empirical",)  # by the loop from what its search leaves: tests/loop/test_empirical.py
 
 
-@pytest.mark.parametrize("effect", [f.id for f in OURS if f.belongs_to == "sensor"])
+@pytest.mark.parametrize("effect", [f.id for f in OURS if f.belongs_to == "sensor" and f.id not in BUILT])
 def test_every_form_that_a_fit_may_find_loads_from_its_file(effect: str) -> None:
     run = measured()
     (family,) = (f for f in families() if f.id == effect)

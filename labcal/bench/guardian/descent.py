@@ -46,8 +46,8 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callabl
 def _greet(coil: GuardedCoil, within_s: float) -> None:
     """See that the right instrument is at the end of the link, where that is not known yet or nothing flows.
 
-    One that may carry current has so long to answer. Over a TCP connection it is asked for its set-point in any case: one that was forgotten at the other end takes every
-    order and is heard by nobody.
+    One that may carry current has so long to answer. Over a TCP connection it is asked for its set-point in any case:
+    one that was forgotten at the other end takes every order and is heard by nobody.
     """
     line = coil.line
     hurry_s = line.clock.now() + within_s if coil.energised else float("inf")

@@ -12,7 +12,7 @@ from labcal.certificate.report.budget import budget_blocks
 from labcal.certificate.report.conformity import change_blocks, conformity_blocks, conformity_marks
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
-from labcal.certificate.report.style import decimals_for, number, sentence
+from labcal.certificate.report.style import NOTHING, decimals_for, number, sentence
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.model.effects import find
@@ -92,6 +92,8 @@ def _effect_table(effect: EffectRecord) -> Table:
     family = find(effect.effect)
     kinds = {shape.name: shape.kind.name for shape in family.shapes} if family is not None else {}
     rows = tuple(_parameter_row(parameter, kinds.get(parameter.name)) for parameter in effect.parameters)
+    if effect.basis is not None:  # its coefficients say nothing one by one
+        rows = ((f"{len(rows)} coefficients of a smooth function", NOTHING, NOTHING, "nT"),)
     return Table((name, "Value", f"U (k = {COVERAGE:.0f})", "Unit"), rows, frozenset({1, 2}), _why(effect))
 
 

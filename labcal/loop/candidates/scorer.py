@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from labcal.loop.candidates.columns import ColumnGroup, ColumnStore, Kept, Memo
 from labcal.loop.candidates.library import Candidate, Cause, Span, expand_library
+from labcal.loop.candidates.prior import as_data
 from labcal.loop.data.decimate import decimate
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.bands import Bands, bands_of, cosine_transform, fast_length
@@ -222,7 +223,8 @@ class CandidateSet:
         def made() -> Array:
             T, y, rows = self.problem.T, self.problem.y, self.rows
             A = np.concatenate([T[rows], *(self.columns(c)[rows] for c in accepted)], axis=2)
-            return ols_with_nuisance(A, y[rows], T.shape[2])
+            known, none = as_data([c.term for c in accepted], None, T.shape[2], y.shape[1])
+            return ols_with_nuisance(np.concatenate([A, known]), np.concatenate([y[rows], none]), T.shape[2])
 
         return self.cached("coefficients", accepted, made)
 

@@ -43,7 +43,7 @@ class RangeUncertainty:
 def range_uncertainty(run: Run, after: JointFit, place: int) -> RangeUncertainty | None:
     """Of the effect number `place`; None where it rests on no channel, or is bound to motion."""
     term = after.terms[place]
-    if not term.channels:
+    if not term.channels or term.basis is not None:  # which ships for where it has been seen alone
         return None
     scene, names = _corners(run, after, term)
     J = term.columns(scene)[1::2]  # the second row of each corner, settled

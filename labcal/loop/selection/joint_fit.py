@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.loop.candidates.prior import as_data, precision
 from labcal.loop.data.credible import min_new_share
 from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.noise.bands import cosine_transform
@@ -90,7 +91,9 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
     beta = tuple(np.zeros(len(term.parameters)) for term in terms)
     for _ in range(STEPS):
         A = np.concatenate([here.T, *(-here.columns(term) for term in terms)], axis=2)[used]
-        step = -ols_with_nuisance(A, here.y[used], here.T.shape[2], _min_new_share(here, terms, beta, used))
+        known, off = as_data(terms, beta, here.T.shape[2], A.shape[1])
+        data = np.concatenate([A, known]), np.concatenate([here.y[used], off])
+        step = -ols_with_nuisance(*data, here.T.shape[2], _min_new_share(here, terms, beta, used))
         there = _line_search(here, terms, beta, step, used)
         if there is None:
             break
@@ -104,15 +107,21 @@ def _line_search(
     here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], step: Array, used: NDArray[np.bool_]
 ) -> Point | None:
     """The point a step on, or a part of it that does not raise the sum of squares; None where none does."""
-    limit = float(np.sum(here.y[used] ** 2)) * (1 + 1e-9)
+    limit = _misfit(here, terms, beta, used) * (1 + 1e-9)
     for _ in range(HALVINGS):
         bare, moved = _stepped(here, terms, beta, step)
         settled = tuple(_on_own_secant(term, b) for term, b in zip(terms, moved, strict=True))
         there = _relinearised(bare, settled, moved)
-        if float(np.sum(there.y[used] ** 2)) <= limit:
+        if _misfit(there, settled, moved, used) <= limit:
             return there, settled, moved
         step = step / 2
     return None
+
+
+def _misfit(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
+    """The sum of squares on the rows used, and of what parameters with a prior are off it."""
+    _, off = as_data(terms, beta, 0, here.y.shape[1])
+    return float(np.sum(here.y[used] ** 2) + np.sum(off**2))
 
 
 def _min_new_share(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
@@ -199,16 +208,21 @@ def _covariance(
     moved = cosine_transform(_derivatives(here, terms, beta, used))
     bands, spectrum = noise_spectrum(moved, here.y[used])
     A = weighted_gram(moved, bands, np.ones_like(spectrum))
-    inverse = inverse_gram(A, here.T.shape[2], _min_new_share(here, terms, beta, used))
-    return np.asarray(inverse @ weighted_gram(moved, bands, spectrum) @ inverse)
+    known = precision(terms, here.T.shape[2], len(A))
+    inverse = inverse_gram(A + known, here.T.shape[2], _min_new_share(here, terms, beta, used))
+    return np.asarray(inverse @ (weighted_gram(moved, bands, spectrum) + known) @ inverse)
 
 
 def derivatives(found: JointFit) -> tuple[Array, Array]:
-    """The whitened residual's derivatives (n, q, p) by all parameters, and the inverse (p, p) of their Gram matrix."""
+    """The whitened residual's derivatives (n, q, p) by all parameters, and the inverse (p, p) of their Gram matrix.
+
+    With the precision that parameters with a prior have before the data.
+    """
     here, terms, beta, used = found.problem, found.terms, found.beta, found.used
     A = _derivatives(here, terms, beta, used)
     flat = A.reshape(-1, A.shape[2])
-    return A, inverse_gram(flat.T @ flat, here.T.shape[2], _min_new_share(here, terms, beta, used))
+    known = precision(terms, here.T.shape[2], flat.shape[1])
+    return A, inverse_gram(flat.T @ flat + known, here.T.shape[2], _min_new_share(here, terms, beta, used))
 
 
 def _derivatives(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> Array:

@@ -18,6 +18,7 @@ from labcal.model.calibration import EffectRecord, Owner
 from labcal.model.effects import memory
 from labcal.model.effects.past import Past
 from labcal.model.effects.shape import FoundBy, Kind, Shape
+from labcal.model.smooth import Basis
 from labcal.record import Run
 
 Array = NDArray[np.float64]
@@ -114,6 +115,8 @@ class Term:
     channels: tuple[str, ...] = ()
     reference_value: Mapping[str, float] = field(default_factory=dict)  # where each channel counts as zero
     shape: tuple[Shape, ...] = ()
+    inputs: tuple[str, ...] = ()  # of a smooth function (`effects.inputs`)
+    basis: Basis | None = None  # of the same
 
     def columns(self, scene: Scene) -> Array:
         """The derivative of e by each linear parameter (n, 3, p)."""
@@ -215,7 +218,8 @@ class Family:
         kinds = {shape.name: shape.kind for shape in self.shapes}
         linear = tuple((p.name, p.unit) for p in record.parameters if p.name not in kinds)
         shape = tuple(Shape(p.name, p.value, p.unit, kind=kinds[p.name]) for p in record.parameters if p.name in kinds)
-        return Term(self.kernel, linear, record.channels, dict(record.reference_value), shape)
+        at = dict(record.reference_value)
+        return Term(self.kernel, linear, record.channels, at, shape, record.inputs, record.basis)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

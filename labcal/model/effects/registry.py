@@ -73,6 +73,8 @@ def load_shipped(record: EffectRecord) -> Fitted:
         raise InputError(f"the effect {record.effect} is the {loaded.family.belongs_to}'s, never the sensor's")
     if set(record.channels) != set(record.reference_value) or RESERVED & set(record.channels):
         raise InputError(f"{fault}: each channel needs its reference value, and a name of its own")
+    if record.basis is not None and not _is_whole(record):
+        raise InputError(f"{fault}: its basis does not belong to its inputs, parameters and domain")
     names = [p.name for p in record.parameters]
     if len(set(names)) < len(names) or not _in_order(names):
         raise InputError(f"{fault}: its parameters are there twice, or not in the order x, y, z")
@@ -86,6 +88,22 @@ def load_shipped(record: EffectRecord) -> Fitted:
     if columns.shape != (TRIED, 3, len(loaded.beta)) or not np.isfinite(columns).all():
         raise InputError(f"{fault}: its {len(names)} parameters are not those of its formula, or give no numbers")
     return loaded
+
+
+def _is_whole(record: EffectRecord) -> bool:
+    """Whether a smooth function has a domain of its inputs, knots in order, and the parameters of its coefficients."""
+    basis = record.basis
+    assert basis is not None
+    stated = [value for row in basis.coefficients for value in row]
+    known = [(domain.inputs, {len(corner) for corner in domain.hull}) for domain in record.domain]
+    rising = all(list(knots) == sorted(knots) and len(knots) > 2 * basis.degree + 1 for knots in basis.knots)
+    return (
+        (record.inputs, {len(record.inputs)}) in known
+        and rising
+        and len(basis.knots) == len(record.inputs)
+        and stated == [p.value for p in record.parameters]
+        and len(basis.covariance) == len(stated)
+    )
 
 
 def _in_order(names: list[str]) -> bool:

@@ -125,10 +125,10 @@ def inverted(t_s: Array, segment: NDArray[np.intp], seen: Array, tau_s: float) -
     The slope is a line's through the rows of the segment within tau_s / 8 either way: so the noise of a reading counts
     14 times over the root of their number, and what changes within the window is smoothed.
     """
-    return np.concatenate([seen[p] + tau_s * _slopes(t_s[p], seen[p], tau_s * LEAD) for p in stretches(segment)])
+    return np.concatenate([seen[p] + tau_s * slopes(t_s[p], seen[p], tau_s * LEAD) for p in stretches(segment)])
 
 
-def _slopes(t: Array, x: Array, reach_s: float) -> Array:
+def slopes(t: Array, x: Array, reach_s: float) -> Array:
     """The slope (n,) of a line through the rows within `reach_s` of each, its neighbours at least."""
     rows = np.arange(len(t))
     first = np.maximum(np.minimum(np.searchsorted(t, t - reach_s), rows - 1), 0)

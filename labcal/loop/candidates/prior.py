@@ -1,0 +1,45 @@
+"""Parameters that are known before the run is seen, as data of their own (Theil & Goldberger, Int. Econ. Rev. 2, 65).
+
+Those of a smooth function have mean zero and one standard deviation; all others are open.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.model.effects import Term
+
+Array = NDArray[np.float64]
+
+
+def as_data(terms: Sequence[Term], beta: Sequence[Array] | None, start: int, q: int) -> tuple[Array, Array]:
+    """One row (known, q, p) for each known parameter, and how far off it is (known, q) in its own deviations.
+
+    Of p parameters the first `start` are the base's. With `beta` None they are taken to be zero.
+    """
+    weight = _weights(terms, start, start + sum(len(term.parameters) for term in terms))
+    known = np.flatnonzero(weight)
+    rows = np.zeros((len(known), q, len(weight)))
+    rows[np.arange(len(known)), 0, known] = weight[known]
+    off = np.zeros((len(known), q))
+    if beta is not None and len(known):
+        off[:, 0] = weight[known] * np.concatenate([np.zeros(start), *beta])[known]
+    return rows, off
+
+
+def precision(terms: Sequence[Term], start: int, p: int) -> Array:
+    """What is known of p parameters before the data (p, p): reciprocal variances."""
+    return np.diag(_weights(terms, start, p) ** 2)
+
+
+def _weights(terms: Sequence[Term], start: int, p: int) -> Array:
+    """Reciprocal standard deviations (p,), zero where a parameter is open."""
+    out = np.zeros(p)
+    for term in terms:
+        if term.basis is not None:
+            out[start : start + len(term.parameters)] = 1 / term.basis.prior_nT
+        start += len(term.parameters)
+    return out

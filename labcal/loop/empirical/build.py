@@ -1,0 +1,130 @@
+"""The best smooth function of a run's inputs beside what the search accepted, and what evidence there is for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop import policy
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import CandidateSet, Scored
+from labcal.loop.empirical.inputs import Inputs, middle_of, sets_of_inputs
+from labcal.loop.empirical.marginal import Marginal, Reduced
+from labcal.loop.empirical.splines import LENGTHS, functions_of_length, splines_of, table
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.coloured import Likelihood, NullModel
+from labcal.loop.parallel import parallel_map
+from labcal.model.effects import Scene, Term
+from labcal.model.effects.empirical import FAMILY, of_base
+from labcal.model.effects.inputs import channels_of, values
+from labcal.model.effects.regressors import per_axis
+
+Array = NDArray[np.float64]
+SHORTLIST = 3  # sets of inputs that are weighed under every noise
+HYPERPARAMETERS = 2  # of a smooth function: its size and its length
+
+
+@dataclass(frozen=True, slots=True)
+class _Weighed:
+    inputs: Inputs
+    length: float
+    marginal: Marginal
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """The sets of inputs that are worth weighing, and how many there were."""
+
+    sets: tuple[Inputs, ...]
+    trials: int
+
+
+def shortlist(pool: CandidateSet, accepted: Sequence[Candidate]) -> Search:
+    """The sets of inputs with the most evidence under white noise, or under that of the null model."""
+    null, sets = pool.null_model(accepted), sets_of_inputs(pool.problem)
+    some = sorted({0, null.null.spectrum})
+    first = parallel_map(lambda names: _weighed(pool, null, names, some), sets)
+    best = sorted(first, key=lambda w: -w.marginal.log)[:SHORTLIST]
+    return Search(tuple(w.inputs for w in best), len(sets))
+
+
+def best_smooth(pool: CandidateSet, accepted: Sequence[Candidate], search: Search) -> Scored | None:
+    """The smooth function with the most evidence, on the rows of `pool`; None where there is not enough of it."""
+    if not search.sets:
+        return None
+    null = pool.null_model(accepted)
+    every = range(len(null.bands.spectra))
+    chosen = max((_weighed(pool, null, names, every) for names in search.sets), key=lambda w: w.marginal.log)
+    price = 0.5 * HYPERPARAMETERS * np.log(pool.n_data) + np.log(search.trials)
+    gain = chosen.marginal.log - null.null.log
+    if gain - price < policy.POLICY.min_evidence:
+        return None
+    candidate = Candidate(FAMILY, _term(pool, chosen), search.trials)
+    drop = _drop(pool, accepted, candidate)
+    likelihood = Likelihood(chosen.marginal.log, chosen.marginal.level, chosen.marginal.spectrum, 0.0)
+    return Scored(candidate, gain, gain - price, drop, len(candidate.term.parameters), likelihood)
+
+
+def _weighed(pool: CandidateSet, null: NullModel, names: Inputs, spectra: Sequence[int]) -> _Weighed:
+    """A function of these inputs at the length that is most likely."""
+    reduced = _reduced(pool, null, _plain(pool, names), spectra)
+    each = [
+        _Weighed(names, length, reduced.best(_on_each_axis(functions_of_length(len(names), length))))
+        for length in LENGTHS[len(names)]
+    ]
+    return max(each, key=lambda w: w.marginal.log)
+
+
+def _on_each_axis(functions: Array) -> Array:
+    return np.asarray(np.kron(functions, np.eye(3)))
+
+
+def _reduced(pool: CandidateSet, null: NullModel, plain: Term, spectra: Sequence[int]) -> Reduced:
+    """The splines' columns with the null model eliminated; at once for all axes where every row is whitened alike."""
+    whole, rows = pool.whole, pool.transformed_rows
+    if whole.whiten.strides[0]:
+        return Reduced.of(null, cosine_transform(pool.problem.columns(plain)[rows]), spectra)
+    assert plain.basis is not None
+    functions = plain.basis.at(list(values(plain.inputs, whole.scene).T))
+    functions = functions if pool.problem.bins is None else pool.problem.bins.averaged(functions)
+    return Reduced.of_product(null, cosine_transform(functions[rows]), whole.whiten[0], spectra)
+
+
+def _plain(pool: CandidateSet, names: Inputs) -> Term:
+    """The splines of these inputs over the range of the whole run, nothing taken off."""
+    basis = splines_of(values(names, pool.whole.scene))
+    run = pool.whole.run
+    parameters = tuple(p for j in range(len(basis.functions)) for p in per_axis(f"s{j}", "nT"))
+    return Term(FAMILY.kernel, parameters, channels_of(names), middle_of(run, names), (), names, basis)
+
+
+def _term(pool: CandidateSet, chosen: _Weighed) -> Term:
+    """The form that ships: few functions, orthogonal to the base on these rows, with the prior that is most likely."""
+    plain = _plain(pool, chosen.inputs)
+    assert plain.basis is not None
+    functions = functions_of_length(len(chosen.inputs), chosen.length)
+    r, prior = functions.shape[1], chosen.marginal.level * float(np.sqrt(chosen.marginal.ratio))
+    bare = replace(plain.basis, functions=table(functions), projection=table(np.zeros((12, 3 * r))), prior_nT=prior)
+    term = replace(plain, parameters=plain.parameters[: 3 * r], basis=bare)
+    return replace(term, basis=replace(bare, projection=table(_projection(pool, term))))
+
+
+def _projection(pool: CandidateSet, term: Term) -> Array:
+    """What each column shares with the base (12, p), by least squares in the noise's metric."""
+    onto = replace(term, kernel=_of_base)
+    base, own = (pool.problem.columns(t)[pool.rows] for t in (onto, term))
+    flat = base.reshape(-1, base.shape[2])
+    return np.asarray(np.linalg.lstsq(flat, own.reshape(len(flat), -1), rcond=1e-9)[0])
+
+
+def _of_base(term: Term, scene: Scene) -> Array:
+    return of_base(scene)
+
+
+def _drop(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:
+    """What it takes off the mean square of the whitened residual."""
+    before, after = (pool.residual(chosen)[pool.rows] for chosen in (accepted, [*accepted, candidate]))
+    return float((np.mean(before**2) - np.mean(after**2)) / pool.decimation)

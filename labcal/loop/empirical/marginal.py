@@ -1,0 +1,90 @@
+"""The marginal likelihood of a smooth function beside a null model: its coefficients are integrated over their prior.
+
+u ~ N(0, g v I) with noise v S: log L = −½ [N log v + rss / v + q Σ log S + log |I + g A|], A the columns' Gram matrix
+under S with the null model eliminated, rss = yᵀ y − Σ g (Vᵀ b)² / (1 + g d) in its eigenvectors V. So smoothness is
+paid for as it is used (MacKay, Neural Comput. 4, 415, 1992), under every noise that the null model may take too.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.noise.coloured import Grams, NullModel
+
+Array = NDArray[np.float64]
+RATIOS = np.logspace(-3, 7, 41)  # g: prior variance over the noise's
+
+
+@dataclass(frozen=True, slots=True)
+class Marginal:
+    """The most likely prior and noise of one basis."""
+
+    log: float
+    ratio: float  # g
+    level: float  # of the white noise, in whitened units
+    spectrum: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Reduced:
+    """Columns with the null model eliminated, under some of its spectra."""
+
+    null: NullModel
+    spectra: Sequence[int]
+    gram: Array  # (spectra, p, p)
+    xty: Array  # (spectra, p)
+
+    @classmethod
+    def of(cls, null: NullModel, X: Array, spectra: Sequence[int]) -> Reduced:
+        """For transformed columns X (n, q, p)."""
+        found = Grams.of(X[:, :, None, :], null.columns_and_y, null.bands)
+        return cls._without_null(null, found.own[:, 0], found.cross, spectra)
+
+    @classmethod
+    def of_product(cls, null: NullModel, functions: Array, whiten: Array, spectra: Sequence[int]) -> Reduced:
+        """For transformed functions (n, m) on each axis, whitened alike (q, 3) in all rows: a ninth of the work."""
+        others = null.columns_and_y.reshape(len(functions), len(whiten), -1)
+        pieces = list(itertools.pairwise(null.bands.edges.tolist()))
+        square = np.array([functions[a:b].T @ functions[a:b] for a, b in pieces])
+        cross = np.array([np.tensordot(others[a:b], functions[a:b], axes=(0, 0)) for a, b in pieces])
+        onto = np.einsum("kqbm,qi->kbmi", cross, whiten)
+        own = np.einsum("kmn,ij->kminj", square, whiten.T @ whiten)
+        p = 3 * functions.shape[1]
+        return cls._without_null(null, own.reshape(-1, p, p), onto.reshape(*onto.shape[:2], p), spectra)
+
+    @classmethod
+    def _without_null(cls, null: NullModel, each: Array, crossed: Array, spectra: Sequence[int]) -> Reduced:
+        """From the Gram matrices of each band: (bands, p, p), and (bands, others, p) with null columns and y."""
+        from scipy.linalg import solve_triangular
+
+        grams, xtys = [], []
+        for t in spectra:
+            weight = 1.0 / null.bands.spectra[t]
+            own, cross = np.tensordot(weight, each, axes=1), np.tensordot(weight, crossed, axes=1)
+            carried = solve_triangular(null.cholesky[t], cross[:-1], lower=True)
+            grams.append(own - carried.T @ carried)
+            xtys.append(cross[-1] - null.projected_y[t] @ carried)
+        return cls(null, spectra, np.array(grams), np.array(xtys))
+
+    def best(self, functions: Array) -> Marginal:
+        """The most likely prior of the columns times `functions` (p, r)."""
+        gram, b = functions.T @ self.gram @ functions, self.xty @ functions
+        values, vectors = np.linalg.eigh(gram)
+        d, c = np.maximum(values, 0.0)[:, None, :], np.square(np.einsum("tpr,tp->tr", vectors, b))[:, None, :]
+        shrunk = 1 + RATIOS[:, None] * d
+        rss = self.null.rss[list(self.spectra)][:, None] - np.sum(RATIOS[:, None] * c / shrunk, axis=2)
+        return self._likeliest(np.maximum(rss, 1e-300), np.log(shrunk).sum(axis=2))
+
+    def _likeliest(self, rss: Array, occam: Array) -> Marginal:
+        null, size = self.null, self.null.y.size
+        variance = np.maximum(rss / size, null.min_noise_level**2)
+        colour = null.y.shape[1] * (np.log(null.bands.spectra[list(self.spectra)]) @ null.bands.count)
+        logs = -0.5 * (size * np.log(variance) + rss / variance + colour[:, None] + occam)
+        t, g = np.unravel_index(int(np.argmax(logs)), logs.shape)
+        level = float(np.sqrt(variance[t, g]))
+        return Marginal(float(logs[t, g]), float(RATIOS[g]), level, int(self.spectra[int(t)]))

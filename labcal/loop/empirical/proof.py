@@ -1,0 +1,68 @@
+"""The proof of a smooth function: built again without each held-out fold, it has to predict what it has not seen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from labcal.loop import policy
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.empirical.build import Search, best_smooth, shortlist
+from labcal.loop.selection.crossval import HeldOutErrors, cross_validate
+from labcal.loop.selection.equivalents import Equivalent
+from labcal.loop.selection.heldout_rules import improves
+from labcal.loop.selection.proof import Evidence, nested_selection
+
+
+def with_smooth(found: Evidence) -> Evidence | None:
+    """The evidence with a smooth function beside what is accepted; None where none has enough, or held-out data refuse.
+
+    Nothing that is accepted changes: a known effect is never displaced.
+    """
+    pool, accepted = found.pool, found.accepted
+    search = shortlist(pool, accepted)
+    scored = best_smooth(pool, accepted, search)
+    if scored is None or scored.drop < policy.POLICY.material_share:
+        return None
+    own = cross_validate(pool, found.blocks, lambda part: [*accepted, *_built(part, accepted, search)], accepted)
+    if not improves(own) or not _is_worth_it(own, found):
+        return None
+    return replace(
+        found,
+        accepted=(*accepted, scored.candidate),
+        contributions=(*found.contributions, own),
+        equivalents=(*found.equivalents, (Equivalent(scored, own.after),)),
+        cv_error=_held_out(found, own, search),
+    )
+
+
+def _built(part: CandidateSet, accepted: Sequence[Candidate], search: Search) -> list[Candidate]:
+    scored = best_smooth(part, accepted, search)
+    return [] if scored is None else [scored.candidate]
+
+
+def _is_worth_it(own: HeldOutErrors, found: Evidence) -> bool:
+    """Whether it takes off as much of what is above the noise as a second cause has to."""
+    excess = own.before**2 - found.level.nT**2
+    return own.before**2 - own.after**2 > policy.POLICY.min_share_of_excess * excess
+
+
+def _held_out(found: Evidence, own: HeldOutErrors, search: Search) -> HeldOutErrors:
+    """The error of all that was chosen, chosen again without each fold; before it, the base's own."""
+    after, known = own, found.accepted
+    if known:
+        nested = nested_selection(found.level, found.blocks, len(known))
+
+        def again(part: CandidateSet) -> list[Candidate]:
+            chosen = nested(part)
+            return [*chosen, *_built(part, chosen, search)]
+
+        after = cross_validate(found.pool, found.blocks, again)
+    before = np.full(len(after.rows), np.nan)
+    before[found.cv_error.rows] = found.cv_error.before_nT
+    told = np.isfinite(before[after.rows])
+    rows = after.rows & np.isfinite(before)
+    return HeldOutErrors(after.block[told], before[rows], after.after_nT[told], rows)
