@@ -28,7 +28,8 @@ def with_empirical(
     """`closed` with the term where structure remains that a smooth function carries; as it is where none does."""
     if closed.verdict not in OPEN or (more := with_smooth(found)) is None:
         return closed
-    after = joint_fit(before.problem, [c.term for c in more.accepted], found.pool.valid)
+    terms = [part.term for chosen in more.accepted for part in chosen.parts]
+    after = joint_fit(before.problem, terms, found.pool.valid)
     term = after.terms[-1]
     built = assemble(run, more, before, after, aside)
     chance = min(1.0, float(np.exp(-more.equivalents[-1][0].scored.evidence)))  # Markov's bound on a Bayes factor
