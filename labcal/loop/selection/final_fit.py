@@ -23,7 +23,7 @@ def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> 
         fitted = _nearest(problem, found)
         left = in_sample_rms(fitted)
         if arrives(left, found):
-            return found, fitted
+            return _as_told(found, left), fitted
         count = len(found.accepted) - 1
         astray[found.accepted[count].cause] = left
         found = _proven_again(found, selection, count, astray)
@@ -31,8 +31,21 @@ def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> 
 
 
 def arrives(left_nT: float, found: Evidence) -> bool:
-    """Whether a final fit leaves no more than the held-out error that its last effect was accepted with."""
-    return left_nT <= policy.POLICY.equivalent_rms * found.contributions[-1].after
+    """Whether a final fit takes off most of the squares that its effects took off held-out blocks to first order.
+
+    What a strong effect misses of second order is no reason to leave it out; one that exists to first order only is.
+    """
+    before, after = found.contributions[0].before, found.contributions[-1].after
+    return before**2 - left_nT**2 >= policy.POLICY.min_explained * (before**2 - after**2)
+
+
+def _as_told(found: Evidence, left_nT: float) -> Evidence:
+    """The same with the last effect's own error no smaller than what the final fit leaves."""
+    last = found.contributions[-1]
+    if last.after >= left_nT:
+        return found
+    told = replace(last, after_nT=last.after_nT * (left_nT / max(last.after, 1e-300)))
+    return replace(found, contributions=(*found.contributions[:-1], told))
 
 
 def in_sample_rms(fitted: JointFit) -> float:
