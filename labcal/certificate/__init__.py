@@ -12,6 +12,7 @@ from labcal.certificate.calibration_file import (
 from labcal.certificate.hand_out import hand_out
 from labcal.certificate.keys import Entry
 from labcal.certificate.predecessor import changed_from, changed_since
+from labcal.certificate.roles import check_approver, check_roles
 from labcal.certificate.signing import (
     Check,
     Verification,
@@ -34,8 +35,10 @@ __all__ = [
     "calibration_bytes",
     "changed_from",
     "changed_since",
+    "check_approver",
     "check_approvers",
     "check_effects",
+    "check_roles",
     "hand_out",
     "keys",
     "looks_like_calibration",

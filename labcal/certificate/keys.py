@@ -1,7 +1,8 @@
 """The lab's keys: private ones under a passphrase, the trust list, and the keys that are trusted no more.
 
-All lie in `HOME/keys`, a folder only its owner may enter: `PRINCIPAL.pem`, `allowed_signers`, `revoked_keys`
-(one public key a line, as `ssh-keygen -r` reads it). A passphrase is never kept.
+All lie in `HOME/keys`, a folder only its owner may enter: `PRINCIPAL.pem`, `allowed_signers` with the revoked ones in
+it, and `revoked_keys` of earlier versions (one public key a line, as `ssh-keygen -r` reads it). A passphrase is never
+kept.
 """
 
 from __future__ import annotations
@@ -9,22 +10,28 @@ from __future__ import annotations
 import base64
 import os
 import stat
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
 from pathlib import Path
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import pkcs8
 from labcal.certificate.allowed_signers import (
+    NEVER,
+    ROLES,
     Signer,
     check_principal,
     own_line,
     read_allowed_signers,
+    revoked_from,
+    signer_of,
     to_trust,
+    with_revocations,
 )
 from labcal.certificate.calibration_file import read_limited
-from labcal.certificate.sshsig import KEY_TYPE, public_key_blob
+from labcal.certificate.sshsig import public_key_blob
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.home import own_folder
@@ -41,6 +48,10 @@ class Entry:
     private_key_here: bool
     revoked: bool
 
+    def to_hand_out(self) -> Signer:
+        """The line as it leaves the lab, its revocation with it."""
+        return revoked_from(self.signer, NEVER) if self.revoked and not self.signer.revoked else self.signer
+
 
 def new_key(home: Path, name: str, passphrase: str) -> Signer:
     """Make an Ed25519 key for `name`, lock it with `passphrase`, and trust it. Raises InputError.
@@ -52,16 +63,18 @@ def new_key(home: Path, name: str, passphrase: str) -> Signer:
         raise InputError("the passphrase is empty; nothing was made")
     path, known, gone = _private(home, name), trusted(home), revoked(home)
     _check_spelling(name, known, trust_list(home))
-    keys = {signer.key for signer in known if signer.principal == name}
+    own = [signer for signer in known if signer.principal == name]
+    keys, gone = {signer.key for signer in own}, gone | {signer.key for signer in own if signer.revoked}
     if path.exists() and not (keys and keys <= gone):
         told = f"{name} has a key already; a second one would replace it (`labcal keys revoke {name}` where it is lost)"
         raise InputError(told, file=path)
     if keys - gone:
         raise InputError(f"{name} is trusted already with a key made elsewhere", file=trust_list(home))
     key = Ed25519PrivateKey.generate()
-    signer = own_line(name, public_key_blob(key.public_key()))
+    roles = next((one.roles for one in own if one.roles), ())
+    signer = replace(own_line(name, public_key_blob(key.public_key())), roles=roles)
     _keep(path, pkcs8.locked(key, passphrase))
-    _add(home, [signer])
+    _edit(home, added=[signer])
     return signer
 
 
@@ -89,47 +102,78 @@ def trusted(home: Path) -> tuple[Signer, ...]:
     return read_allowed_signers(path) if (path := trust_list(home)).exists() else ()
 
 
-def trust(home: Path, file: Path) -> tuple[Signer, ...]:
-    """Add the lines of the allowed_signers file `file` to the lab's list, all or none; returns those that were new.
+def trust(home: Path, file: Path, roles: Collection[str] = ()) -> tuple[Signer, ...]:
+    """Take the lines of the allowed_signers file `file` into the lab's list, all or none; returns what that changed.
 
-    Raises InputError: a line that is not one person's Ed25519 key for calibrations, or a key that is another
-    person's already (two names for one key would let one person sign twice).
+    `roles` become those of everybody it names, whatever it says of roles itself; without any, theirs stay. What it
+    says is revoked is revoked here, and what is revoked here stays so. Raises InputError: a line that is not one
+    person's Ed25519 key for calibrations, or a key that is another person's already (two names for one key would let
+    one person sign twice).
     """
-    known, new = list(trusted(home)), list[Signer]()
+    before = trusted(home)
     if not (lines := read_allowed_signers(file)):
         raise InputError("holds nobody's key", file=file)
-    for stated in lines:
-        try:
-            signer = to_trust(stated)
-            _check_name(signer.principal)
-        except ValueError as error:
-            raise InputError(str(error), file=file) from None
-        _check_spelling(signer.principal, known, file)
-        if owner := next((s.principal for s in known if s.key == signer.key and s.principal != signer.principal), None):
-            raise InputError(f"the key of {signer.principal} is {owner}'s already", file=file)
-        if signer not in known:
+    stated, new = _checked(lines, before, file)
+    revocations = [signer for signer in stated if signer.revoked]
+    named, given = {s.principal for s in stated}, tuple(role for role in ROLES if role in roles)
+    had = {signer.principal: signer.roles for signer in before if signer.roles}
+
+    def changed(signer: Signer) -> Signer:
+        [tightened] = with_revocations([signer], revocations)
+        return replace(tightened, roles=given) if given and signer.principal in named else tightened
+
+    _edit(home, changed, [changed(replace(signer, roles=had.get(signer.principal, ()))) for signer in new])
+    return tuple(signer for signer in trusted(home) if signer not in before)
+
+
+def _checked(lines: Sequence[Signer], before: Sequence[Signer], file: Path) -> tuple[list[Signer], list[Signer]]:
+    """The lines as they may enter the list, and those of them that it lacks; no key that is revoked there comes back.
+
+    Raises InputError.
+    """
+    stated, known = list[Signer](), list(before)
+    for line in lines:
+        signer = _stated(line, known, file)
+        same = [s for s in known if s.key == signer.key]
+        stated.append(signer)
+        if not same or not (signer.revoked or any(s.revoked or s == replace(signer, roles=s.roles) for s in same)):
             known.append(signer)
-            new.append(signer)
-    _add(home, new)
-    return tuple(new)
+    return stated, known[len(before) :]
 
 
-def revoke(home: Path, name: str) -> int:
-    """Never again accept a signature by any key `name` is trusted with now; returns how many. Raises InputError."""
-    keys = {s.key for s in trusted(home) if s.principal == name} - revoked(home)
+def _stated(stated: Signer, known: Sequence[Signer], file: Path) -> Signer:
+    """The line as it may enter the list of those who are `known`. Raises InputError."""
+    try:
+        signer = to_trust(stated)
+        _check_name(signer.principal)
+    except ValueError as error:
+        raise InputError(str(error), file=file) from None
+    _check_spelling(signer.principal, known, file)
+    if owner := next((s.principal for s in known if s.key == signer.key and s.principal != signer.principal), None):
+        raise InputError(f"the key of {signer.principal} is {owner}'s already", file=file)
+    return signer
+
+
+def revoke(home: Path, name: str, since: datetime = NEVER) -> int:
+    """Accept no signature by any present key of `name`, but what is shown to be from before `since`.
+
+    Returns how many keys those are. Raises InputError where none is left that is not revoked from then already.
+    """
+    gone = revoked(home)
+    own = [s for s in trusted(home) if s.principal == name and s.key not in gone]
+    keys = {s.key for s in own if not (s.revoked and (s.valid_before or NEVER) <= since)}
     if not keys:
         raise InputError(f"{name} is not in the trust list, or revoked already", file=trust_list(home))
-    lines = [f"{KEY_TYPE} {base64.b64encode(key).decode()} {name}" for key in sorted(keys)]
-    _append(home / "keys" / "revoked_keys", lines)
+    _edit(home, lambda signer: revoked_from(signer, since) if signer.key in keys else signer)
     return len(keys)
 
 
 def revoked(home: Path) -> frozenset[bytes]:
-    """The keys that are trusted no more, in SSH wire format. Raises InputError with file and line."""
+    """The keys of which no signature counts, in SSH wire format. Raises InputError with file and line."""
+    keys = {s.key for s in trusted(home) if s.revoked and (s.valid_before or NEVER) <= NEVER}
     path = home / "keys" / "revoked_keys"
     if not path.exists():
-        return frozenset()
-    keys = set()
+        return frozenset(keys)
     for number, line in enumerate(read_limited(path, 2**20).decode(errors="replace").splitlines(), start=1):
         if words := line.partition("#")[0].split():
             try:
@@ -142,13 +186,13 @@ def revoked(home: Path) -> frozenset[bytes]:
 def entries(home: Path) -> tuple[Entry, ...]:
     """Everybody in the trust list, whether their private key is here, and whether they are revoked."""
     gone = revoked(home)
-    return tuple(Entry(s, _private(home, s.principal).exists(), s.key in gone) for s in trusted(home))
+    known = trusted(home)
+    return tuple(Entry(s, _private(home, s.principal).exists(), s.revoked or s.key in gone) for s in known)
 
 
 def names(home: Path) -> frozenset[str]:
     """Everybody who has a key in the trust list that is not revoked."""
-    gone = revoked(home)
-    return frozenset(signer.principal for signer in trusted(home) if signer.key not in gone)
+    return frozenset(entry.signer.principal for entry in entries(home) if not entry.revoked)
 
 
 def _check_name(name: str) -> None:
@@ -172,15 +216,18 @@ def _private(home: Path, name: str) -> Path:
     return home / "keys" / f"{name}.pem"
 
 
-def _add(home: Path, signers: list[Signer]) -> None:
-    _append(trust_list(home), [signer.line() for signer in signers])
+def _edit(home: Path, change: Callable[[Signer], Signer] = lambda signer: signer, added: Iterable[Signer] = ()) -> None:
+    """Write the trust list with each line changed and some added; remarks stay, and lines that nothing changes."""
+    path = trust_list(home)
+    before = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    after = [*(_changed(line, change) for line in before), *(signer.line() for signer in added)]
+    if after != before:
+        _keep(path, "".join(f"{line}\n" for line in after).encode())
 
 
-def _append(path: Path, lines: list[str]) -> None:
-    before = path.read_text(encoding="utf-8") if path.exists() else ""
-    if before and not before.endswith("\n"):
-        before += "\n"
-    _keep(path, (before + "".join(f"{line}\n" for line in lines)).encode())
+def _changed(line: str, change: Callable[[Signer], Signer]) -> str:
+    signer = signer_of(line)
+    return line if signer is None or (new := change(signer)) == signer else new.line()
 
 
 def _keep(path: Path, content: bytes) -> None:

@@ -22,6 +22,7 @@ from labcal.bench.coils.state import LabState
 from labcal.bench.opening import open_bench
 from labcal.bench.specification import specification_of
 from labcal.certificate import Verification, read_allowed_signers
+from labcal.certificate.allowed_signers import with_revocations
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
@@ -45,7 +46,7 @@ from labcal.session.records import (
     runs,
 )
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
-from labcal.session.trust import new_key, revoke_keys, trust_keys, trusted_keys
+from labcal.session.trust import handed_out, new_key, revoke_keys, trust_keys, trusted_keys
 from labcal.session.working_out import Progress, keep, made_by, recomputed
 from labcal.store import Store
 from labcal.uncertainty.conformity import Changes, assess
@@ -154,11 +155,11 @@ def resume(
 
 
 def hand_out(calibration: Path, folder: Path) -> None:
-    """Copy a calibration, its signatures and the keys they are checked against to `folder`.
+    """Copy a calibration, its signatures and the keys they are checked against, revoked ones as such, to `folder`.
 
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
-    certificate.hand_out(calibration, folder, [entry.signer for entry in trusted_keys() if not entry.revoked])
+    certificate.hand_out(calibration, folder, handed_out())
 
 
 def load_calibration(path: Path) -> Calibration:
@@ -174,13 +175,14 @@ def approve(calibration: Path, name: str, progress: Progress = lambda step: None
 def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
     """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
     key = certificate.keys.open_key(home(), name, passphrase)
-    examine = _same_as_its_run(calibration, progress)
-    return certificate.sign(calibration, name, key, certificate.keys.trusted(home()), examine)
+    examine = _same_as_its_run(calibration, progress, name)
+    return certificate.sign(calibration, name, key, handed_out(), examine)
 
 
-def _same_as_its_run(path: Path, progress: Progress) -> Callable[[Calibration], None]:
+def _same_as_its_run(path: Path, progress: Progress, signer: str | None = None) -> Callable[[Calibration], None]:
     def examine(stated: Calibration) -> None:
         certificate.check_approvers(stated, path, certificate.keys.names(home()))
+        certificate.check_roles(stated, path, certificate.keys.trusted(home()), signer)
         if (found := recomputed(stated, progress=progress)).same is False:
             told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
             raise InputError(f"{told}: make the draft again", file=path)
@@ -200,7 +202,8 @@ def verify(
 
     Where one holds it is worked out again from its run, `run` or that of the store; with `only_kept` nothing is.
     """
-    signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
+    own = handed_out()
+    signers = with_revocations(read_allowed_signers(allowed_signers), own) if allowed_signers else own
     bundle = None if run is None else run_bundle(run)
     sha256 = None if bundle is None else bundle.sha256
     found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from datetime import datetime
 from pathlib import Path
 
 from labcal import certificate
 from labcal.certificate import Entry, Signer
+from labcal.certificate.allowed_signers import NEVER
 from labcal.files.home import home
 
 
@@ -19,11 +22,16 @@ def trusted_keys() -> tuple[Entry, ...]:
     return certificate.keys.entries(home())
 
 
-def trust_keys(allowed_signers: Path) -> tuple[Signer, ...]:
-    """Take the lines of an allowed_signers file into the lab's trust list; returns the new ones."""
-    return certificate.keys.trust(home(), allowed_signers)
+def handed_out() -> tuple[Signer, ...]:
+    """The lab's trust list as it leaves the lab: who is revoked is in it, and says so."""
+    return tuple(entry.to_hand_out() for entry in trusted_keys())
 
 
-def revoke_keys(name: str) -> int:
-    """Accept no signature any more by the keys of `name`; returns how many keys those are."""
-    return certificate.keys.revoke(home(), name)
+def trust_keys(allowed_signers: Path, roles: Collection[str] = ()) -> tuple[Signer, ...]:
+    """Take the lines of an allowed_signers file into the lab's trust list, with `roles`; returns what that changed."""
+    return certificate.keys.trust(home(), allowed_signers, roles)
+
+
+def revoke_keys(name: str, since: datetime | None = None) -> int:
+    """Accept no signature by the keys of `name`, but what is shown to be from before `since`; returns how many keys."""
+    return certificate.keys.revoke(home(), name, since or NEVER)

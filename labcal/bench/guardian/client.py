@@ -90,7 +90,9 @@ class GuardianClient:
         self._connection: Connection | None = None
         self._next_beat_s = 0.0
         self._lost, self._start_after_s = False, 0.0  # lost, and nobody has been told yet
-        self._untold = set[str]()  # the coils whose orders have not met the loss: another's question may have heard of it
+        self._untold = set[
+            str
+        ]()  # the coils whose orders have not met the loss: another's question may have heard of it
         self._failed = False  # to find or start one, when that was last tried: then nobody waits so long again
         self._started: subprocess.Popen[bytes] | None = None
         self.zero_is_ordered = False  # the last that was sent: nothing was lost since
