@@ -23,12 +23,15 @@ from labcal.certificate.signing import (
     signature_files,
     verify,
 )
+from labcal.certificate.stated import Stated, stated_by_people
+from labcal.certificate.superseding import keep_superseding, superseded_by
 
 __all__ = [
     "AppliedFile",
     "Check",
     "Entry",
     "Signer",
+    "Stated",
     "Verification",
     "apply_file",
     "approve",
@@ -40,6 +43,7 @@ __all__ = [
     "check_effects",
     "check_roles",
     "hand_out",
+    "keep_superseding",
     "keys",
     "looks_like_calibration",
     "parse_calibration",
@@ -48,5 +52,7 @@ __all__ = [
     "sign",
     "sign_simulated",
     "signature_files",
+    "stated_by_people",
+    "superseded_by",
     "verify",
 ]

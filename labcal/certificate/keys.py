@@ -31,6 +31,7 @@ from labcal.certificate.allowed_signers import (
     with_revocations,
 )
 from labcal.certificate.calibration_file import read_limited
+from labcal.certificate.passphrases import check_passphrase
 from labcal.certificate.sshsig import public_key_blob
 from labcal.errors import InputError
 from labcal.files import atomic
@@ -59,8 +60,7 @@ def new_key(home: Path, name: str, passphrase: str) -> Signer:
     A key takes the place of a revoked one of the same person, and of no other.
     """
     _check_name(name)
-    if not passphrase:
-        raise InputError("the passphrase is empty; nothing was made")
+    check_passphrase(passphrase, name)
     path, known, gone = _private(home, name), trusted(home), revoked(home)
     _check_spelling(name, known, trust_list(home))
     own = [signer for signer in known if signer.principal == name]

@@ -27,7 +27,7 @@ from labcal.model import Calibration
 from labcal.record.person import same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
-Status = Literal["released", "provisional", "unsigned", "invalid", "expired"]
+Status = Literal["released", "provisional", "unsigned", "invalid", "expired", "superseded"]
 Shown = Callable[[Path, bytes], datetime | None]  # a signature's file and bytes: since when they are shown to be there
 Examine = Callable[[Calibration], object]  # raises InputError where something else does not hold of it
 
@@ -61,6 +61,7 @@ class Verification:
     recomputed: Recomputed | None = None
     expired: bool = False
     trusted: tuple[Signer, ...] = ()  # the list that it was checked against
+    superseded_by: str | None = None  # the run of the calibration that took its place, where one is known
 
     @property
     def valid(self) -> bool:
@@ -75,7 +76,9 @@ class Verification:
             return "unsigned"
         if not self.valid:
             return "invalid"
-        return "expired" if self.expired else "provisional" if self.provisional else "released"
+        if self.expired or self.superseded_by:
+            return "expired" if self.expired else "superseded"
+        return "provisional" if self.provisional else "released"
 
     @property
     def signers(self) -> tuple[str, ...]:
@@ -102,6 +105,24 @@ class Verification:
         said += [] if self.checks else [f"{self.file.name} carries no signature"]
         return said + (["run_sha256: it was not made from the run that was named"] if self.run_matches is False else [])
 
+    def limits(self) -> list[str]:
+        """What keeps a file whose signatures hold from being used without a thought, a sentence each."""
+        said = [f"PROVISIONAL: {self.provisional}."] if self.valid and self.provisional else []
+        until = self.calibration.validity.until if self.calibration else None
+        said += [f"EXPIRED: it was good until {until}."] if self.expired else []
+        return said + ([f"SUPERSEDED: by the calibration of run {self.superseded_by}."] if self.superseded_by else [])
+
+    def remarks(self) -> list[str]:
+        """What somebody who uses its numbers has to hear; nothing where it is released."""
+        if not self.checks:
+            return [f"UNSIGNED: {self.file.name} carries no signature: a draft that nobody stands for."]
+        return self.limits() if self.valid else [f"NOT VALID: {'; '.join(self.against())}."]
+
+    def against(self) -> list[str]:
+        """What is against its signatures, its run and its numbers."""
+        again = self.recomputed
+        return [*self.faults(), *(again.why if again and not again.holds else ())]
+
     def sentences(self) -> list[str]:
         """What a person has to know, the verdict first."""
         if not self.checks:
@@ -112,10 +133,7 @@ class Verification:
         if self.run_matches and (self.recomputed is None or self.recomputed.same):
             said.append("It was made from the run that was named.")
         said += _of_working_out(self.recomputed)
-        if self.valid and self.provisional:
-            said.append(f"PROVISIONAL: {self.provisional}.")
-        if self.expired:
-            said.append("EXPIRED: its validity has ended.")
+        said += self.limits()
         if self.calibration and self.calibration.simulated:
             said.append("SIMULATED: it describes no real sensor.")
         return said
@@ -132,8 +150,15 @@ def _of_working_out(found: Recomputed | None) -> list[str]:
     return [f"Worked out again from its run it differs: {why}.{' The signature stands.' if found.holds else ''}"]
 
 
-def approve(path: Path, name: str, examine: Examine = lambda draft: None) -> Calibration:
+def approve(
+    path: Path,
+    name: str,
+    examine: Examine = lambda draft: None,
+    revise: Callable[[Calibration], Calibration] = lambda draft: draft,
+) -> Calibration:
     """Write `name` among the approvers of the draft at `path`, once `examine` has seen it. Raises InputError.
+
+    `revise` makes of the draft what is approved.
 
     Refused after any signature (its bytes would no longer be the signed ones), and for the operator: two persons
     look at a calibration, or it stays PROVISIONAL.
@@ -150,7 +175,7 @@ def approve(path: Path, name: str, examine: Examine = lambda draft: None) -> Cal
         raise InputError(f"{name} is the operator, {draft.operator}; another person approves", file=path)
     if any(same_person(name, other) for other in draft.approvers):
         raise InputError(f"{name} has approved it already", file=path)
-    approved = replace(draft, approvers=(*draft.approvers, name))
+    approved = replace(revise(draft), approvers=(*draft.approvers, name))
     examine(approved)
     atomic.write_bytes(path.resolve(), calibration_bytes(approved))
     return approved

@@ -1,8 +1,8 @@
 """The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
 
-Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `working_out` (a calibration
-worked out again from its run), `instruments` (the bench without a procedure), and `measuring`, where the loop closes on
-the instruments.
+Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `signing`, `working_out` (a
+calibration worked out again from its run), `instruments` (the bench without a procedure), and `measuring`, where the
+loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -21,8 +21,7 @@ from labcal.bench.coils.cage_file import sha256_of
 from labcal.bench.coils.state import LabState
 from labcal.bench.opening import open_bench
 from labcal.bench.specification import specification_of
-from labcal.certificate import Verification, read_allowed_signers
-from labcal.certificate.allowed_signers import with_revocations
+from labcal.certificate import Stated, Verification
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
@@ -45,6 +44,7 @@ from labcal.session.records import (
     keep_photo,
     runs,
 )
+from labcal.session.signing import NOTHING_STATED, SUPERSEDING, approve, sign, signatures
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
 from labcal.session.trust import handed_out, new_key, revoke_keys, trust_keys, trusted_keys
 from labcal.session.working_out import Progress, keep, made_by, recomputed
@@ -167,29 +167,6 @@ def load_calibration(path: Path) -> Calibration:
     return certificate.read_calibration(path)
 
 
-def approve(calibration: Path, name: str, progress: Progress = lambda step: None) -> Calibration:
-    """Write the approver, somebody of the trust list, into a draft. Raises InputError where its run gives another."""
-    return certificate.approve(calibration, name, _same_as_its_run(calibration, progress))
-
-
-def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
-    """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
-    key = certificate.keys.open_key(home(), name, passphrase)
-    examine = _same_as_its_run(calibration, progress, name)
-    return certificate.sign(calibration, name, key, handed_out(), examine)
-
-
-def _same_as_its_run(path: Path, progress: Progress, signer: str | None = None) -> Callable[[Calibration], None]:
-    def examine(stated: Calibration) -> None:
-        certificate.check_approvers(stated, path, certificate.keys.names(home()))
-        certificate.check_roles(stated, path, certificate.keys.trusted(home()), signer)
-        if (found := recomputed(stated, progress=progress)).same is False:
-            told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
-            raise InputError(f"{told}: make the draft again", file=path)
-
-    return examine
-
-
 def verify(
     calibration: Path,
     allowed_signers: Path | None = None,
@@ -202,14 +179,15 @@ def verify(
 
     Where one holds it is worked out again from its run, `run` or that of the store; with `only_kept` nothing is.
     """
-    own = handed_out()
-    signers = with_revocations(read_allowed_signers(allowed_signers), own) if allowed_signers else own
     bundle = None if run is None else run_bundle(run)
     sha256 = None if bundle is None else bundle.sha256
-    found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+    found = signatures(calibration, allowed_signers, sha256)
     if found.calibration is None or not found.valid:
         return found
-    return replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
+    found = replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
+    certificate.keep_superseding(found, home() / SUPERSEDING)
+    folders = [home() / SUPERSEDING, home() / CALIBRATIONS]
+    return replace(found, superseded_by=certificate.superseded_by(found, folders, signatures))
 
 
 def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
@@ -226,13 +204,20 @@ def filter_history(run: str, method: str) -> History:
 
 
 def draft(
-    run: Source, found: Fit, out: Path, channels: Sequence[str] | None = None, *, force: bool = False
+    run: Source,
+    found: Fit,
+    out: Path,
+    channels: Sequence[str] | None = None,
+    *,
+    stated: Stated = NOTHING_STATED,
+    force: bool = False,
 ) -> Calibration:
     """Write the draft calibration that a fit of `run`, by these `channels` alone where they are named, makes."""
     [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
     how = made_by("fit", found.method, channels)
     made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=_cage_sha256(run), made_by=how)
+    made = stated.on(made)
     with output.writing():
         write_bytes(out, certificate.calibration_bytes(made))
     return made
@@ -244,6 +229,7 @@ def close_loop(
     progress: Callable[[str], None] = lambda text: None,
     *,
     report: Path | None = None,
+    stated: Stated = NOTHING_STATED,
     force: bool = False,
 ) -> ClosedLoop:
     """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`, the page to `report`."""
@@ -262,7 +248,7 @@ def close_loop(
     if out is not None:
         drafted = made(cage_sha256=_cage_sha256(run), made_by=made_by("close-loop", closed.fit().method))
         with outputs[out].writing():
-            write_bytes(out, certificate.calibration_bytes(drafted))
+            write_bytes(out, certificate.calibration_bytes(stated.on(drafted)))
         keep(drafted)
     return closed
 
@@ -291,14 +277,32 @@ def with_installed_procedure(closed: ClosedLoop) -> ClosedLoop:
 
 
 def apply_calibration(
-    calibration: Path, source: Path, out: Path, dut: str | None = None, *, force: bool = False
+    calibration: Path,
+    source: Path,
+    out: Path,
+    dut: str | None = None,
+    *,
+    require_signature: bool = False,
+    tell: Callable[[str], None] = lambda remark: None,
+    force: bool = False,
 ) -> certificate.AppliedFile:
-    """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
+    """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial.
+
+    `tell` hears what somebody who uses its numbers has to: unsigned, provisional, expired, superseded. With
+    `require_signature` one that is not validly signed is refused, and it is worked out again where its run is at hand.
+    """
     [output] = claim("apply", out, inputs=(calibration, source), force=force)
-    found = load_calibration(calibration)
+    standing = verify(calibration, only_kept=not require_signature)
+    found = certificate.parse_calibration(standing.content, calibration)
+    if require_signature and not standing.valid:
+        raise InputError(
+            f"is not validly signed ({'; '.join(standing.against())}); nothing was written", file=calibration
+        )
     if dut is not None and dut != found.dut.serial:
         raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
     certificate.check_effects(found, calibration)
+    for remark in standing.remarks():
+        tell(remark)
     with output.writing():
         return certificate.apply_file(found, source, out)
 
