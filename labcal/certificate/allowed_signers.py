@@ -69,7 +69,8 @@ class Signer:
 
     def line(self) -> str:
         """The line that OpenSSH reads, without its end."""
-        options = [f'namespaces="{self.namespaces}"'] if self.namespaces is not None else []
+        options = ["cert-authority"] if self.authority else []
+        options += [f'namespaces="{self.namespaces}"'] if self.namespaces is not None else []
         for name, when in (("valid-after", self.valid_after), ("valid-before", self.valid_before)):
             options += [f'{name}="{when.astimezone(UTC):%Y%m%d%H%M%SZ}"'] if when else []
         key = base64.b64encode(self.key).decode()
@@ -85,7 +86,11 @@ def own_line(principal: str, key: bytes) -> Signer:
 
 def read_allowed_signers(path: Path) -> tuple[Signer, ...]:
     """Every line's signer. Raises InputError with file, line and what is wrong with it."""
-    content = read_limited(path, LARGEST_BYTES)
+    return parse_allowed_signers(read_limited(path, LARGEST_BYTES), path)
+
+
+def parse_allowed_signers(content: bytes, path: Path) -> tuple[Signer, ...]:
+    """Every line's signer of the file `path`, which holds `content`. Raises InputError."""
     try:
         lines = content.decode().splitlines()
     except UnicodeDecodeError:

@@ -17,13 +17,22 @@ from pathlib import Path
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
-from labcal.certificate import pkcs8
+from labcal.certificate import pkcs8, sshsig
+from labcal.certificate.administration import (
+    NAMESPACE,
+    administered_by,
+    administrator_file,
+    check_list,
+    signature_file,
+)
 from labcal.certificate.allowed_signers import (
+    LARGEST_BYTES,
     NEVER,
     ROLES,
     Signer,
     check_principal,
     own_line,
+    parse_allowed_signers,
     read_allowed_signers,
     revoked_from,
     signer_of,
@@ -61,7 +70,7 @@ def new_key(home: Path, name: str, passphrase: str) -> Signer:
     """
     _check_name(name)
     check_passphrase(passphrase, name)
-    path, known, gone = _private(home, name), trusted(home), revoked(home)
+    path, known, gone = _private(home, name), listed(home), revoked(home)
     _check_spelling(name, known, trust_list(home))
     own = [signer for signer in known if signer.principal == name]
     keys, gone = {signer.key for signer in own}, gone | {signer.key for signer in own if signer.revoked}
@@ -98,8 +107,33 @@ def trust_list(home: Path) -> Path:
 
 
 def trusted(home: Path) -> tuple[Signer, ...]:
-    """Every line of the lab's trust list, in order. Raises InputError."""
+    """Every line of the lab's trust list, in order. Raises InputError, also where who administers it has not signed."""
+    path = trust_list(home)
+    content = read_limited(path, LARGEST_BYTES) if path.exists() else None
+    check_list(path, content)
+    return () if content is None else parse_allowed_signers(content, path)
+
+
+def listed(home: Path) -> tuple[Signer, ...]:
+    """Every line of the trust list, whoever signed it: to be looked at and changed, never to be trusted."""
     return read_allowed_signers(path) if (path := trust_list(home)).exists() else ()
+
+
+def sign_list(home: Path, name: str, key: Ed25519PrivateKey) -> int:
+    """Sign the trust list as who administers it, from now on where nobody did; returns how many lines it has.
+
+    Raises InputError: somebody else administers it, or `name` has no key in it that is good.
+    """
+    own, path = public_key_blob(key.public_key()), trust_list(home)
+    mine = next((s for s in with_revocations(listed(home)) if (s.principal, s.key) == (name, own)), None)
+    if mine is None or own in revoked(home):
+        raise InputError(f"{name} is not in it with this key, or is revoked", file=path)
+    who, gone = administered_by(path, mine), revoked(home)
+    _edit(home, lambda signer: revoked_from(signer, NEVER) if signer.key in gone else signer)  # of earlier versions
+    content = read_limited(path, LARGEST_BYTES)
+    _keep(administrator_file(path), f"{who.line()}\n".encode())
+    _keep(signature_file(path), sshsig.sign(content, key, NAMESPACE).encode())
+    return len(parse_allowed_signers(content, path))
 
 
 def trust(home: Path, file: Path, roles: Collection[str] = ()) -> tuple[Signer, ...]:
@@ -110,7 +144,7 @@ def trust(home: Path, file: Path, roles: Collection[str] = ()) -> tuple[Signer, 
     person's Ed25519 key for calibrations, or a key that is another person's already (two names for one key would let
     one person sign twice).
     """
-    before = trusted(home)
+    before = listed(home)
     if not (lines := read_allowed_signers(file)):
         raise InputError("holds nobody's key", file=file)
     stated, new = _checked(lines, before, file)
@@ -123,7 +157,7 @@ def trust(home: Path, file: Path, roles: Collection[str] = ()) -> tuple[Signer, 
         return replace(tightened, roles=given) if given and signer.principal in named else tightened
 
     _edit(home, changed, [changed(replace(signer, roles=had.get(signer.principal, ()))) for signer in new])
-    return tuple(signer for signer in trusted(home) if signer not in before)
+    return tuple(signer for signer in listed(home) if signer not in before)
 
 
 def _checked(lines: Sequence[Signer], before: Sequence[Signer], file: Path) -> tuple[list[Signer], list[Signer]]:
@@ -160,7 +194,7 @@ def revoke(home: Path, name: str, since: datetime = NEVER) -> int:
     Returns how many keys those are. Raises InputError where none is left that is not revoked from then already.
     """
     gone = revoked(home)
-    own = [s for s in trusted(home) if s.principal == name and s.key not in gone]
+    own = [s for s in listed(home) if s.principal == name and s.key not in gone]
     keys = {s.key for s in own if not (s.revoked and (s.valid_before or NEVER) <= since)}
     if not keys:
         raise InputError(f"{name} is not in the trust list, or revoked already", file=trust_list(home))
@@ -170,7 +204,7 @@ def revoke(home: Path, name: str, since: datetime = NEVER) -> int:
 
 def revoked(home: Path) -> frozenset[bytes]:
     """The keys of which no signature counts, in SSH wire format. Raises InputError with file and line."""
-    keys = {s.key for s in trusted(home) if s.revoked and (s.valid_before or NEVER) <= NEVER}
+    keys = {s.key for s in listed(home) if s.revoked and (s.valid_before or NEVER) <= NEVER}
     path = home / "keys" / "revoked_keys"
     if not path.exists():
         return frozenset(keys)
@@ -183,10 +217,13 @@ def revoked(home: Path) -> frozenset[bytes]:
     return frozenset(keys)
 
 
-def entries(home: Path) -> tuple[Entry, ...]:
-    """Everybody in the trust list, whether their private key is here, and whether they are revoked."""
+def entries(home: Path, *, only_listed: bool = False) -> tuple[Entry, ...]:
+    """Everybody in the trust list, whether their private key is here, and whether they are revoked.
+
+    `only_listed`: to be looked at, whoever signed the list.
+    """
     gone = revoked(home)
-    known = trusted(home)
+    known = listed(home) if only_listed else trusted(home)
     return tuple(Entry(s, _private(home, s.principal).exists(), s.revoked or s.key in gone) for s in known)
 
 

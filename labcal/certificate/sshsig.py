@@ -32,10 +32,10 @@ class Signature:
     hash_name: str
     value: bytes
 
-    def check(self, content: bytes) -> None:
-        """Raise BadSignature unless this key signed exactly these bytes for labcal."""
-        if self.namespace != NAMESPACE:
-            raise BadSignature(f"made for {self.namespace!r}, not for {NAMESPACE!r}")
+    def check(self, content: bytes, namespace: str = NAMESPACE) -> None:
+        """Raise BadSignature unless this key signed exactly these bytes for that purpose."""
+        if self.namespace != namespace:
+            raise BadSignature(f"made for {self.namespace!r}, not for {namespace!r}")
         try:
             key = Ed25519PublicKey.from_public_bytes(raw_public_key(self.public_key))
             key.verify(self.value, _signed(content, self.namespace, self.hash_name))

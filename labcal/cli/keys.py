@@ -41,6 +41,7 @@ def new(name: str = typer.Option(..., help="The person, as in ada@lab.example.")
 
     signer = session.new_key(name, passphrase(f"New passphrase for {name}: ", again=True))
     say(f"key of {signer.principal}: {fingerprint(signer.key)}")
+    _say_unsigned()
 
 
 @keys.command("list")
@@ -54,11 +55,13 @@ def list_keys(
 
     if allowed_signers:
         return say_lines(entry.to_hand_out().line() for entry in session.trusted_keys())
-    entries = session.trusted_keys()
+    entries, objection = session.listed_keys()
     roles = [Column("Roles", no_wrap=True, min_width=7)] if any(entry.signer.roles for entry in entries) else []
     table = Table("Person", Column("Key", no_wrap=True, min_width=50), "Private key", "Trusted", *roles, box=None)
     for entry in entries:
         table.add_row(*_row(entry), *(["\n".join(entry.signer.roles) or "none"] if roles else []))
+    if objection:
+        say(f"NOT TRUSTED: {objection}", err=True)
     return console().print(table if table.row_count else "No keys yet: `labcal keys new --name PERSON` makes one.")
 
 
@@ -82,6 +85,18 @@ def trust(
         say(f"trusted: {signer.principal} {fingerprint(signer.key)}{may}{objection}")
     if not changed:
         say("nothing new: all of them are known already")
+    _say_unsigned()
+
+
+@keys.command("sign")
+def sign_list(
+    key: str = typer.Option(..., help="Who administers the list: at first anybody of it, then who it was."),
+) -> None:
+    """Sign the trust list: from then on a change of it counts only once the same person has signed it again."""
+    from labcal import session
+
+    lines = session.sign_trust_list(key, passphrase(f"Passphrase of {key}: "))
+    say(f"the trust list of {lines} line{'s' * (lines != 1)} is signed by {key}, who administers it")
 
 
 @keys.command("revoke")
@@ -96,6 +111,15 @@ def revoke(
 
     said = f"revoked: {session.revoke_keys(name, _date(since))} key(s) of {name}"
     say(said if since is None else f"{said} from {since} on; what only claims to be from before does not count")
+    _say_unsigned()
+
+
+def _say_unsigned() -> None:
+    """Say so where the list that was changed waits for the signature of who administers it."""
+    from labcal import session
+
+    if (objection := session.listed_keys()[1]) is not None:
+        say(objection, err=True)
 
 
 def _date(stated: str | None) -> datetime | None:

@@ -46,7 +46,15 @@ from labcal.session.records import (
 )
 from labcal.session.signing import NOTHING_STATED, SUPERSEDING, approve, sign, signatures
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
-from labcal.session.trust import handed_out, new_key, revoke_keys, trust_keys, trusted_keys
+from labcal.session.trust import (
+    handed_out,
+    listed_keys,
+    new_key,
+    revoke_keys,
+    sign_trust_list,
+    trust_keys,
+    trusted_keys,
+)
 from labcal.session.working_out import Progress, keep, made_by, recomputed
 from labcal.store import Store
 from labcal.uncertainty.conformity import Changes, assess
@@ -73,6 +81,7 @@ __all__ = [
     "hand_out",
     "import_bundle",
     "keep_photo",
+    "listed_keys",
     "load_calibration",
     "load_run",
     "look_again",
@@ -88,6 +97,7 @@ __all__ = [
     "runs",
     "serve_bench",
     "sign",
+    "sign_trust_list",
     "trust_keys",
     "trusted_keys",
     "verify",

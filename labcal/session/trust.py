@@ -9,6 +9,7 @@ from pathlib import Path
 from labcal import certificate
 from labcal.certificate import Entry, Signer
 from labcal.certificate.allowed_signers import NEVER
+from labcal.errors import InputError
 from labcal.files.home import home
 
 
@@ -18,8 +19,22 @@ def new_key(name: str, passphrase: str) -> Signer:
 
 
 def trusted_keys() -> tuple[Entry, ...]:
-    """Everybody in the lab's trust list."""
+    """Everybody in the lab's trust list. Raises InputError where who administers it has not signed it."""
     return certificate.keys.entries(home())
+
+
+def listed_keys() -> tuple[tuple[Entry, ...], str | None]:
+    """Everybody in the trust list to be looked at, and why nobody of them is trusted, where that is so."""
+    try:
+        return trusted_keys(), None
+    except InputError as error:
+        return certificate.keys.entries(home(), only_listed=True), error.what
+
+
+def sign_trust_list(name: str, passphrase: str) -> int:
+    """Sign the trust list as who administers it; the first who does so is the administrator. Returns its lines."""
+    key = certificate.keys.open_key(home(), name, passphrase)
+    return certificate.keys.sign_list(home(), name, key)
 
 
 def handed_out() -> tuple[Signer, ...]:
