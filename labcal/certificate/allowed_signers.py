@@ -1,8 +1,8 @@
 """The trust list: an OpenSSH allowed_signers file (ssh-keygen(1), ALLOWED SIGNERS), one person's key a line.
 
-labcal checks Ed25519 keys. Lines with keys of other types and certificate authorities are read, never trusted. What
-OpenSSH has no option for stands behind the key, where it has a comment: `labcal:roles=approve,release`, and
-`labcal:revoked`, which says why `valid-before` is there.
+labcal checks Ed25519 keys, and those of FIDO security keys. Lines with keys of other types and certificate authorities
+are read, never trusted. What OpenSSH has no option for stands behind the key, where it has a comment:
+`labcal:roles=approve,release`, and `labcal:revoked`, which says why `valid-before` is there.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 from labcal.certificate.calibration_file import read_limited
-from labcal.certificate.sshsig import KEY_TYPE, NAMESPACE, BadSignature, raw_public_key
+from labcal.certificate.sshsig import KEY_TYPE, NAMESPACE, SECURITY_KEY_TYPE, BadSignature, raw_public_key
 from labcal.errors import InputError
 
 LARGEST_BYTES = 2**20
@@ -130,8 +130,8 @@ def revoked_from(signer: Signer, when: datetime) -> Signer:
 def to_trust(signer: Signer) -> Signer:
     """The line as it enters the lab's own list: one person, one Ed25519 key, calibrations alone. Raises ValueError."""
     check_principal(signer.principal)
-    if signer.authority or signer.key_type != KEY_TYPE:
-        raise ValueError(f"{signer.principal}: only plain {KEY_TYPE} keys can be trusted here")
+    if signer.authority or signer.key_type not in (KEY_TYPE, SECURITY_KEY_TYPE):
+        raise ValueError(f"{signer.principal}: only plain {KEY_TYPE} keys can be trusted here, and {SECURITY_KEY_TYPE}")
     if signer.namespaces is not None and not _matches(NAMESPACE, signer.namespaces):
         raise ValueError(f"{signer.principal}: the line is for {signer.namespaces}, not for {NAMESPACE}")
     return replace(signer, namespaces=NAMESPACE, roles=())  # roles are given here, never brought along
@@ -186,9 +186,9 @@ def _with_own_words(signer: Signer, comment: Sequence[str]) -> Signer:
 def _key(key_type: str, text: str) -> bytes:
     try:
         key = base64.b64decode(text, validate=True)
-        if key_type == KEY_TYPE:
+        if key_type in (KEY_TYPE, SECURITY_KEY_TYPE):
             raw_public_key(key)
-        elif key[4 : 4 + len(key_type)] != key_type.encode():
+        if key[4 : 4 + len(key_type)] != key_type.encode():
             raise BadSignature
     except (binascii.Error, BadSignature):
         raise ValueError(f"has a key that is not whole, or not {key_type}") from None

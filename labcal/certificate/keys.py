@@ -17,7 +17,7 @@ from pathlib import Path
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
-from labcal.certificate import pkcs8, sshsig
+from labcal.certificate import pkcs8
 from labcal.certificate.administration import (
     NAMESPACE,
     administered_by,
@@ -25,6 +25,7 @@ from labcal.certificate.administration import (
     check_list,
     signature_file,
 )
+from labcal.certificate.agent import Key, in_agent, public_half, signed
 from labcal.certificate.allowed_signers import (
     LARGEST_BYTES,
     NEVER,
@@ -101,6 +102,26 @@ def open_key(home: Path, name: str, passphrase: str) -> Ed25519PrivateKey:
         raise InputError(str(error), file=path) from None
 
 
+def has_private_key(home: Path, name: str) -> bool:
+    """Whether a key file of `name` lies here, which a passphrase opens."""
+    _check_name(name)
+    return _private(home, name).exists()
+
+
+def signing_key(home: Path, name: str, passphrase: str) -> Key:
+    """The key of `name`: the one that lies here, else one in the SSH agent that the list knows as theirs.
+
+    Raises InputError.
+    """
+    if not has_private_key(home, name):
+        theirs = [s for s in with_revocations(listed(home)) if s.principal == name and not s.revoked]
+        if (held := in_agent(theirs)) is not None:
+            return held
+        if theirs:
+            raise InputError(f"there is no key for {name} here, and no SSH agent here holds theirs; nothing was signed")
+    return open_key(home, name, passphrase)
+
+
 def trust_list(home: Path) -> Path:
     """Where the lab's trust list lies; it need not exist yet."""
     return home / "keys" / "allowed_signers"
@@ -119,20 +140,21 @@ def listed(home: Path) -> tuple[Signer, ...]:
     return read_allowed_signers(path) if (path := trust_list(home)).exists() else ()
 
 
-def sign_list(home: Path, name: str, key: Ed25519PrivateKey) -> int:
+def sign_list(home: Path, name: str, key: Key) -> int:
     """Sign the trust list as who administers it, from now on where nobody did; returns how many lines it has.
 
     Raises InputError: somebody else administers it, or `name` has no key in it that is good.
     """
-    own, path = public_key_blob(key.public_key()), trust_list(home)
+    own, path = public_half(key), trust_list(home)
     mine = next((s for s in with_revocations(listed(home)) if (s.principal, s.key) == (name, own)), None)
     if mine is None or own in revoked(home):
         raise InputError(f"{name} is not in it with this key, or is revoked", file=path)
     who, gone = administered_by(path, mine), revoked(home)
     _edit(home, lambda signer: revoked_from(signer, NEVER) if signer.key in gone else signer)  # of earlier versions
     content = read_limited(path, LARGEST_BYTES)
+    armoured = signed(content, key, NAMESPACE)
     _keep(administrator_file(path), f"{who.line()}\n".encode())
-    _keep(signature_file(path), sshsig.sign(content, key, NAMESPACE).encode())
+    _keep(signature_file(path), armoured.encode())
     return len(parse_allowed_signers(content, path))
 
 

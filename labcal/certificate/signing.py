@@ -16,6 +16,7 @@ from typing import Literal
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import roles, sshsig
+from labcal.certificate.agent import Key, public_half, signed
 from labcal.certificate.allowed_signers import NEVER, Signer, own_line, with_revocations
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
 from labcal.certificate.keys import SIMULATED
@@ -66,8 +67,8 @@ class Verification:
     @property
     def valid(self) -> bool:
         """At least one signature, every one of them good, the run (where named) is the one, and gives these numbers."""
-        signed = bool(self.checks) and all(c.objection is None for c in self.checks)
-        return signed and self.run_matches is not False and (self.recomputed is None or self.recomputed.holds)
+        good = bool(self.checks) and all(c.objection is None for c in self.checks)
+        return good and self.run_matches is not False and (self.recomputed is None or self.recomputed.holds)
 
     @property
     def status(self) -> Status:
@@ -196,7 +197,7 @@ def check_approvers(calibration: Calibration, path: Path, known: Collection[str]
 def sign(
     path: Path,
     name: str,
-    key: Ed25519PrivateKey,
+    key: Key,
     signers: Sequence[Signer] = (),
     examine: Examine = lambda calibration: None,
     *,
@@ -211,7 +212,7 @@ def sign(
     """
     content = read_limited(path, LARGEST_BYTES)
     calibration = parse_calibration(content, path)
-    own = public_key_blob(key.public_key())
+    own = public_half(key)
     revoked = {s.key: s for s in with_revocations(signers) if s.revoked}
     if own in revoked:
         raise InputError(f"the key of {name} {revoked[own].revocation()}; `labcal keys new` makes another")
@@ -224,12 +225,10 @@ def sign(
         elif earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
     examine(calibration)
-    if not spent:
-        target = _signature_path(path, len(there) + 1)
-    else:
-        target = spent[0]
+    target, armoured_own = spent[0] if spent else _signature_path(path, len(there) + 1), signed(content, key)
+    if spent:
         atomic.write_bytes(target.with_name(f"{target.name}.revoked"), target.read_bytes())
-    atomic.write_text(target, sshsig.sign(content, key))
+    atomic.write_text(target, armoured_own)
     return target
 
 

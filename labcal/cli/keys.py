@@ -95,7 +95,7 @@ def sign_list(
     """Sign the trust list: from then on a change of it counts only once the same person has signed it again."""
     from labcal import session
 
-    lines = session.sign_trust_list(key, passphrase(f"Passphrase of {key}: "))
+    lines = session.sign_trust_list(key, own_passphrase(key))
     say(f"the trust list of {lines} line{'s' * (lines != 1)} is signed by {key}, who administers it")
 
 
@@ -142,6 +142,13 @@ def passphrase(question: str, *, again: bool = False) -> str:
     if again and first != getpass.getpass("Once more: "):
         raise InputError("the two passphrases differ; nothing was made")
     return first
+
+
+def own_passphrase(name: str) -> str:
+    """The passphrase of the key of `name`; empty where theirs does not lie here, for an SSH agent asks by itself."""
+    from labcal import session
+
+    return passphrase(f"Passphrase of {name}: ") if session.asks_passphrase(name) else ""
 
 
 def _row(entry: Entry) -> tuple[str, str, str, str]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import typer
 
 from labcal.cli import DONE, NEGATIVE, app
-from labcal.cli.keys import passphrase
+from labcal.cli.keys import own_passphrase
 from labcal.cli.progress import step_line
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import say
@@ -49,7 +49,7 @@ def sign(calibration: Path = CALIBRATION, key: str = typer.Option(..., help="The
     """
     from labcal import session
 
-    say(session.sign(calibration, key, passphrase(f"Passphrase of {key}: "), step_line))
+    say(session.sign(calibration, key, own_passphrase(key), step_line))
     if not session.load_calibration(calibration).approvers:
         say("PROVISIONAL: no approver is named, and after a signature none can be.")
 

@@ -47,6 +47,7 @@ from labcal.session.records import (
 from labcal.session.signing import NOTHING_STATED, SUPERSEDING, approve, sign, signatures
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
 from labcal.session.trust import (
+    asks_passphrase,
     handed_out,
     listed_keys,
     new_key,
@@ -67,6 +68,7 @@ __all__ = [
     "apply_calibration",
     "approve",
     "approve_cage",
+    "asks_passphrase",
     "changed_since",
     "check_store",
     "close_loop",

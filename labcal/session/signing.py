@@ -31,7 +31,7 @@ def approve(
 
 def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
     """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
-    key = certificate.keys.open_key(home(), name, passphrase)
+    key = certificate.keys.signing_key(home(), name, passphrase)
     examine = _same_as_its_run(calibration, progress, name)
     written = certificate.sign(calibration, name, key, handed_out(), examine)
     certificate.keep_superseding(signatures(calibration), home() / SUPERSEDING)

@@ -31,9 +31,14 @@ def listed_keys() -> tuple[tuple[Entry, ...], str | None]:
         return certificate.keys.entries(home(), only_listed=True), error.what
 
 
+def asks_passphrase(name: str) -> bool:
+    """Whether `name` signs by a key that lies here; else an SSH agent does, which asks by itself."""
+    return certificate.keys.has_private_key(home(), name)
+
+
 def sign_trust_list(name: str, passphrase: str) -> int:
     """Sign the trust list as who administers it; the first who does so is the administrator. Returns its lines."""
-    key = certificate.keys.open_key(home(), name, passphrase)
+    key = certificate.keys.signing_key(home(), name, passphrase)
     return certificate.keys.sign_list(home(), name, key)
 
 
