@@ -9,6 +9,7 @@ from pathlib import Path
 from labcal import certificate
 from labcal.certificate import Stated, Verification, read_allowed_signers
 from labcal.certificate.allowed_signers import with_revocations
+from labcal.certificate.timestamp import shown_utc
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
@@ -33,7 +34,7 @@ def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lam
     """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
     key = certificate.keys.signing_key(home(), name, passphrase)
     examine = _same_as_its_run(calibration, progress, name)
-    written = certificate.sign(calibration, name, key, handed_out(), examine)
+    written = certificate.sign(calibration, name, key, handed_out(), examine, shown=shown)
     certificate.keep_superseding(signatures(calibration), home() / SUPERSEDING)
     return written
 
@@ -53,4 +54,9 @@ def signatures(path: Path, allowed_signers: Path | None = None, sha256: str | No
     """The signatures alone, against the lab's trust list or the one that is named; whom the lab revoked is revoked."""
     own = handed_out()
     signers = with_revocations(read_allowed_signers(allowed_signers), own) if allowed_signers else own
-    return certificate.verify(path, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256)
+    return certificate.verify(path, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256, shown=shown)
+
+
+def shown(file: Path, signature: bytes) -> datetime | None:
+    """Since when a signature is shown to be there, by a token beside it of an authority that this lab trusts."""
+    return shown_utc(file, signature, certificate.keys.trust_list(home()).with_name("timestamp_ca.pem"))
