@@ -43,7 +43,8 @@ def fit(
     from labcal.session.conformity import fit_conformity
 
     stated = stated_by_people(until, supersedes)
-    claim("fit", out, json_path(json_file), inputs=session.paths(run), force=force)  # before the work, not after it
+    read = [*session.paths(run), *([supersedes] if supersedes else [])]
+    claim("fit", out, json_path(json_file), inputs=read, force=force)  # before the work, not after it
     names = tuple(name.strip() for name in channels.split(",") if name.strip()) if channels is not None else None
     measured, fits = session.fit_run(run, method, names)
     if json_file is not None:

@@ -46,7 +46,7 @@ def close_loop(
     from labcal.certificate import stated_by_people
 
     stated = stated_by_people(until, supersedes)
-    read = [*session.paths(run), *(named_files(bench) if bench else ())]
+    read = [*session.paths(run), *(named_files(bench) if bench else ()), *([supersedes] if supersedes else [])]
     claim("close-loop", out, report, json_path(json_file), inputs=read, force=force)  # before the work, not after it
     if measure:
         if bench is None:

@@ -187,3 +187,15 @@ def test_nothing_supersedes_the_calibration_of_another_sensor(calibration: Calib
     with pytest.raises(InputError):
         stated_by_people(None, tmp_path / "note")
     assert stated_by_people("2026-11-21", None, date(2026, 11, 21)).until == "2026-11-21"
+
+
+def test_what_is_superseded_is_never_written_over(
+    calibration: Calibration, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+):
+    old = tmp_path / "old.json"
+    old.write_bytes(before := calibration_bytes(calibration))
+    given = ["--out", str(old), "--supersedes", str(old), "--force"]
+    for command in ("fit", "close-loop"):
+        assert execute([command, "some-run", *given]) == 2
+        assert "is what this command reads" in capsys.readouterr().err
+    assert old.read_bytes() == before
