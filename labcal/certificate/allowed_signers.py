@@ -134,7 +134,7 @@ def to_trust(signer: Signer) -> Signer:
         raise ValueError(f"{signer.principal}: only plain {KEY_TYPE} keys can be trusted here, and {SECURITY_KEY_TYPE}")
     if signer.namespaces is not None and not _matches(NAMESPACE, signer.namespaces):
         raise ValueError(f"{signer.principal}: the line is for {signer.namespaces}, not for {NAMESPACE}")
-    return replace(signer, namespaces=NAMESPACE, roles=())  # roles are given here, never brought along
+    return replace(signer, namespaces=NAMESPACE)
 
 
 def check_principal(name: str) -> None:

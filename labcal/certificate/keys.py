@@ -178,7 +178,8 @@ def trust(home: Path, file: Path, roles: Collection[str] = ()) -> tuple[Signer, 
         [tightened] = with_revocations([signer], revocations)
         return replace(tightened, roles=given) if given and signer.principal in named else tightened
 
-    _edit(home, changed, [changed(replace(signer, roles=had.get(signer.principal, ()))) for signer in new])
+    without = [replace(signer, roles=had.get(signer.principal, ())) for signer in new]  # roles are not brought along
+    _edit(home, changed, map(changed, without))
     return tuple(signer for signer in listed(home) if signer not in before)
 
 

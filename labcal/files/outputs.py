@@ -26,6 +26,7 @@ OWN = (
     "keys",
     "photos",
     "worked-out",
+    "superseding",
     "translations",
     "written",
     "window.ini",
