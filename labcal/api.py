@@ -232,9 +232,9 @@ def verify(
     Returns
     -------
     Verification
-        `valid`, `status` ("released", "provisional", "unsigned", "invalid" or "expired"), the names of the `signers`,
-        `checks` of each signature, `recomputed` (`same`: whether the run gives it again, `why` it does not), and
-        `sentences()` for people.
+        `valid`, `status` ("released", "provisional", "unsigned", "invalid", "expired" or "superseded"), the
+        names of the `signers`, `checks` of each signature, `recomputed` (`same`: whether the run gives it again, `why`
+        it does not), and `sentences()` for people.
 
     Raises
     ------

@@ -12,6 +12,7 @@ from labcal.certificate.calibration_file import (
 from labcal.certificate.hand_out import hand_out
 from labcal.certificate.keys import Entry
 from labcal.certificate.predecessor import changed_from, changed_since
+from labcal.certificate.roles import check_approver, check_roles
 from labcal.certificate.signing import (
     Check,
     Verification,
@@ -22,21 +23,27 @@ from labcal.certificate.signing import (
     signature_files,
     verify,
 )
+from labcal.certificate.stated import Stated, stated_by_people
+from labcal.certificate.superseding import keep_superseding, superseded_by
 
 __all__ = [
     "AppliedFile",
     "Check",
     "Entry",
     "Signer",
+    "Stated",
     "Verification",
     "apply_file",
     "approve",
     "calibration_bytes",
     "changed_from",
     "changed_since",
+    "check_approver",
     "check_approvers",
     "check_effects",
+    "check_roles",
     "hand_out",
+    "keep_superseding",
     "keys",
     "looks_like_calibration",
     "parse_calibration",
@@ -45,5 +52,7 @@ __all__ = [
     "sign",
     "sign_simulated",
     "signature_files",
+    "stated_by_people",
+    "superseded_by",
     "verify",
 ]

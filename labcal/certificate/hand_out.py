@@ -7,18 +7,21 @@ from pathlib import Path
 
 from labcal.certificate.allowed_signers import Signer
 from labcal.certificate.signing import signature_files
+from labcal.certificate.timestamp import token_file
 from labcal.errors import InputError
 from labcal.files.atomic import replaceable, write_bytes, write_text
 from labcal.files.outputs import claim
 
 
 def hand_out(calibration: Path, folder: Path, signers: Sequence[Signer]) -> None:
-    """Copy `calibration` and its signatures to `folder`, and `signers` as its trust list.
+    """Copy `calibration`, its signatures and their time-stamps to `folder`, and `signers` as its trust list.
 
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
     [trust] = claim("hand out", folder / "allowed_signers")
-    copies = {folder / file.name: file.read_bytes() for file in (calibration, *signature_files(calibration))}
+    signatures = signature_files(calibration)
+    tokens = [token for file in signatures if (token := token_file(file)).exists()]
+    copies = {folder / file.name: file.read_bytes() for file in (calibration, *signatures, *tokens)}
     for copy, content in copies.items():
         replaceable(copy)
         if copy.exists() and copy.read_bytes() != content:

@@ -9,14 +9,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from datetime import date, datetime
+from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import Any, Literal
 
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
-from labcal.certificate import sshsig
-from labcal.certificate.allowed_signers import Signer, own_line
+from labcal.certificate import roles, sshsig
+from labcal.certificate.agent import Key, public_half, signed
+from labcal.certificate.allowed_signers import NEVER, Signer, own_line, with_revocations
 from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.recomputed import Recomputed
@@ -27,18 +28,23 @@ from labcal.model import Calibration
 from labcal.record.person import same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
-Status = Literal["released", "provisional", "unsigned", "invalid", "expired"]
+Status = Literal["released", "provisional", "unsigned", "invalid", "expired", "superseded"]
+Shown = Callable[[Path, bytes], datetime | None]  # a signature's file and bytes: since when they are shown to be there
 Examine = Callable[[Calibration], object]  # raises InputError where something else does not hold of it
 
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """What one signature file came to: `objection` is None where it holds and its signer is trusted."""
+    """What one signature file came to: `objection` is None where it holds and its signer is trusted.
+
+    `shown_utc` is when it was there already, by what its signer cannot have made; None where nothing shows that.
+    """
 
     file: Path
     principal: str | None
     fingerprint: str | None
     objection: str | None
+    shown_utc: datetime | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,12 +62,14 @@ class Verification:
     recomputed: Recomputed | None = None
     expired: bool = False
     same_chain: bool = True  # where both that run and the calibration state the head of a hash chain
+    trusted: tuple[Signer, ...] = ()  # the list that it was checked against
+    superseded_by: str | None = None  # the run of the calibration that took its place, where one is known
 
     @property
     def valid(self) -> bool:
         """At least one signature, every one of them good, the run (where named) is the one, and gives these numbers."""
-        signed = bool(self.checks) and all(c.objection is None for c in self.checks)
-        return signed and self.run_matches is not False and (self.recomputed is None or self.recomputed.holds)
+        good = bool(self.checks) and all(c.objection is None for c in self.checks)
+        return good and self.run_matches is not False and (self.recomputed is None or self.recomputed.holds)
 
     @property
     def status(self) -> Status:
@@ -70,7 +78,9 @@ class Verification:
             return "unsigned"
         if not self.valid:
             return "invalid"
-        return "expired" if self.expired else "provisional" if self.provisional else "released"
+        if self.expired or self.superseded_by:
+            return "expired" if self.expired else "superseded"
+        return "provisional" if self.provisional else "released"
 
     @property
     def signers(self) -> tuple[str, ...]:
@@ -87,6 +97,8 @@ class Verification:
             return f"named as approver, but is the operator: {', '.join(own)}"
         if missing := [name for name in named if name not in self.signers]:
             return f"named as approver, but has not signed: {', '.join(missing)}"
+        if self.calibration and (lacking := roles.objection(self.calibration, self.signers, self.trusted)):
+            return lacking
         return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
 
     def faults(self) -> list[str]:
@@ -94,6 +106,24 @@ class Verification:
         said = [f"{c.file.name} ({c.principal or 'unknown'}): {c.objection}" for c in self.checks if c.objection]
         said += [] if self.checks else [f"{self.file.name} carries no signature"]
         return said + (["run_sha256: it was not made from the run that was named"] if self.run_matches is False else [])
+
+    def limits(self) -> list[str]:
+        """What keeps a file whose signatures hold from being used without a thought, a sentence each."""
+        said = [f"PROVISIONAL: {self.provisional}."] if self.valid and self.provisional else []
+        until = self.calibration.validity.until if self.calibration else None
+        said += [f"EXPIRED: it was good until {until}."] if self.expired else []
+        return said + ([f"SUPERSEDED: by the calibration of run {self.superseded_by}."] if self.superseded_by else [])
+
+    def remarks(self) -> list[str]:
+        """What somebody who uses its numbers has to hear; nothing where it is released."""
+        if not self.checks:
+            return [f"UNSIGNED: {self.file.name} carries no signature: a draft that nobody stands for."]
+        return self.limits() if self.valid else [f"NOT VALID: {'; '.join(self.against())}."]
+
+    def against(self) -> list[str]:
+        """What is against its signatures, its run and its numbers."""
+        again = self.recomputed
+        return [*self.faults(), *(again.why if again and not again.holds else ())]
 
     def sentences(self) -> list[str]:
         """What a person has to know, the verdict first."""
@@ -106,10 +136,7 @@ class Verification:
         if self.run_matches and (self.recomputed is None or self.recomputed.same):
             said.append("It was made from the run that was named.")
         said += _of_working_out(self.recomputed)
-        if self.valid and self.provisional:
-            said.append(f"PROVISIONAL: {self.provisional}.")
-        if self.expired:
-            said.append("EXPIRED: its validity has ended.")
+        said += self.limits()
         if self.calibration and self.calibration.simulated:
             said.append("SIMULATED: it describes no real sensor.")
         return said
@@ -126,8 +153,15 @@ def _of_working_out(found: Recomputed | None) -> list[str]:
     return [f"Worked out again from its run it differs: {why}.{' The signature stands.' if found.holds else ''}"]
 
 
-def approve(path: Path, name: str, examine: Examine = lambda draft: None) -> Calibration:
+def approve(
+    path: Path,
+    name: str,
+    examine: Examine = lambda draft: None,
+    revise: Callable[[Calibration], Calibration] = lambda draft: draft,
+) -> Calibration:
     """Write `name` among the approvers of the draft at `path`, once `examine` has seen it. Raises InputError.
+
+    `revise` makes of the draft what is approved.
 
     Refused after any signature (its bytes would no longer be the signed ones), and for the operator: two persons
     look at a calibration, or it stays PROVISIONAL.
@@ -144,7 +178,7 @@ def approve(path: Path, name: str, examine: Examine = lambda draft: None) -> Cal
         raise InputError(f"{name} is the operator, {draft.operator}; another person approves", file=path)
     if any(same_person(name, other) for other in draft.approvers):
         raise InputError(f"{name} has approved it already", file=path)
-    approved = replace(draft, approvers=(*draft.approvers, name))
+    approved = replace(revise(draft), approvers=(*draft.approvers, name))
     examine(approved)
     atomic.write_bytes(path.resolve(), calibration_bytes(approved))
     return approved
@@ -165,28 +199,38 @@ def check_approvers(calibration: Calibration, path: Path, known: Collection[str]
 def sign(
     path: Path,
     name: str,
-    key: Ed25519PrivateKey,
+    key: Key,
     signers: Sequence[Signer] = (),
     examine: Examine = lambda calibration: None,
+    *,
+    shown: Shown = lambda file, signature: None,
 ) -> Path:
     """Sign the bytes at `path` as `name` and write the signature beside them; returns its path.
 
-    `signers` is the trust list: it tells whose the signatures are that are there already. `examine` sees the
-    calibration that is about to be signed. Raises InputError for a
-    file that is no calibration, for somebody who has signed it, and where an earlier signature does not hold.
+    `signers` is the trust list: it tells whose the signatures are that are there already. One whose key is revoked,
+    and not `shown` to be from before, is set aside (`….revoked`), and the new one takes its place. `examine` sees the
+    calibration that is about to be signed. Raises InputError for a file that is no calibration, for somebody who has
+    signed it or whose key is revoked, and where an earlier signature does not hold.
     """
     content = read_limited(path, LARGEST_BYTES)
     calibration = parse_calibration(content, path)
-    own = public_key_blob(key.public_key())
+    own = public_half(key)
+    revoked = {s.key: s for s in with_revocations(signers) if s.revoked}
+    if own in revoked:
+        raise InputError(f"the key of {name} {revoked[own].revocation()}; `labcal keys new` makes another")
     person = {own} | {s.key for s in signers if same_person(s.principal, name)}
-    there = _expected(path)
+    there, spent = _expected(path), list[Path]()
     for file in there:
-        earlier = _holding(file, content)
-        if earlier.public_key in person:
+        earlier, armoured = _holding(file, content)
+        if (line := revoked.get(earlier.public_key)) and line.objection(NAMESPACE, shown(file, armoured) or _now()):
+            spent.append(file)
+        elif earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
     examine(calibration)
-    target = _signature_path(path, len(there) + 1)
-    atomic.write_text(target, sshsig.sign(content, key))
+    target, armoured_own = spent[0] if spent else _signature_path(path, len(there) + 1), signed(content, key)
+    if spent:
+        atomic.write_bytes(target.with_name(f"{target.name}.revoked"), target.read_bytes())
+    atomic.write_text(target, armoured_own)
     return target
 
 
@@ -209,16 +253,19 @@ def verify(
     now: datetime,
     run_sha256: str | None = None,
     chain: Mapping[str, Any] | None = None,
+    *,
+    shown: Shown = lambda file, signature: None,
 ) -> Verification:
     """Check every signature of the calibration at `path` against `signers`, and its run where one is named.
 
     The run is told by `run_sha256`, and by the head of its hash `chain` where both it and the calibration have one.
-
+    A key is judged at the time at which its signature is `shown` to have been there, else `now`.
     The bytes are read once; a file beside them is never asked whom to trust. Raises InputError where `path` cannot
     be read, or a trusted person signed something that is no calibration.
     """
     content = read_limited(path, LARGEST_BYTES)
-    checks = _once_each([_check(file, content, signers, revoked, now) for file in _expected(path)])
+    trusted = with_revocations(signers)
+    checks = _once_each([_check(file, content, trusted, revoked, now, shown) for file in _expected(path)])
     if all(check.objection for check in checks):
         return Verification(path, content, checks, None)
     calibration = parse_calibration(content, path)
@@ -234,6 +281,7 @@ def verify(
         None if run_sha256 is None else calibration.run_sha256 == run_sha256 and same_chain,
         same_chain=same_chain,
         expired=until is not None and date.fromisoformat(until) < now.date(),
+        trusted=trusted,
     )
 
 
@@ -254,23 +302,29 @@ def _expected(path: Path) -> list[Path]:
     return sorted({*there, *(_signature_path(path, n + 1) for n in range(len(there)))}, key=lambda f: (len(f.name), f))
 
 
-def _check(file: Path, content: bytes, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime) -> Check:
+def _check(
+    file: Path, content: bytes, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime, shown: Shown
+) -> Check:
     try:
-        signature = sshsig.parse(read_limited(file, LARGEST_SIGNATURE_BYTES))
+        armoured = read_limited(file, LARGEST_SIGNATURE_BYTES)
+        signature = sshsig.parse(armoured)
     except FileNotFoundError:
         return Check(file, None, None, "is missing, though a later signature is there")
     except (BadSignature, InputError) as error:
         return Check(file, None, None, error.what if isinstance(error, InputError) else str(error))
+    shown_utc = shown(file, armoured)
+    at = shown_utc or now
     mine = [s for s in signers if s.key == signature.public_key]
-    mine.sort(key=lambda signer: signer.objection(NAMESPACE, now) is not None)  # one line that vouches is enough
+    mine.sort(key=lambda signer: signer.objection(NAMESPACE, at) is not None)  # one line that vouches is enough
+    objection = _objection(signature, content, mine, revoked, at)
+    if objection and shown_utc is None and mine and mine[0].revoked and (mine[0].valid_before or NEVER) > NEVER:
+        objection += "; a time that is only claimed does not show that it signed before"
     principal = mine[0].principal if mine else None
-    return Check(
-        file, principal, sshsig.fingerprint(signature.public_key), _objection(signature, content, mine, revoked, now)
-    )
+    return Check(file, principal, sshsig.fingerprint(signature.public_key), objection, shown_utc)
 
 
 def _objection(
-    signature: sshsig.Signature, content: bytes, mine: Sequence[Signer], revoked: frozenset[bytes], now: datetime
+    signature: sshsig.Signature, content: bytes, mine: Sequence[Signer], revoked: frozenset[bytes], at: datetime
 ) -> str | None:
     try:
         signature.check(content)
@@ -280,7 +334,7 @@ def _objection(
         return "its key is revoked"
     if not mine:
         return "its key is nobody's in the trust list"
-    objection = mine[0].objection(NAMESPACE, now)
+    objection = mine[0].objection(NAMESPACE, at)
     return f"its key {objection}" if objection else None
 
 
@@ -305,10 +359,16 @@ def _real(check: Check) -> Check:
     return check
 
 
-def _holding(file: Path, content: bytes) -> sshsig.Signature:
+def _holding(file: Path, content: bytes) -> tuple[sshsig.Signature, bytes]:
+    """The signature in `file`, and its bytes. Raises InputError where it does not hold."""
     try:
-        signature = sshsig.parse(read_limited(file, LARGEST_SIGNATURE_BYTES))
+        armoured = read_limited(file, LARGEST_SIGNATURE_BYTES)
+        signature = sshsig.parse(armoured)
         signature.check(content)
     except BadSignature as error:
         raise InputError(f"{error}; nothing was signed", file=file) from None
-    return signature
+    return signature, armoured
+
+
+def _now() -> datetime:
+    return datetime.now(UTC)

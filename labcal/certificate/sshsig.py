@@ -1,4 +1,4 @@
-"""SSHSIG, the detached signature that `ssh-keygen -Y verify` checks (OpenSSH, PROTOCOL.sshsig)."""
+"""SSHSIG, the detached signature that `ssh-keygen -Y verify` checks (OpenSSH, PROTOCOL.sshsig, PROTOCOL.u2f)."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey,
 
 NAMESPACE = "labcal-calibration"
 KEY_TYPE = "ssh-ed25519"
+SECURITY_KEY_TYPE = "sk-ssh-ed25519@openssh.com"  # a FIDO authenticator's
 
 _MAGIC = b"SSHSIG"
 _BEGIN, _END = "-----BEGIN SSH SIGNATURE-----", "-----END SSH SIGNATURE-----"
 _COLUMNS = 70
+_TOUCHED = 0x01  # of a security key's flags: a person was there
 
 
 class BadSignature(ValueError):
@@ -31,14 +33,20 @@ class Signature:
     namespace: str
     hash_name: str
     value: bytes
+    by_device: bytes = b""  # a security key's flags (1) and counter (4), which it signs too
 
-    def check(self, content: bytes) -> None:
-        """Raise BadSignature unless this key signed exactly these bytes for labcal."""
-        if self.namespace != NAMESPACE:
-            raise BadSignature(f"made for {self.namespace!r}, not for {NAMESPACE!r}")
+    def check(self, content: bytes, namespace: str = NAMESPACE) -> None:
+        """Raise BadSignature unless this key signed exactly these bytes for that purpose."""
+        if self.namespace != namespace:
+            raise BadSignature(f"made for {self.namespace!r}, not for {namespace!r}")
+        signed = _signed(content, self.namespace, self.hash_name)
+        if self.by_device:
+            if not self.by_device[0] & _TOUCHED:
+                raise BadSignature("was made without a touch of its security key")
+            application = hashlib.sha256(_parts(self.public_key)[2]).digest()
+            signed = application + self.by_device + hashlib.sha256(signed).digest()
         try:
-            key = Ed25519PublicKey.from_public_bytes(raw_public_key(self.public_key))
-            key.verify(self.value, _signed(content, self.namespace, self.hash_name))
+            Ed25519PublicKey.from_public_bytes(raw_public_key(self.public_key)).verify(self.value, signed)
         except InvalidSignature:
             raise BadSignature("does not hold: the file is not the one that was signed") from None
 
@@ -60,12 +68,14 @@ def parse(armoured: bytes) -> Signature:
         raise BadSignature("is not an SSH signature of version 1")
     public_key, namespace, _, hash_name, value = (blob.string() for _ in range(5))
     inner = _Wire(value)
-    if (kind := inner.string()) != KEY_TYPE.encode():
-        raise BadSignature(f"is of type {kind.decode(errors='replace')!r}; labcal checks {KEY_TYPE} alone")
+    if (kind := inner.string().decode(errors="replace")) not in (KEY_TYPE, SECURITY_KEY_TYPE):
+        raise BadSignature(f"is of type {kind!r}; labcal checks {KEY_TYPE} and {SECURITY_KEY_TYPE} alone")
+    if kind != _parts(public_key)[0]:
+        raise BadSignature(f"is of type {kind!r}, and its key is of another")
     if hash_name not in (b"sha512", b"sha256"):
         raise BadSignature("uses a hash that SSH signatures do not have")
-    signature = Signature(public_key, namespace.decode(errors="replace"), hash_name.decode(), inner.string())
-    raw_public_key(public_key)
+    raw, by_device = inner.string(), inner.take(5) if kind == SECURITY_KEY_TYPE else b""
+    signature = Signature(public_key, namespace.decode(errors="replace"), hash_name.decode(), raw, by_device)
     if blob.rest or inner.rest:
         raise BadSignature("has bytes after its end")
     return signature
@@ -77,11 +87,18 @@ def public_key_blob(key: Ed25519PublicKey) -> bytes:
 
 
 def raw_public_key(blob: bytes) -> bytes:
-    """The 32 bytes of an Ed25519 key from its SSH wire format. Raises BadSignature."""
+    """The 32 bytes of an Ed25519 key, also a security key's, from its SSH wire format. Raises BadSignature."""
+    return _parts(blob)[1]
+
+
+def _parts(blob: bytes) -> tuple[str, bytes, bytes]:
+    """Type, 32 bytes and, of a security key, application. Raises BadSignature."""
     wire = _Wire(blob)
-    if wire.string() != KEY_TYPE.encode() or len(raw := wire.string()) != 32 or wire.rest:
+    kind, raw = wire.string().decode(errors="replace"), wire.string()
+    application = wire.string() if kind == SECURITY_KEY_TYPE else b""
+    if kind not in (KEY_TYPE, SECURITY_KEY_TYPE) or len(raw) != 32 or wire.rest:
         raise BadSignature(f"its key is not {KEY_TYPE}")
-    return raw
+    return kind, raw, application
 
 
 def fingerprint(blob: bytes) -> str:

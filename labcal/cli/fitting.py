@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from labcal.cli import DONE, NEGATIVE, app
 from labcal.cli.conformity import show_conformity
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console, say
+from labcal.cli.signing import SUPERSEDES, UNTIL
 from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
@@ -30,14 +32,19 @@ def fit(
     channels: str | None = typer.Option(None, help="Housekeeping that telemetry may use: names apart by commas."),
     json_file: str | None = JSON,
     out: Path | None = typer.Option(None, metavar="CAL.json", help="Write a draft calibration (with all: of ml)."),
+    until: str | None = UNTIL,
+    supersedes: Path | None = SUPERSEDES,
     force: bool = FORCE,
 ) -> int:
     """Estimate a calibration from a run. Exit code 1: the run does not determine one."""
     from labcal import session
+    from labcal.certificate import stated_by_people
     from labcal.fit.document import document
     from labcal.session.conformity import fit_conformity
 
-    claim("fit", out, json_path(json_file), inputs=session.paths(run), force=force)  # before the work, not after it
+    stated = stated_by_people(until, supersedes)
+    read = [*session.paths(run), *([supersedes] if supersedes else [])]
+    claim("fit", out, json_path(json_file), inputs=read, force=force)  # before the work, not after it
     names = tuple(name.strip() for name in channels.split(",") if name.strip()) if channels is not None else None
     measured, fits = session.fit_run(run, method, names)
     if json_file is not None:
@@ -48,7 +55,7 @@ def fit(
     if json_file != "-" and (judged := fit_conformity(measured, chosen)) is not None:
         show_conformity(judged)
     if out is not None and chosen.ok:
-        session.draft(run, chosen, out, names, force=force)
+        session.draft(run, chosen, out, names, stated=stated, force=force)
         say(f"draft calibration: {out}", err=True)
     return DONE if chosen.ok else NEGATIVE
 
@@ -59,12 +66,18 @@ def apply(
     source: Path = typer.Argument(..., metavar="IN.csv", help="Readings: dut_x, dut_y, dut_z and what CAL needs."),
     out: Path = typer.Option(..., metavar="OUT.csv", help="Every column of IN.csv and b_x, b_y, b_z, u_nT, flag."),
     dut: str | None = typer.Option(None, metavar="SERIAL", help="The DUT's serial, refused where CAL is another's."),
+    require_signature: bool = typer.Option(
+        False, "--require-signature", help="Refuse a calibration that is not validly signed (exit code 2)."
+    ),
     force: bool = FORCE,
 ) -> None:
-    """Calibrate readings."""
+    """Calibrate readings; says on stderr where the calibration is unsigned, provisional, expired or superseded."""
     from labcal import session
 
-    _show_applied(session.apply_calibration(calibration, source, out, dut, force=force), out)
+    applied = session.apply_calibration(
+        calibration, source, out, dut, require_signature=require_signature, tell=partial(say, err=True), force=force
+    )
+    _show_applied(applied, out)
 
 
 def _show_fits(fits: list[Fit]) -> None:

@@ -13,6 +13,7 @@ from labcal.cli.conformity import show_conformity
 from labcal.cli.progress import shown, step_line
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import console, say_lines
+from labcal.cli.signing import SUPERSEDES, UNTIL
 from labcal.errors import InputError
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
@@ -28,6 +29,8 @@ def close_loop(
     json_file: str | None = JSON,
     report: Path | None = typer.Option(None, metavar="FILE.html", help="Write the report for people (.html or .pdf)."),
     out: Path | None = typer.Option(None, metavar="CAL.json", help="Write the calibration with the effects found."),
+    until: str | None = UNTIL,
+    supersedes: Path | None = SUPERSEDES,
     measure: bool = typer.Option(
         False,
         "--measure",
@@ -43,15 +46,19 @@ def close_loop(
 ) -> int:
     """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""
     from labcal import session
+    from labcal.certificate import stated_by_people
 
-    read = [*session.paths(run), *(named_files(bench) if bench else ())]
+    stated = stated_by_people(until, supersedes)
+    read = [*session.paths(run), *(named_files(bench) if bench else ()), *([supersedes] if supersedes else [])]
     claim("close-loop", out, report, json_path(json_file), inputs=read, force=force)  # before the work, not after it
     if measure:
         if bench is None:
             raise InputError("--measure needs a bench: say --bench FILE")
+        if until or supersedes:
+            raise InputError("--until and --supersedes are for `labcal approve`, not for --measure")
         closed = _measuring(run, bench, out, report, seed, sure=yes, force=force)
     else:
-        closed = session.close_loop(run, out, step_line, report=report, empirical=empirical, force=force)
+        closed = session.close_loop(run, out, step_line, report=report, empirical=empirical, stated=stated, force=force)
     if json_file is not None:
         write_json(closed.to_json(), json_file, "close-loop", inputs=read, force=force)
     if json_file != "-":

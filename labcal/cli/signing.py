@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import typer
 
 from labcal.cli import DONE, NEGATIVE, app
-from labcal.cli.keys import passphrase
+from labcal.cli.keys import own_passphrase
 from labcal.cli.progress import step_line
 from labcal.cli.results import FORCE, JSON, json_path, write_json
 from labcal.cli.screen import say
@@ -19,15 +19,25 @@ if TYPE_CHECKING:
 
 CALIBRATION = typer.Argument(..., metavar="CAL", help="The calibration file.")
 
+UNTIL = typer.Option(None, "--until", metavar="DATE", help="The last day on which it is good, as in 2027-11-21.")
+SUPERSEDES = typer.Option(
+    None, "--supersedes", metavar="OLDCAL", help="The calibration file that it takes the place of."
+)
+
 
 @app.command(rich_help_panel="Certificate")
 def approve(
-    calibration: Path = CALIBRATION, name: str = typer.Option(..., "--as", help="The approver; not the operator.")
+    calibration: Path = CALIBRATION,
+    name: str = typer.Option(..., "--as", help="The approver; not the operator."),
+    until: str | None = UNTIL,
+    supersedes: Path | None = SUPERSEDES,
 ) -> None:
     """Write an approver into a draft, before any signature; refused where its run gives another calibration."""
     from labcal import session
+    from labcal.certificate import stated_by_people
 
-    approvers = session.approve(calibration, name, step_line).approvers
+    stated = stated_by_people(until, supersedes)
+    approvers = session.approve(calibration, name, step_line, stated).approvers
     say(f"{calibration}: approved by {', '.join(approvers)}; their own signature makes it more than a name")
 
 
@@ -39,7 +49,7 @@ def sign(calibration: Path = CALIBRATION, key: str = typer.Option(..., help="The
     """
     from labcal import session
 
-    say(session.sign(calibration, key, passphrase(f"Passphrase of {key}: "), step_line))
+    say(session.sign(calibration, key, own_passphrase(key), step_line))
     if not session.load_calibration(calibration).approvers:
         say("PROVISIONAL: no approver is named, and after a signature none can be.")
 
@@ -55,7 +65,7 @@ def verify(
 ) -> int:
     """Check every signature of a calibration, and work it out again where its run is at hand.
 
-    Exit code 0: released or provisional; 1: not valid, not signed, or expired.
+    Exit code 0: released or provisional; 1: not valid, not signed, expired or superseded.
     """
     from labcal import session
 
@@ -77,8 +87,16 @@ def _document(result: Verification) -> dict[str, object]:
         "status": result.status,
         "signers": list(result.signers),
         "recomputed": None if again is None else again.same,
-        "why": [*result.faults(), *(again.why if again else ()), *filter(None, [result.valid and result.provisional])],
+        "why": [*result.faults(), *(again.why if again else ()), *_limits(result)],
     }
+
+
+def _limits(result: Verification) -> list[str]:
+    """Why it is not released, where its signatures hold."""
+    until = result.calibration.validity.until if result.calibration else None
+    said = [result.provisional] if result.valid and result.provisional else []
+    said += [f"validity.until: {until} is past"] if result.valid and result.expired else []
+    return said + ([f"superseded by the calibration of run {result.superseded_by}"] if result.superseded_by else [])
 
 
 def _show(result: Verification) -> None:

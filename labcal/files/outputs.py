@@ -27,6 +27,7 @@ OWN = (
     "lab-key.pem",
     "photos",
     "worked-out",
+    "superseding",
     "translations",
     "written",
     "window.ini",

@@ -1,8 +1,8 @@
 """The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
 
-Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `audited` (who did what),
-`working_out` (a calibration worked out again from its run), `instruments` (the bench without a procedure), and
-`measuring`, where the loop closes on the instruments.
+Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `signing`, `audited` (who
+did what), `working_out` (a calibration worked out again from its run), `instruments` (the bench without a procedure),
+and `measuring`, where the loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from labcal.bench.coils.cage_file import sha256_of
 from labcal.bench.coils.state import LabState
 from labcal.bench.opening import open_bench
 from labcal.bench.specification import specification_of
-from labcal.certificate import Verification, read_allowed_signers
+from labcal.certificate import Stated, Verification
 from labcal.certificate.dcc import write_dcc
 from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
 from labcal.errors import InputError
@@ -45,8 +45,18 @@ from labcal.session.records import (
     keep_photo,
     runs,
 )
+from labcal.session.signing import NOTHING_STATED, SUPERSEDING, approve, sign, signatures
 from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
-from labcal.session.trust import new_key, revoke_keys, trust_keys, trusted_keys
+from labcal.session.trust import (
+    asks_passphrase,
+    handed_out,
+    listed_keys,
+    new_key,
+    revoke_keys,
+    sign_trust_list,
+    trust_keys,
+    trusted_keys,
+)
 from labcal.session.working_out import Progress, keep, made_by, recomputed
 from labcal.store import Store
 from labcal.uncertainty.conformity import Changes, assess
@@ -59,6 +69,7 @@ __all__ = [
     "apply_calibration",
     "approve",
     "approve_cage",
+    "asks_passphrase",
     "changed_since",
     "check_store",
     "close_loop",
@@ -73,6 +84,7 @@ __all__ = [
     "hand_out",
     "import_bundle",
     "keep_photo",
+    "listed_keys",
     "load_calibration",
     "load_run",
     "look_again",
@@ -89,6 +101,7 @@ __all__ = [
     "runs",
     "serve_bench",
     "sign",
+    "sign_trust_list",
     "trust_keys",
     "trusted_keys",
     "verify",
@@ -158,43 +171,17 @@ def resume(
 
 
 def hand_out(calibration: Path, folder: Path) -> None:
-    """Copy a calibration, its signatures and the keys they are checked against to `folder`.
+    """Copy a calibration, its signatures and the keys they are checked against, revoked ones as such, to `folder`.
 
     Raises InputError, before anything is copied, where another file of one of these names is there.
     """
-    certificate.hand_out(calibration, folder, [entry.signer for entry in trusted_keys() if not entry.revoked])
+    certificate.hand_out(calibration, folder, handed_out())
     note_file("export", "", calibration)
 
 
 def load_calibration(path: Path) -> Calibration:
     """Read a calibration file, checked. Raises InputError."""
     return certificate.read_calibration(path)
-
-
-def approve(calibration: Path, name: str, progress: Progress = lambda step: None) -> Calibration:
-    """Write the approver, somebody of the trust list, into a draft. Raises InputError where its run gives another."""
-    approved = certificate.approve(calibration, name, _same_as_its_run(calibration, progress))
-    note_file("approve", name, calibration)
-    return approved
-
-
-def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
-    """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
-    key = certificate.keys.open_key(home(), name, passphrase)
-    examine = _same_as_its_run(calibration, progress)
-    signature = certificate.sign(calibration, name, key, certificate.keys.trusted(home()), examine)
-    note_file("sign", name, calibration, signature)
-    return signature
-
-
-def _same_as_its_run(path: Path, progress: Progress) -> Callable[[Calibration], None]:
-    def examine(stated: Calibration) -> None:
-        certificate.check_approvers(stated, path, certificate.keys.names(home()))
-        if (found := recomputed(stated, progress=progress)).same is False:
-            told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
-            raise InputError(f"{told}: make the draft again", file=path)
-
-    return examine
 
 
 def verify(
@@ -209,13 +196,15 @@ def verify(
 
     Where one holds it is worked out again from its run, `run` or that of the store; with `only_kept` nothing is.
     """
-    signers = read_allowed_signers(allowed_signers) if allowed_signers else certificate.keys.trusted(home())
     bundle = None if run is None else run_bundle(run)
     sha256, chain = (bundle.sha256, bundle.stated_chain) if bundle else (None, None)
-    found = certificate.verify(calibration, signers, certificate.keys.revoked(home()), datetime.now(UTC), sha256, chain)
+    found = signatures(calibration, allowed_signers, sha256, chain)
     if found.calibration is None or not found.valid:
         return found
-    return replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
+    found = replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
+    certificate.keep_superseding(found, home() / SUPERSEDING)
+    folders = [home() / SUPERSEDING, home() / CALIBRATIONS]
+    return replace(found, superseded_by=certificate.superseded_by(found, folders, signatures))
 
 
 def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
@@ -232,13 +221,20 @@ def filter_history(run: str, method: str) -> History:
 
 
 def draft(
-    run: Source, found: Fit, out: Path, channels: Sequence[str] | None = None, *, force: bool = False
+    run: Source,
+    found: Fit,
+    out: Path,
+    channels: Sequence[str] | None = None,
+    *,
+    stated: Stated = NOTHING_STATED,
+    force: bool = False,
 ) -> Calibration:
     """Write the draft calibration that a fit of `run`, by these `channels` alone where they are named, makes."""
     [output] = claim("fit", out, inputs=paths(run), force=force)
     bundle = run_bundle(run)
     how, cage, chain = made_by("fit", found.method, channels), _cage_sha256(run), bundle.stated_chain
     made = draft_calibration(bundle.run(), found, bundle.sha256, cage_sha256=cage, made_by=how, chain=chain)
+    made = stated.on(made)
     with output.writing():
         write_bytes(out, certificate.calibration_bytes(made))
     return made
@@ -251,6 +247,7 @@ def close_loop(
     *,
     report: Path | None = None,
     empirical: bool = False,
+    stated: Stated = NOTHING_STATED,
     force: bool = False,
 ) -> ClosedLoop:
     """Trace the residual of `run` to its cause; the calibration with the effect goes to `out`, the page to `report`.
@@ -273,7 +270,7 @@ def close_loop(
         how = made_by("close-loop", closed.fit().method, empirical=empirical)
         drafted = made(cage_sha256=_cage_sha256(run), made_by=how, chain=bundle.stated_chain)
         with outputs[out].writing():
-            write_bytes(out, certificate.calibration_bytes(drafted))
+            write_bytes(out, certificate.calibration_bytes(stated.on(drafted)))
         keep(drafted)
     return closed
 
@@ -302,14 +299,32 @@ def with_installed_procedure(closed: ClosedLoop) -> ClosedLoop:
 
 
 def apply_calibration(
-    calibration: Path, source: Path, out: Path, dut: str | None = None, *, force: bool = False
+    calibration: Path,
+    source: Path,
+    out: Path,
+    dut: str | None = None,
+    *,
+    require_signature: bool = False,
+    tell: Callable[[str], None] = lambda remark: None,
+    force: bool = False,
 ) -> certificate.AppliedFile:
-    """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial."""
+    """Correct a recording of the calibration's DUT. Raises InputError where `dut` is another serial.
+
+    `tell` hears what somebody who uses its numbers has to: unsigned, provisional, expired, superseded. With
+    `require_signature` one that is not validly signed is refused, and it is worked out again where its run is at hand.
+    """
     [output] = claim("apply", out, inputs=(calibration, source), force=force)
-    found = load_calibration(calibration)
+    standing = verify(calibration, only_kept=not require_signature)
+    found = certificate.parse_calibration(standing.content, calibration)
+    if require_signature and not standing.valid:
+        raise InputError(
+            f"is not validly signed ({'; '.join(standing.against())}); nothing was written", file=calibration
+        )
     if dut is not None and dut != found.dut.serial:
         raise InputError(f"is the calibration of {found.dut.serial}, not of {dut}", file=calibration)
     certificate.check_effects(found, calibration)
+    for remark in standing.remarks():
+        tell(remark)
     with output.writing():
         return certificate.apply_file(found, source, out)
 

@@ -6,10 +6,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from labcal import certificate
 from labcal.bench import shutdown
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.coils.cage_file import CageCalibration, write_cage
 from labcal.bench.identify import Identified, identify_all
+from labcal.files.home import home
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
 from labcal.runner.cage import approved_cage
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
 def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> CageCalibration:
     """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
     [output] = claim("bench cage", out, force=force)
+    certificate.check_approver(" ".join(name.split()), certificate.keys.trusted(home()))
     with Store.open() as kept:
         found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
     with output.writing():

@@ -13,7 +13,7 @@ from labcal.cli import execute
 
 @pytest.fixture(autouse=True)
 def passphrase(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("LABCAL_PASSPHRASE", "pw")
+    monkeypatch.setenv("LABCAL_PASSPHRASE", "correct horse")
 
 
 def run(*words: object) -> int:
@@ -106,7 +106,7 @@ def test_a_new_passphrase_is_asked_twice(monkeypatch: pytest.MonkeyPatch, home_o
     monkeypatch.delenv("LABCAL_PASSPHRASE")
     assert run("keys", "new", "--name", "ada") == 2  # no terminal to ask
     monkeypatch.setattr("sys.stdin.isatty", lambda: True)
-    answers = iter(["one", "other", "same", "same"])
+    answers = iter(["one of them", "the other one", "the same one", "the same one"])
     monkeypatch.setattr("getpass.getpass", lambda question: next(answers))
     assert run("keys", "new", "--name", "ada") == 2
     assert not list(home_of_its_own.rglob("*.pem"))

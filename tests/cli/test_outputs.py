@@ -25,7 +25,7 @@ from labcal.store.live import FILE
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 SIMULATED = Path(__file__).parents[2] / "examples" / "simulated.toml"
-READ = ("bench", "allowed_signers", "specification", "before")  # options that name a file to read
+READ = ("bench", "allowed_signers", "specification", "before", "supersedes")  # options that name a file to read
 # What is asked for with each option that names a file to write, and the file's name. A command that is not here is
 # new: give it `--force`, and `labcal.files.outputs.claim` before its work.
 ASKED = {

@@ -53,7 +53,7 @@ def test_folders_are_0700_and_files_0600_whatever_the_umask(tmp_path: Path, monk
         writer.commit()
         (tmp_path / "p.jpg").write_bytes(b"\xff\xd8\xff")
         keep_photo(tmp_path / "p.jpg")
-        session.new_key("ada", "secret")
+        session.new_key("ada", "correct horse")
         logbook.note("hello")
         assert logbook.written(30.0)
         monkeypatch.setattr(cli, "app", fault_of_ours)

@@ -1,0 +1,56 @@
+"""What people state of a calibration beside its numbers: until when it is good, and which one it takes the place of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from datetime import date, datetime
+from hashlib import sha256
+from pathlib import Path
+
+from labcal.certificate.calibration_file import LARGEST_BYTES, parse_calibration, read_limited
+from labcal.errors import InputError
+from labcal.model import Calibration
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """`until` is an ISO date; `supersedes` the SHA-256 of the file that is superseded. None leaves what is there."""
+
+    until: str | None = None
+    supersedes: str | None = None
+    superseded_serial: str | None = None
+
+    def on(self, draft: Calibration) -> Calibration:
+        """The draft with it. Raises InputError where an approver has seen another statement, or of another DUT."""
+        if self.superseded_serial not in (None, draft.dut.serial):
+            raise InputError(
+                f"supersedes: that is a calibration of {self.superseded_serial}, not of {draft.dut.serial}"
+            )
+        validity = replace(draft.validity, until=self.until or draft.validity.until)
+        stated = replace(draft, validity=validity, supersedes=self.supersedes or draft.supersedes)
+        changed = (validity.until, stated.supersedes) != (draft.validity.until, draft.supersedes)
+        if changed and draft.approvers:
+            told = (
+                f"{', '.join(draft.approvers)} approved it as it is: another `until` or `supersedes` needs a new draft"
+            )
+            raise InputError(f"{told}; nothing was written")
+        return stated
+
+
+def stated_by_people(until: str | None, supersedes: Path | None, today: date | None = None) -> Stated:
+    """What a command was told. Raises InputError for a day that is none or past, and a file that is no calibration."""
+    if until is not None:
+        day = _day(until)
+        if day < (today or datetime.now().astimezone().date()):
+            raise InputError(f"until: {until} is past")
+    if supersedes is None:
+        return Stated(until)
+    content = read_limited(supersedes, LARGEST_BYTES)
+    return Stated(until, sha256(content).hexdigest(), parse_calibration(content, supersedes).dut.serial)
+
+
+def _day(stated: str) -> date:
+    try:
+        return datetime.strptime(stated, "%Y-%m-%d").date()
+    except ValueError:
+        raise InputError(f"until: {stated!r} is no date like 2027-11-21") from None

@@ -1,0 +1,73 @@
+"""Who approves and signs a calibration here, and whose signatures hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from labcal import certificate
+from labcal.certificate import Stated, Verification, read_allowed_signers
+from labcal.certificate.allowed_signers import with_revocations
+from labcal.certificate.timestamp import shown_utc
+from labcal.errors import InputError
+from labcal.files.home import home
+from labcal.model import Calibration
+from labcal.session.audited import note_file
+from labcal.session.trust import handed_out
+from labcal.session.working_out import Progress, recomputed
+
+NOTHING_STATED = Stated()
+SUPERSEDING = "superseding"  # signed calibrations that took the place of others
+
+
+def approve(
+    calibration: Path, name: str, progress: Progress = lambda step: None, stated: Stated = NOTHING_STATED
+) -> Calibration:
+    """Write the approver, somebody of the trust list, into a draft. Raises InputError where its run gives another.
+
+    With what they state beside its numbers.
+    """
+    approved = certificate.approve(calibration, name, _same_as_its_run(calibration, progress), stated.on)
+    note_file("approve", name, calibration)
+    return approved
+
+
+def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
+    """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
+    key = certificate.keys.signing_key(home(), name, passphrase)
+    examine = _same_as_its_run(calibration, progress, name)
+    written = certificate.sign(calibration, name, key, handed_out(), examine, shown=shown)
+    note_file("sign", name, calibration, written)
+    certificate.keep_superseding(signatures(calibration), home() / SUPERSEDING)
+    return written
+
+
+def _same_as_its_run(path: Path, progress: Progress, signer: str | None = None) -> Callable[[Calibration], None]:
+    def examine(stated: Calibration) -> None:
+        certificate.check_approvers(stated, path, certificate.keys.names(home()))
+        certificate.check_roles(stated, path, certificate.keys.trusted(home()), signer)
+        if (found := recomputed(stated, progress=progress)).same is False:
+            told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
+            raise InputError(f"{told}: make the draft again", file=path)
+
+    return examine
+
+
+def signatures(
+    path: Path,
+    allowed_signers: Path | None = None,
+    sha256: str | None = None,
+    chain: Mapping[str, Any] | None = None,
+) -> Verification:
+    """The signatures alone, against the lab's trust list or the one that is named; whom the lab revoked is revoked."""
+    own = handed_out()
+    signers = with_revocations(read_allowed_signers(allowed_signers), own) if allowed_signers else own
+    revoked = certificate.keys.revoked(home())
+    return certificate.verify(path, signers, revoked, datetime.now(UTC), sha256, chain, shown=shown)
+
+
+def shown(file: Path, signature: bytes) -> datetime | None:
+    """Since when a signature is shown to be there, by a token beside it of an authority that this lab trusts."""
+    return shown_utc(file, signature, certificate.keys.trust_list(home()).with_name("timestamp_ca.pem"))
