@@ -131,7 +131,7 @@ def _survey(
         last = joined[-2:]
     records = zip(calibration.effects, map(load_shipped, calibration.effects), seen, strict=True)
     return _Whole(
-        tuple(_size(calibration, record, effect, one) for record, effect, one in records),
+        tuple(left_out_variance(calibration, record, effect, one) for record, effect, one in records),
         tuple(one.restless for one in seen),
         tuple(one.variance for one in seen),
         saturated(calibration, readings.reading),
@@ -234,7 +234,7 @@ def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
     return replace(readings, channels=channels), filled
 
 
-def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
+def left_out_variance(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
     """Mean square (3,) of an effect that a row goes without: over the run's span, its modes, or the rows that have it.
 
     Never less than what the run's held-out residual lost by it: the recording may not show it at all.

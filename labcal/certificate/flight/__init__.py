@@ -1,0 +1,6 @@
+"""A calibration for those who fly it: C99, JSON, MATLAB, parameters of autopilots; and other people's taken in."""
+
+from labcal.certificate.flight.content import content_of, said_of
+from labcal.certificate.flight.write import FILES, flight_files
+
+__all__ = ["FILES", "content_of", "flight_files", "said_of"]
