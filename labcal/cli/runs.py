@@ -118,12 +118,10 @@ def export(
 
     if looks_like_calibration(Path(source)):
         _check_format(format_, OF_A_CALIBRATION, f"{source} is a calibration")
-        say(
-            session.export_calibration(
-                Path(source), format_.value, out, require_signature=require_signature, force=force
-            ),
-            err=True,
+        signed = session.export_calibration(
+            Path(source), format_.value, out, require_signature=require_signature, force=force
         )
+        say(signed, err=True)
     else:
         _check_format(format_, OF_A_RUN, f"{source} is a run")
         session.export_run(source, format_.value, out, force=force)

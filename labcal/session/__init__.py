@@ -34,6 +34,7 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
+from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
 from labcal.session.records import (
     check_store,
@@ -54,6 +55,7 @@ if TYPE_CHECKING:
     from labcal.fit.filters.history import History
 
 __all__ = [
+    "FOREIGN_CALIBRATIONS",
     "Source",
     "apply_calibration",
     "approve",
@@ -72,6 +74,7 @@ __all__ = [
     "greetings",
     "hand_out",
     "import_bundle",
+    "import_calibration",
     "keep_photo",
     "load_calibration",
     "load_run",

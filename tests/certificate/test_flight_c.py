@@ -220,3 +220,11 @@ def test_the_same_calibration_gives_the_same_bytes(run: Run) -> None:
     for format_ in ("c", "json", "mat"):
         first, again = (flight_files(format_, content_of(calibration(*FORMS["late"]), b"x", ""), run) for _ in "ab")
         assert first == again
+
+
+@needs_cc
+def test_where_nothing_is_known_of_the_uncertainty_there_is_no_u(tmp_path: Path) -> None:
+    made = calibration(covariance=None, metrics={"before": {}, "after": {}})
+    folder = exported(made, None, tmp_path)
+    assert "R(NAN)" in (folder / "labcal_calibration.c").read_text()
+    assert checked(folder).returncode == 0

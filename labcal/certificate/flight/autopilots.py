@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 GAUSS_nT, MILLIGAUSS_nT = 1e5, 1e2
 SCALE_OF_PX4, OFF_DIAGONAL_OF_PX4 = (0.1, 3.0), 1.0  # its parameters' ranges
 OFF_DIAGONAL = ((0, 1), (0, 2), (1, 2))  # x, y, z of both
+ROUNDING = 1e-6
 FLOAT = 9  # MAV_PARAM_TYPE_REAL32
 
 
@@ -81,7 +82,7 @@ def _symmetric(content: Content, whose: str) -> tuple[Array, Array]:
     field = max(content.calibration.validity.field_nT)
     turn = (S - S.T) / 2
     wrong, u = float(field * np.linalg.norm(turn, 2)), float(np.sqrt(np.mean(content.constant_nT2)))
-    if wrong > u:
+    if wrong > (u if np.isfinite(u) else ROUNDING * field):
         angle = float(np.degrees(np.linalg.norm(turn, 2)))
         told = f"{whose}'s matrix is symmetric, and this K turns the axes by {angle:.3g} deg, which such a one lacks"
         raise InputError(f"{told}: {wrong:.3g} nT at {field:.0f} nT, more than u = {u:.3g} nT; --format c holds it")

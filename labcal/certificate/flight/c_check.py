@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from labcal.certificate.flight.c_source import Program, enumerator
+from labcal.certificate.flight.c_source import Program
 from labcal.certificate.flight.vectors import Vectors
+from labcal.model.effects.c_form import enumerator
 
 CELL = 26  # characters of a number and its comma
 

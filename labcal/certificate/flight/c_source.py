@@ -132,7 +132,7 @@ def source(program: Program) -> str:
         "K": _matrix("K", calibration.affine.K),
         "OFFSET": _row("OFFSET", calibration.affine.k_nT),
         "AXES": _matrix("AXES", content.axes) if "along_axis" in needed else "",
-        "ALONG": _matrix("ALONG", np.linalg.inv(content.axes)),
+        "ALONG": _matrix("ALONG", np.asarray(np.linalg.inv(content.axes), dtype=np.float64)),
         "FACTOR": _matrix("FACTOR", _factor(content.covariance)),
         "CONSTANT": real(float(np.mean(content.constant_nT2))),
         "HELPERS": "\n".join(text for name, text in HELPERS.items() if name in needed),

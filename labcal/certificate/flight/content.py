@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from labcal.certificate.signing import Verification
 from labcal.errors import InputError
 from labcal.model import Calibration, EffectRecord
-from labcal.model.apply import left_out_variance, misfit_variance, reading_noise
+from labcal.model.apply import is_u_known, left_out_variance, misfit_variance, reading_noise
 from labcal.model.effects import Fitted, load_shipped
 from labcal.model.seen import Seen
 
@@ -64,6 +64,8 @@ class Content:
         per_unit = calibration.affine.K / calibration.dut.nominal_nT_per_unit
         noise = reading_noise(calibration) ** 2 * np.sum(per_unit**2, axis=1)
         misfit = misfit_variance(calibration, float(np.sqrt(noise.sum())))
+        if not is_u_known(calibration):
+            return np.full(3, np.nan)
         return np.asarray(noise + misfit + np.sum(self.left_out_nT**2, axis=0))
 
     @property
@@ -97,8 +99,11 @@ def content_of(calibration: Calibration, content: bytes, status: str) -> Content
 
 def said_of(found: Verification) -> str:
     """What the signatures of a file are, in one sentence."""
-    status = {"unsigned": "UNSIGNED: nobody stands for it", "invalid": "NOT VALID: a signature does not hold"}
-    told = status.get(found.status) or f"{found.status.upper()}: signed by {', '.join(found.signers)}"
+    if found.status == "unsigned":
+        return "UNSIGNED: nobody stands for it"
+    if found.status == "invalid":
+        return f"NOT VALID: {next(iter(found.faults()), 'its run gives another')}"
+    told = f"{found.status.upper()}: signed by {', '.join(found.signers)}"
     why = found.provisional if found.status == "provisional" else None
     return f"{told} ({why})" if why else told
 

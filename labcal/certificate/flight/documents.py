@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import io
 import json
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -28,15 +29,16 @@ def as_mat(content: Content) -> bytes:
     """`labcal_calibration.mat`, MATLAB 5: a struct `calibration` of the same; `covariance` is a matrix."""
     from scipy.io import savemat
 
-    target = io.BytesIO()
-    savemat(target, {"calibration": _for_matlab(document(content))}, long_field_names=True)
-    return MAT_TITLE + target.getvalue()[len(MAT_TITLE) :]
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "calibration.mat"
+        savemat(str(path), {"calibration": _for_matlab(document(content))}, long_field_names=True)
+        return MAT_TITLE + path.read_bytes()[len(MAT_TITLE) :]
 
 
 def document(content: Content) -> dict[str, Any]:
     """What both hold."""
     calibration, dut = content.calibration, content.calibration.dut
-    validity = calibration.validity
+    validity, u = calibration.validity, np.sqrt(np.mean(content.constant_nT2))
     return {
         "format": FORMAT,
         "calibration_sha256": content.sha256,
@@ -60,7 +62,7 @@ def document(content: Content) -> dict[str, Any]:
         ],
         "covariance": content.covariance.tolist(),
         "covariance_of": _names(content),
-        "constant_u_nT": float(np.sqrt(np.mean(content.constant_nT2))),
+        "constant_u_nT": float(u) if np.isfinite(u) else None,
         "validity": {
             "field_nT": list(validity.field_nT),
             "temperature_C": None if validity.temperature_C is None else list(validity.temperature_C),

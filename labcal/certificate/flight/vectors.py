@@ -115,7 +115,8 @@ def _complete(content: Content, readings: Readings) -> Readings | None:
     if not set(wanted) <= readings.channels.keys() or readings.t_s is None or readings.segment is None:
         return None
     channels = {name: readings.channels[name] for name in wanted}
-    known = np.isfinite(np.column_stack([readings.reading, *channels.values()])).all(axis=1)
+    numbers = np.column_stack([readings.reading, *channels.values()])
+    known = np.asarray(np.isfinite(numbers).all(axis=1))
     edges = Recording(readings).edges
     number = np.searchsorted(edges[1:-1], np.arange(len(readings)), side="right")
     return _some(Readings(readings.reading, readings.t_s, number, readings.mode, channels), known)
@@ -140,13 +141,13 @@ def _some(readings: Readings, which: NDArray[np.bool_]) -> Readings:
 def _made_up(content: Content) -> Readings:
     """Two turns of the field through the validity, the channels moving about where they count from."""
     calibration, n = content.calibration, 400
-    t = 0.25 * np.arange(n)
+    t = 0.25 * np.arange(n, dtype=np.float64)
     segment = np.repeat([0, 1], n // 2)
     turn = t / 6 + segment
     direction = np.column_stack([np.cos(turn), np.sin(turn), np.cos(2.3 * turn)])
     length = np.mean(calibration.validity.field_nT) or 1.0
     field = length * direction / np.linalg.norm(direction, axis=1)[:, None]
-    reading = (field + calibration.affine.k_nT) @ np.linalg.inv(calibration.affine.K).T
+    reading = np.asarray((field + calibration.affine.k_nT) @ np.linalg.inv(calibration.affine.K).T, dtype=np.float64)
     starts = {name: value for record in calibration.effects for name, value in record.reference_value.items()}
     channels = {name: value + 0.2 * np.sin(t / (5 + i)) for i, (name, value) in enumerate(starts.items())}
     modes = np.array(calibration.validity.modes or ("",))[np.arange(n) // 20 % max(len(calibration.validity.modes), 1)]

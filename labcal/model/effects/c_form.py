@@ -58,7 +58,7 @@ def identifier(name: str) -> str:
 
 def real(value: float) -> str:
     """A number as C reads it, to the last bit."""
-    return f"R({float(value)!r})"
+    return f"R({float(value)!r})" if np.isfinite(value) else "R(NAN)"
 
 
 def mode_enumerator(mode: str) -> str:

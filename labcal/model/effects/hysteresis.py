@@ -112,7 +112,8 @@ def in_c(term: Term) -> CForm:
     thresholds = [places["r_nT"]] if "r_nT" in places else [real(r) for r in _thresholds(term)]
     begins = "0" if "kept" not in places else "1" if term.at("kept") == 0 else "2"
     if "lon_deg" in places:
-        return c_loops.bar(*(places[name][2:-1] for name in ("lon_deg", "lat_deg")), thresholds, begins)
+        lon, lat = (places[name][2:-1] for name in ("lon_deg", "lat_deg"))  # they stay double
+        return c_loops.bar(lon, lat, thresholds, begins)
     return c_loops.stops(s, thresholds, begins)
 
 
