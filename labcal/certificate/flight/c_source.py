@@ -21,8 +21,8 @@ from labcal.certificate.flight.vectors import Vectors, seen
 from labcal.errors import InputError
 from labcal.model.apply import reading_noise, temperature_channel
 from labcal.model.effects.c_form import CForm, Input, enumerator, given, mode_enumerator, real
-from labcal.model.effects.set_aside import limits_of
 from labcal.model.effects.shape import DELAY
+from labcal.model.plausibility import stated_limits
 
 Array = NDArray[np.float64]
 EPSILON = 2.0**-24  # of a float
@@ -355,7 +355,7 @@ def _ranges(program: Program) -> Iterator[str]:
         yield f"    if ({' && '.join(f'now.mode != {name}' for name in dict.fromkeys(valid))}) {{"
         yield "        flags |= LABCAL_MODE;\n        growth += 1.0;\n    }"
     floor = max(reading_noise(calibration), 1.0)
-    for axis, sign, limit in limits_of(calibration.findings):
+    for axis, sign, limit in stated_limits(calibration):
         yield f"    saturated |= row->reading[{axis}] {sign} {real(limit)};"
     yield "    if (saturated) {\n        flags |= LABCAL_SATURATED;"
     yield f"        growth += 0.1 * length / {floor!r};\n    }}"

@@ -15,8 +15,8 @@ MAT_TITLE = b"MATLAB 5.0 MAT-file, a labcal calibration".ljust(116)  # scipy wri
 FORMAT = "labcal-export/1"
 CONVENTION = (
     "b = K m - k - sum of effects [nT, body axes]; m the reading; every effect takes a = K m - k and channels counted "
-    "from reference_value; a reading stamped t is of the field at t - lag_s; constant_u_nT: noise, misfit and what is "
-    "left out"
+    "from reference_value; a reading stamped t is of the field at t - stamped_earlier_s; constant_u_nT: noise, misfit "
+    "and what is left out"
 )
 
 
@@ -54,7 +54,7 @@ def document(content: Content) -> dict[str, Any]:
         "convention": CONVENTION,
         "K": calibration.affine.K.tolist(),
         "k_nT": calibration.affine.k_nT.tolist(),
-        "lag_s": float(content.lag_s),
+        "stamped_earlier_s": float(content.lag_s),
         "effects": [_effect(one) for one in content.effects],
         "left_out": [
             {"effect": record.effect, "why": "bound to the run's own time", "u_nT": rms.tolist()}

@@ -8,7 +8,6 @@ says so.
 
 from __future__ import annotations
 
-import io
 import re
 from collections.abc import Mapping
 from hashlib import sha256
@@ -39,7 +38,7 @@ def read_foreign(path: Path, kind: str) -> Calibration:
     """The draft that a file of `kind` states. Raises InputError saying what is missing in it."""
     content = read_limited(path, LARGEST_BYTES)
     try:
-        stated = _mat(content) if content.startswith(b"MATLAB") or path.suffix.lower() == ".mat" else _text(content)
+        stated = _mat(path) if content.startswith(b"MATLAB") or path.suffix.lower() == ".mat" else _text(content)
         return _draft(stated, kind, content)
     except InputError as error:
         raise InputError(f"{error.what}", file=path) from None
@@ -108,11 +107,11 @@ def _numbers(stated: Mapping[str, Any], name: str, count: int) -> Array:
     return found
 
 
-def _mat(content: bytes) -> dict[str, Any]:
+def _mat(path: Path) -> dict[str, Any]:
     from scipy.io import loadmat
 
     try:
-        found = loadmat(io.BytesIO(content), simplify_cells=True, variable_names=["A", "b", "expmfs", *WORDS])
+        found = loadmat(str(path), appendmat=False, simplify_cells=True, variable_names=["A", "b", "expmfs", *WORDS])
     except Exception as error:  # a broken file makes the reader stumble in many ways
         raise InputError("is no MATLAB file that can be read (version 7.3 is HDF5: save with -v7)") from error
     return {name: value for name, value in found.items() if not name.startswith("__")}
