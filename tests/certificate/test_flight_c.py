@@ -228,3 +228,12 @@ def test_where_nothing_is_known_of_the_uncertainty_there_is_no_u(tmp_path: Path)
     folder = exported(made, None, tmp_path)
     assert "R(NAN)" in (folder / "labcal_calibration.c").read_text()
     assert checked(folder).returncode == 0
+
+
+@needs_cc
+def test_the_example_s_own_calibration_on_its_own_run(tmp_path: Path) -> None:
+    folder = exported(read_calibration(PREFLIGHT / "calibration.json"), read_bundle(PREFLIGHT / "run.zip"), tmp_path)
+    done = checked(folder, "-O2")
+    assert done.returncode == 0, done.stdout
+    assert "1321 rows" in done.stdout
+    assert "i_radio" in (folder / "test_vectors.csv").read_text().splitlines()[0]
