@@ -198,10 +198,13 @@ def test_effects_bound_to_the_run_are_named_and_their_u_is_added(run: Run) -> No
     assert u[0] > 2 * u[1]  # a drift of 0.4 nT/s over the span of 175 s
 
 
-def test_an_effect_without_a_form_in_c_is_refused_by_name(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    without = tuple(replace(f, in_c=None) if f.id == "offset-current" else f for f in families())
+@pytest.mark.parametrize(("in_c", "says"), [(None, " has no form in C"), (lambda term: "text", ": .* gives no CForm")])
+def test_an_effect_without_a_form_in_c_is_refused_by_name(
+    in_c: object, says: str, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    without = tuple(replace(f, in_c=in_c) if f.id == "offset-current" else f for f in families())
     monkeypatch.setattr(registry, "families", lambda: without)
-    with pytest.raises(InputError, match=r"effects\[0\]: offset-current of i has no form in C"):
+    with pytest.raises(InputError, match=rf"effects\[0\]: offset-current of i{says}"):
         flight_files("c", content_of(calibration(*FORMS["current"]), b"x", "unsigned"), run)
 
 

@@ -95,6 +95,8 @@ def program_of(content: Content, vectors: Vectors) -> Program:
         lost = _lost(content, one)
         size = float(np.mean(np.maximum(over.mean_square, lost)))
         form = one.effect.family.in_c(one.effect.term)
+        if not isinstance(form, CForm):
+            raise InputError(f"{one.said}: what its package states as in_c gives no CForm")
         instances.append(Instance(one, form, _steps(one, vectors), size, float(np.mean(over.variance))))
     plain = [given(name, "") for one in content.effects for name in one.record.channels]
     inputs = {one.name: one for instance in instances for one in instance.form.inputs}
