@@ -1,6 +1,6 @@
 """What leaves the lab: the calibration file, keys and signatures, and the report for people."""
 
-from labcal.certificate import keys
+from labcal.certificate import flight, keys
 from labcal.certificate.allowed_signers import Signer, read_allowed_signers
 from labcal.certificate.apply_file import AppliedFile, apply_file, check_effects
 from labcal.certificate.calibration_file import (
@@ -42,6 +42,7 @@ __all__ = [
     "check_approvers",
     "check_effects",
     "check_roles",
+    "flight",
     "hand_out",
     "keep_superseding",
     "keys",

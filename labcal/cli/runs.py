@@ -12,6 +12,7 @@ import typer
 from labcal.cli import app
 from labcal.cli.results import FORCE, JSON, write_json
 from labcal.cli.screen import console, say, say_lines
+from labcal.errors import InputError
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -24,12 +25,20 @@ RUN = typer.Argument(..., metavar="RUN", help="A run id of the store, or the pat
 
 
 class Format(StrEnum):
-    """What a run can be exported as."""
+    """What a run, or a calibration, can be exported as."""
 
     bundle = "bundle"
     csv = "csv"
     hdf5 = "hdf5"
     mat = "mat"
+    c = "c"
+    json = "json"
+    px4 = "px4"
+    ardupilot = "ardupilot"
+
+
+OF_A_RUN = (Format.bundle, Format.csv, Format.hdf5, Format.mat)
+OF_A_CALIBRATION = (Format.c, Format.json, Format.mat, Format.px4, Format.ardupilot)
 
 
 @app.command(rich_help_panel="Runs")
@@ -89,16 +98,40 @@ def import_(bundle: Path = typer.Argument(..., metavar="BUNDLE", help="A folder,
 
 @app.command(rich_help_panel="Runs")
 def export(
-    run: str = RUN,
-    format_: Format = typer.Option(..., "--format", help="bundle, csv (its samples), hdf5 or mat."),
-    out: Path = typer.Option(..., "--out", metavar="PATH", help="Where to; a bundle is a zip where it ends in .zip."),
+    source: str = typer.Argument(..., metavar="RUN|CAL", help="A run id, a bundle's path, or a calibration file."),
+    format_: Format = typer.Option(
+        ...,
+        "--format",
+        help="Of a run: bundle, csv (its samples), hdf5, mat. Of a calibration: c, json, mat, px4, ardupilot.",
+    ),
+    out: Path = typer.Option(
+        ...,
+        "--out",
+        metavar="PATH",
+        help="Where to: a file, a folder for a calibration; a bundle is a zip where it ends in .zip.",
+    ),
+    require_signature: bool = typer.Option(False, help="Refuse a calibration that nobody validly signed."),
     force: bool = FORCE,
 ) -> None:
-    """Write a run for other programs; the same run gives the same bytes."""
+    """Write a run for other programs, or a calibration for those who fly it; the same gives the same bytes."""
     from labcal import session
+    from labcal.certificate import looks_like_calibration
 
-    session.export_run(run, format_.value, out, force=force)
+    if looks_like_calibration(Path(source)):
+        _check_format(format_, OF_A_CALIBRATION, f"{source} is a calibration")
+        signed = session.export_calibration(
+            Path(source), format_.value, out, require_signature=require_signature, force=force
+        )
+        say(signed, err=True)
+    else:
+        _check_format(format_, OF_A_RUN, f"{source} is a run")
+        session.export_run(source, format_.value, out, force=force)
     say(out)
+
+
+def _check_format(format_: Format, there: tuple[Format, ...], what: str) -> None:
+    if format_ not in there:
+        raise InputError(f"{what}, and {format_} is no format of one; there are {', '.join(there)}")
 
 
 def _listed(run: RunSummary) -> tuple[str, ...]:

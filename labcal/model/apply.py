@@ -131,7 +131,7 @@ def _survey(
         last = joined[-2:]
     records = zip(calibration.effects, map(load_shipped, calibration.effects), seen, strict=True)
     return _Whole(
-        tuple(_size(calibration, record, effect, one) for record, effect, one in records),
+        tuple(left_out_variance(calibration, record, effect, one) for record, effect, one in records),
         tuple(one.restless for one in seen),
         tuple(one.variance for one in seen),
         saturated(calibration, readings.reading),
@@ -156,6 +156,8 @@ def _applied(
     flags["outlier"] |= whole.outlier[rows] & ~flags["saturated"]
     _beyond_validity(calibration, readings, part.field_nT, flags)
     u = np.sqrt(variance.mean(axis=1)) * _growth(calibration, readings, part.field_nT, flags)
+    if not is_u_known(calibration):
+        u = np.full(len(readings), np.nan)
     return Applied(part.field_nT, u, tuple(_words(flags)))
 
 
@@ -179,6 +181,11 @@ def _words(flags: dict[str, Mask]) -> list[str]:
 def reading_noise(calibration: Calibration) -> float:
     """Noise of one axis of one reading [nT], as the fit found it; 0 where the file says nothing."""
     return float(calibration.metrics.get("after", {}).get("noise_nT", 0.0))
+
+
+def is_u_known(calibration: Calibration) -> bool:
+    """Whether the file says anything of its uncertainty; one that another program made does not."""
+    return calibration.covariance is not None or "noise_nT" in calibration.metrics.get("after", {})
 
 
 def misfit_variance(calibration: Calibration, noise: float) -> float:
@@ -234,7 +241,7 @@ def _filled(readings: Readings) -> tuple[Readings, dict[str, Mask]]:
     return replace(readings, channels=channels), filled
 
 
-def _size(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
+def left_out_variance(calibration: Calibration, record: EffectRecord, effect: Fitted, seen: Seen) -> Array:
     """Mean square (3,) of an effect that a row goes without: over the run's span, its modes, or the rows that have it.
 
     Never less than what the run's held-out residual lost by it: the recording may not show it at all. Of an empirical

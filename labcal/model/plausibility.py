@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.model.calibration import Calibration, EffectRecord, Parameter
-from labcal.model.effects.set_aside import beyond_limits, saturation_record
+from labcal.model.effects.set_aside import beyond_limits, limits_of, saturation_record
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -29,6 +29,11 @@ def saturation_limits(reading: Array, unit: str) -> EffectRecord | None:
             if (end := float(extreme(reading[:, axis]))) in stuck:
                 limits.append(Parameter(f"{side}_{name}", end, 0.0, unit))
     return saturation_record(limits) if limits else None
+
+
+def stated_limits(calibration: Calibration) -> list[tuple[int, str, float]]:
+    """Where the calibration says that readings stop: the axis, ">=" or "<=", and the value in the DUT's unit."""
+    return limits_of(calibration.findings)
 
 
 def saturated(calibration: Calibration, reading: Array) -> Mask:

@@ -27,7 +27,7 @@ from labcal.certificate.report import calibration_page, check_form, closed_loop_
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import home
-from labcal.files.outputs import claim
+from labcal.files.outputs import claim, writing
 from labcal.fit import Fit, draft_calibration, fit, fit_all
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
@@ -35,6 +35,7 @@ from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.session.audited import note_file, note_run, read_audit
+from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
 from labcal.session.records import (
     check_store,
@@ -65,6 +66,7 @@ if TYPE_CHECKING:
     from labcal.fit.filters.history import History
 
 __all__ = [
+    "FOREIGN_CALIBRATIONS",
     "Source",
     "apply_calibration",
     "approve",
@@ -77,12 +79,14 @@ __all__ = [
     "correct_serial",
     "describe_run",
     "draft",
+    "export_calibration",
     "export_run",
     "filter_history",
     "fit_run",
     "greetings",
     "hand_out",
     "import_bundle",
+    "import_calibration",
     "keep_photo",
     "listed_keys",
     "load_calibration",
@@ -327,6 +331,32 @@ def apply_calibration(
         tell(remark)
     with output.writing():
         return certificate.apply_file(found, source, out)
+
+
+def export_calibration(
+    calibration: Path, format_: str, folder: Path, *, require_signature: bool = False, force: bool = False
+) -> str:
+    """Write a calibration for those who fly it into `folder`; returns what its signatures are, in one sentence.
+
+    Raises InputError where the format cannot hold it, or `require_signature` and none holds.
+    """
+    names = certificate.flight.FILES[format_]
+    if folder.exists() and not folder.is_dir():
+        raise InputError("is a file; an exported calibration is a folder: name one", file=folder)
+    read = (calibration, *certificate.signature_files(calibration))
+    outputs = claim("export", *(folder / name for name in names), inputs=read, force=force, with_folder=True)
+    found = verify(calibration, only_kept=True)
+    if require_signature and found.status not in ("released", "provisional"):
+        raise InputError(f"is {found.status}, and --require-signature was said", file=calibration)
+    stated = certificate.parse_calibration(found.content, calibration)
+    certificate.check_effects(stated, calibration)
+    content = certificate.flight.content_of(stated, found.content, certificate.flight.said_of(found))
+    files = certificate.flight.flight_files(format_, content, run_of(stated))
+    with writing(outputs):
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, written in files.items():
+            write_bytes(folder / name, written)
+    return content.status
 
 
 def report(

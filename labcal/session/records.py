@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from labcal import certificate
 from labcal.errors import InputError
@@ -85,8 +85,8 @@ def check_store(run: str | None = None) -> Checked:
     return replace(found, parsed=parsed)
 
 
-def export_run(run: str, format_: Literal["bundle", "csv", "hdf5", "mat"], out: Path, *, force: bool = False) -> None:
-    """Write the run that `run` names to `out`."""
+def export_run(run: str, format_: str, out: Path, *, force: bool = False) -> None:
+    """Write the run that `run` names to `out` as `format_`: bundle, csv, hdf5 or mat."""
     files, folder = (bundle_files(out), True) if format_ == "bundle" else ([out], False)
     outputs = claim("export", *files, inputs=paths(run), force=force, with_folder=folder)
     bundle = run_bundle(run, with_chain=format_ == "bundle")

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from labcal.model.effects.c_form import CForm
 from labcal.model.effects.protocol import Array, Family, Scene, Term
-from labcal.model.effects.regressors import AXES, BODY, driving
+from labcal.model.effects.regressors import AXES, BODY, driving, driving_in_c
 from labcal.record import Run
 
 MIXED = tuple((i, i, j) for i in range(3) for j in range(3) if j != i)
@@ -27,6 +28,17 @@ def kernel(term: Term, scene: Scene) -> Array:
         product = np.prod([s[:, AXES.index(f)] for f in factors], axis=0)
         out[:, :, column] = product[:, None] * scene.axes[:, AXES.index(axis)]
     return out
+
+
+def in_c(term: Term) -> CForm:
+    """The same in C."""
+    lines = []
+    for column, (name, _) in enumerate(term.parameters):
+        axis, factors = name.removeprefix(BODY)[2:].split(":")
+        product = " * ".join(f"{driving_in_c(term)}[{AXES.index(f)}]" for f in factors)
+        lines.append(f"along_axis(e[{column}], {AXES.index(axis)}, {product});")
+    formula = "q_x:xy adds q s_x s_y along the sensor's axis x, q [1/nT, 1/nT^2], s [nT] along its axes (body_: of B)"
+    return CForm(formula, "\n".join(lines), helpers=("along_axis",))
 
 
 def _parameters(drive: str, terms: tuple[tuple[int, ...], ...]) -> tuple[tuple[str, str], ...]:
@@ -47,5 +59,6 @@ FAMILY = Family(
     candidates,
     experiment="hold the field along one axis and step it along another",
     of_field=True,
+    in_c=in_c,
     drawn_against="field",
 )

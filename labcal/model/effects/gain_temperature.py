@@ -6,6 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from labcal.model.effects.c_form import CForm
+from labcal.model.effects.c_responses import Driven, filtered
 from labcal.model.effects.following import BEHIND
 from labcal.model.effects.offset_temperature import RISES
 from labcal.model.effects.protocol import Array, Family, Scene, Term
@@ -22,6 +24,21 @@ def kernel(term: Term, scene: Scene) -> Array:
     if len(term.parameters) == 3:
         return np.asarray((warm * s)[:, None, :] * scene.axes)
     return np.asarray(np.einsum("ji,nk->njik", scene.axes, warm * s).reshape(len(scene), 3, 9))
+
+
+def in_c(term: Term) -> CForm:
+    """The same in C."""
+    lines, inputs, state, helpers = filtered(Driven(term))
+    if len(term.parameters) == 3:
+        body = "\n".join(f"along_axis(e[{i}], {i}, warm * now->along[{i}]);" for i in range(3))
+    else:
+        body = "\n".join(
+            f"along_axis(e[{3 * i + k}], {i}, warm * now->along[{k}]);" for i in range(3) for k in range(3)
+        )
+    formula = (
+        "E = sum of g s (T - T_ref) along the sensor's axes, g [1/degC], s [nT] the field along them, T as inputs say"
+    )
+    return CForm(formula, f"{lines}\n{body}", inputs, state, (*helpers, "along_axis"))
 
 
 def candidates(run: Run) -> list[Term]:
@@ -48,4 +65,5 @@ FAMILY = Family(
     confounded=(RISES,),
     of_temperature=True,
     in_pieces=True,
+    in_c=in_c,
 )

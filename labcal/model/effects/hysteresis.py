@@ -19,12 +19,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from labcal.model.effects import c_loops
+from labcal.model.effects.c_form import CForm, real
 from labcal.model.effects.memory import nowhere
 from labcal.model.effects.nonlinearity import SATURATION, SATURATION_nT, bend
 from labcal.model.effects.past import Past
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.recursion import affine_recursion, clipped_recursion
-from labcal.model.effects.regressors import BODY, driving, on_each_axis, per_axis, powered, stretches
+from labcal.model.effects.regressors import BODY, driving, driving_in_c, on_each_axis, per_axis, powered, stretches
 from labcal.model.effects.shape import ANGLE, GIVEN, THRESHOLD, Shape
 from labcal.record import Run, offers
 
@@ -97,6 +99,22 @@ def kernel(term: Term, scene: Scene) -> Array:
     else:
         loops = _stopped(term, scene, s)
     return np.concatenate([loop[:, None, :] * scene.axes for loop in loops], axis=2)
+
+
+def in_c(term: Term) -> CForm:
+    """The same in C (`labcal.model.effects.c_loops`)."""
+    s = driving_in_c(term)
+    places = {shape.name: f"R(shape[{place}])" for place, shape in enumerate(term.shape)}
+    if "w_nT" in places:
+        return c_loops.dahl(s, places["w_nT"])
+    if "s_nT" in places:
+        return c_loops.saturating(s, places["r_nT"], places["s_nT"], BENDS)
+    thresholds = [places["r_nT"]] if "r_nT" in places else [real(r) for r in _thresholds(term)]
+    begins = "0" if "kept" not in places else "1" if term.at("kept") == 0 else "2"
+    if "lon_deg" in places:
+        lon, lat = (places[name][2:-1] for name in ("lon_deg", "lat_deg"))  # they stay double
+        return c_loops.bar(lon, lat, thresholds, begins)
+    return c_loops.stops(s, thresholds, begins)
 
 
 def _direction(lon_deg: float, lat_deg: float) -> Array:
@@ -206,5 +224,6 @@ FAMILY = Family(
     experiment="step the field up and down through the same values, or turn backwards",
     reach_s=nowhere,
     in_pieces=True,
+    in_c=in_c,
     drawn_against="angle",
 )

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from labcal.model.effects.c_form import CForm
 from labcal.model.effects.protocol import Array, Family, Scene, Term
-from labcal.model.effects.regressors import BODY, driving, per_axis, powered
+from labcal.model.effects.regressors import BODY, FIELD_IN_C, driving, driving_in_c, per_axis, powered
 from labcal.model.effects.shape import THRESHOLD, Shape
 from labcal.record import Run
 
@@ -37,6 +38,30 @@ def _bent(s: Array, power: str, term: Term) -> Array:
     return s * np.abs(s) if power == "o2" else s ** int(power[1])
 
 
+def in_c(term: Term) -> CForm:
+    """The same in C."""
+    powers = dict.fromkeys(name.removeprefix(BODY)[:2] for name, _ in term.parameters)
+    lines = [
+        f"along_axis(e[{3 * number + i}], {i}, {_bent_in_c(power, f'{driving_in_c(term)}[{i}]')});"
+        for number, power in enumerate(powers)
+        for i in range(3)
+    ]
+    needed = [name for name, used in (("bend", {"t1"}), ("magnitude", {"k1", "o2"})) if used & powers.keys()]
+    formula = (
+        "E = sum of c_k s^k + o2 s |s| + k1 |s| + t1 (tanh u - u), u = s / s_nT, along each of the sensor's axes; "
+        f"s [nT] the field along {'those of B' if driving_in_c(term) == FIELD_IN_C else 'them'}; c_k [nT^(1-k)]"
+    )
+    return CForm(formula, "\n".join(lines), helpers=("along_axis", *needed))
+
+
+def _bent_in_c(power: str, s: str) -> str:
+    if power == "t1":
+        return f"bend({s} / R(shape[0]))"
+    if power == "k1":
+        return f"magnitude({s})"
+    return f"{s} * magnitude({s})" if power == "o2" else " * ".join([s] * int(power[1]))
+
+
 def bend(u: Array) -> Array:
     """What a saturating curve lacks of a straight one: tanh u − u."""
     return np.asarray(np.tanh(u) - u)
@@ -62,6 +87,7 @@ FAMILY = Family(
     candidates,
     shapes=(SATURATION,),
     of_field=True,
+    in_c=in_c,
     experiment="step the field along each axis through its whole range",
     drawn_against="field",
 )

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from labcal.model.effects.c_form import CForm
+from labcal.model.effects.c_responses import responses_in_c
 from labcal.model.effects.following import (
     BEHIND,
     LATE,
@@ -32,6 +34,14 @@ LOCKED = Confounded(
 def kernel(term: Term, scene: Scene) -> Array:
     """E = c (i * h)(t), h a delay, a first-order response of tau_s, or a sum of several (`c12s_x`: of 12 s)."""
     return responses(term, scene)
+
+
+FORMULA = "E = c (i * h)(t), c [nT/A] for each axis of B; h at once, a delay, or responses of first order"
+
+
+def in_c(term: Term) -> CForm:
+    """The same in C."""
+    return responses_in_c(term, FORMULA, time_constants(term))
 
 
 def candidates(run: Run) -> list[Term]:
@@ -63,4 +73,5 @@ FAMILY = Family(
     confounded=(LOCKED,),
     reach_s=reach_s,
     in_pieces=True,
+    in_c=in_c,
 )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from labcal.model.effects.c_form import CForm
+from labcal.model.effects.c_responses import Driven, filtered
 from labcal.model.effects.following import BEHIND
 from labcal.model.effects.offset_current import LOCKED
 from labcal.model.effects.protocol import Array, Family, Scene, Term
@@ -18,6 +20,15 @@ def kernel(term: Term, scene: Scene) -> Array:
     squared = term.drive(scene) ** 2
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
     return on_each_axis(low_passed(scene.t_s, scene.segment, squared, tau_s, scene.past))
+
+
+def in_c(term: Term) -> CForm:
+    """The same in C."""
+    lines, inputs, state, helpers = filtered(Driven(term, squared=True))
+    formula = (
+        "E = c ((i - i_ref)^2 * h)(t), c [nT/A^2] for each axis of B, h a response of first order of tau_s, if any"
+    )
+    return CForm(formula, f"{lines}\non_each_axis(e, warm);", inputs, state, (*helpers, "on_each_axis"))
 
 
 def candidates(run: Run) -> list[Term]:
@@ -41,4 +52,5 @@ FAMILY = Family(
     responds={"load": 1.0, "heat": 1.0},
     confounded=(LOCKED,),
     in_pieces=True,
+    in_c=in_c,
 )

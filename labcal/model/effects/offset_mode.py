@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.errors import InputError
+from labcal.model.effects.c_form import CForm, mode_enumerator
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import per_axis
 from labcal.record import Run
@@ -24,6 +25,15 @@ def own_modes(term: Term) -> list[str]:
     return [name.removeprefix("c_x ") for name, _ in term.parameters if name.startswith("c_x ")]
 
 
+def in_c(term: Term) -> CForm:
+    """The same in C."""
+    lines = [
+        f"on_each_axis(e + {3 * k}, mode_is(now, {n}));" for k, n in enumerate(map(mode_enumerator, own_modes(term)))
+    ]
+    formula = "E = c [nT] in each mode but the one that k belongs to, for each axis of B"
+    return CForm(formula, "\n".join(lines), helpers=("on_each_axis", "mode_is"))
+
+
 def candidates(run: Run) -> list[Term]:
     """One form: every mode against the most frequent one."""
     names, counts = np.unique(run.mode, return_counts=True)
@@ -41,4 +51,5 @@ FAMILY = Family(
     experiment="hold the attitude and switch between the power modes",
     responds={"load": 1.0},
     modes=own_modes,
+    in_c=in_c,
 )

@@ -9,6 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from labcal.model.effects.c_form import CForm
+from labcal.model.effects.c_responses import Driven, filtered, responses_in_c
 from labcal.model.effects.following import (
     BEHIND,
     LATE,
@@ -37,6 +39,16 @@ def kernel(term: Term, scene: Scene) -> Array:
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
     T = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)
     return np.concatenate([on_each_axis(T), on_each_axis(T**2)], axis=2)
+
+
+def in_c(term: Term) -> CForm:
+    """The same in C."""
+    formula = "E = c (T - T_ref) + d (T - T_ref)^2, c [nT/degC], d [nT/degC^2] for each axis of B; T as its inputs say"
+    if not any(name.startswith("d_") for name, _ in term.parameters):
+        return responses_in_c(term, formula, time_constants(term))
+    lines, inputs, state, helpers = filtered(Driven(term))
+    body = f"{lines}\non_each_axis(e, warm);\non_each_axis(e + 3, warm * warm);"
+    return CForm(formula, body, inputs, state, (*helpers, "on_each_axis"))
 
 
 def candidates(run: Run) -> list[Term]:
@@ -69,4 +81,5 @@ FAMILY = Family(
     of_temperature=True,
     reach_s=reach_s,
     in_pieces=True,
+    in_c=in_c,
 )

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord, Owner
 from labcal.model.effects import memory
+from labcal.model.effects.c_form import CForm
 from labcal.model.effects.past import Past
 from labcal.model.effects.shape import FoundBy, Kind, Shape
 from labcal.model.smooth import Basis
@@ -205,6 +206,9 @@ class Family:
     modes: Callable[[Term], Sequence[str]] | None = None  # the power modes that it has parameters of
     reach_s: Callable[[Term], float | None] = memory.reach_s  # how far it looks; None: at the row itself alone
     in_pieces: bool = False  # goes on from `scene.past`, or sees as far as `reach_s` says: a recording may be cut
+
+    # How it flies
+    in_c: Callable[[Term], CForm] | None = None  # in C99; without it a calibration that ships it has no C
 
     # How it is drawn
     drawn_against: DrawnAgainst = "time"  # where it has no channel

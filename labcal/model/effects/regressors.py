@@ -19,6 +19,7 @@ from labcal.record.run import Channel
 
 WEATHER = ("temperature", "pressure", "humidity")
 AXES = ("x", "y", "z")
+FIELD_IN_C = "now->field"  # the field along the axes of B
 BODY = "body_"  # begins the names of parameters that are driven by the field along the axes of B
 STRAIGHT = 0.1  # of the square that a line may leave: what leaves more has switched, and held its level before
 STEP = Shape("t_step_s", 0.0, "s", kind=MOMENT)
@@ -43,6 +44,11 @@ def on_each_axis(drive: Array) -> Array:
 def driving(term: Term, scene: Scene) -> Array:
     """The field (n, 3) [nT] that drives the form: along the sensor's own axes, or along those of the body."""
     return scene.driving_field_nT if term.parameters[0][0].startswith(BODY) else scene.on_axes(scene.driving_field_nT)
+
+
+def driving_in_c(term: Term) -> str:
+    """The same in C."""
+    return FIELD_IN_C if term.parameters[0][0].startswith(BODY) else "now->along"
 
 
 def moving(run: Run, quantities: Iterable[str]) -> list[Channel]:

@@ -32,11 +32,16 @@ def saturation_record(limits: Sequence[Parameter]) -> EffectRecord:
 def beyond_limits(findings: Sequence[EffectRecord], reading: Array) -> NDArray[np.bool_]:
     """Rows (n,) of readings (n, 3) at or beyond a limit of the finding `saturation`, where it is among these."""
     out = np.zeros(len(reading), dtype=bool)
-    limits = {p.name: p.value for found in findings if found.effect == SATURATION.id for p in found.parameters}
-    for axis, name in enumerate("xyz"):
-        out |= reading[:, axis] >= limits.get(f"upper_{name}", np.inf)
-        out |= reading[:, axis] <= limits.get(f"lower_{name}", -np.inf)
+    for axis, sign, limit in limits_of(findings):
+        out |= reading[:, axis] >= limit if sign == ">=" else reading[:, axis] <= limit
     return out
+
+
+def limits_of(findings: Sequence[EffectRecord]) -> list[tuple[int, str, float]]:
+    """The limits of the finding `saturation` where it is among these: the axis, ">=" or "<=", and the value."""
+    limits = {p.name: p.value for found in findings if found.effect == SATURATION.id for p in found.parameters}
+    ends = ((axis, side, sign) for axis in range(3) for side, sign in (("upper", ">="), ("lower", "<=")))
+    return [(a, sign, limits[name]) for a, side, sign in ends if (name := f"{side}_{'xyz'[a]}") in limits]
 
 
 OUTLIERS = Family("outliers", "data", nothing, no_candidates, experiment="repeat the segment and look at the link")
