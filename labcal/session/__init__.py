@@ -1,8 +1,8 @@
 """The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
 
-Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `working_out` (a calibration
-worked out again from its run), `instruments` (the bench without a procedure), and `measuring`, where the loop closes on
-the instruments.
+Beside the line: `sources` (what names a run), `records` (the local store), `importing` (what others wrote), `trust`
+(keys), `working_out` (a calibration worked out again from its run), `instruments` (the bench without a procedure), and
+`measuring`, where the loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
+from labcal.session.importing import Asked, Taken, import_foreign
 from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
 from labcal.session.records import (
     check_store,
@@ -54,7 +55,9 @@ if TYPE_CHECKING:
     from labcal.fit.filters.history import History
 
 __all__ = [
+    "Asked",
     "Source",
+    "Taken",
     "apply_calibration",
     "approve",
     "approve_cage",
@@ -71,6 +74,7 @@ __all__ = [
     "greetings",
     "hand_out",
     "import_bundle",
+    "import_foreign",
     "keep_photo",
     "load_calibration",
     "load_run",
