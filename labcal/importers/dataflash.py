@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream
+from labcal.importers.recording import Recording, Request, Stream, unreadable
 from labcal.store.limits import MOST_CELLS
 
 BINARY = b"\xa3\x95"  # every message of a binary log begins so
@@ -28,15 +29,22 @@ def read(path: Path, request: Request) -> Recording:
     except InputError:
         raise
     except Exception as error:  # whatever a damaged file makes of the parser
-        raise InputError(f"not a readable ArduPilot log ({type(error).__name__}: {error})", file=path) from None
+        raise unreadable("not a readable ArduPilot log", error, path) from None
     return kept.recording()
 
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Without what the parser prints of a file that it does not like."""
-    with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
-        yield
+    """Without what the parser, partly in C, prints of a file that it does not like."""
+    sys.stderr.flush()
+    kept = os.dup(2)
+    try:
+        with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
+            os.dup2(nowhere.fileno(), 2)
+            yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
 
 
 @contextmanager
@@ -51,8 +59,8 @@ def _opened(path: Path) -> Iterator[Any]:
         log.__init__(str(path), zero_time_base=True)
         yield log
     finally:
-        for part in ("data_map", "filehandle"):
-            if hasattr(log, part):
+        for part in ("filehandle", "data_map"):
+            with suppress(AttributeError, BufferError):  # an error that is told may still look at the map
                 getattr(log, part).close()
 
 

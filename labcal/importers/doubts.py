@@ -30,6 +30,7 @@ CLEARER = 0.7  # what it must leave of the rms
 FEW = 20
 REACH = 20  # half periods either way, of the delays that are tried
 MOST_IN_A_ROW = 20_000
+TOO_GOOD = 0.003  # of the readings' spread: a fit that leaves less has no delay to be told
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,8 +220,8 @@ def _best_delay(run: Run, rows: NDArray[np.intp], period: float) -> float | None
         return None
     delays = np.arange(-REACH, REACH + 1) * period / 2
     left = np.array([_left_at(run.t_s[rows][known], reference[known], seen[known], delay) for delay in delays])
-    best = int(np.argmin(left))
-    return float(delays[best]) if left[best] < CLEARER * left[REACH] else 0.0
+    best, spread = int(np.argmin(left)), float(np.sqrt(np.mean(np.var(seen[known], axis=0))))
+    return float(delays[best]) if left[best] < CLEARER * left[REACH] and left[REACH] > TOO_GOOD * spread else 0.0
 
 
 def _left_at(t: Array, reference: Array, seen: Array, delay: float) -> float:

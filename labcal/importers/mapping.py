@@ -261,7 +261,8 @@ def read_mapping(path: Path) -> Mapping:
 
 
 def _told(error: ValidationError, text: str, path: Path) -> InputError:
-    first = error.errors(include_url=False)[0]
+    found = error.errors(include_url=False)
+    first = next((one for one in found if one["type"] == "extra_forbidden"), found[0])  # more often than not misspelt
     place = [part for part in first["loc"] if not str(part).startswith(("function-", "union", "constrained"))]
     what = first["msg"].removeprefix("Value error, ").replace("Input should be", "expected")
     if first["type"] == "extra_forbidden":

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream, strictly_known
+from labcal.importers.recording import Recording, Request, Stream, strictly_known, unreadable
 from labcal.store.limits import FREELY, INFLATED, MOST_COLUMNS, MiB
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ def read(path: Path, request: Request) -> Recording:
     except NotImplementedError:
         raise InputError("is of version 7.3 (HDF5): save it with -v7", file=path) from None
     except Exception as error:  # whatever a damaged file makes of the parser
-        raise InputError(f"not a readable MATLAB file ({type(error).__name__}: {error})", file=path) from None
+        raise unreadable("not a readable MATLAB file", error, path) from None
     found = {
         k: v[: request.most_rows] for name, value in content.items() if name[:2] != "__" for k, v in _flat(value, name)
     }

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.errors import InputError
+from labcal.files.text_safety import one_line
 from labcal.store.limits import listed, shortened
 
 Array = NDArray[np.float64]
@@ -115,6 +116,11 @@ class Recording:
             return next(iter(self.streams.values()))
         what = f"there is no stream {shortened(name)!r}" if name else "the mapping must name a stream"
         raise InputError(f"{what}; there are {listed(sorted(self.streams), 40) or 'none'}", file=self.file)
+
+
+def unreadable(what: str, error: Exception, file: Path) -> InputError:
+    """The error that says that a library could not read a file, in one line of its own words."""
+    return InputError(f"{what} ({shortened(one_line(f'{type(error).__name__}: {error}'), 160)})", file=file)
 
 
 def strictly_known(names: Collection[str], most: int, what: str, file: Path) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream
+from labcal.importers.recording import Recording, Request, Stream, unreadable
 from labcal.store.limits import MOST_CELLS, MOST_COLUMNS
 
 RECEIVED = "received"  # when the bag got the message, s since 1970
@@ -35,7 +35,7 @@ def read(path: Path, request: Request) -> Recording:
     except InputError:
         raise
     except Exception as error:  # whatever a damaged file makes of the parser
-        raise InputError(f"not a readable bag ({type(error).__name__}: {error})", file=path) from None
+        raise unreadable("not a readable bag", error, path) from None
     if not rows:
         raise InputError("the bag holds none of the topics asked for", file=path)
     streams = {topic: _stream(topic, kept, path) for topic, kept in rows.items()}

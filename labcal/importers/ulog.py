@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from labcal.errors import InputError
-from labcal.importers.recording import Recording, Request, Stream
+from labcal.importers.recording import Recording, Request, Stream, unreadable
 
 GPS = ("vehicle_gps_position", "sensor_gps")
 FIRST_YEAR = 2000  # a receiver without a fix tells 1970 or 1980
@@ -26,7 +26,7 @@ def read(path: Path, request: Request) -> Recording:
         with path.open("rb") as file, redirect_stdout(io.StringIO()):  # it prints what it does not like
             log = ULog(file, names)
     except Exception as error:  # whatever a damaged file makes of the parser
-        raise InputError(f"not a readable ULog file ({type(error).__name__}: {error})", file=path) from None
+        raise unreadable("not a readable ULog file", error, path) from None
     streams = {f"{data.name}:{data.multi_id}": _stream(data, path, request) for data in log.data_list}
     streams |= {name.removesuffix(":0"): stream for name, stream in streams.items() if name.endswith(":0")}
     if not streams:
@@ -61,7 +61,8 @@ def _started(log: Any) -> str | None:
 
 def _on_board(log: Any) -> tuple[str, ...]:
     """The calibration that the autopilot has applied already to what `vehicle_magnetometer` says."""
-    kept = {k: v for k, v in log.initial_parameters.items() if k.startswith("CAL_MAG") and not k.endswith("_ID")}
+    stated = {str(name): value for name, value in log.initial_parameters.items() if isinstance(value, int | float)}
+    kept = {name: value for name, value in stated.items() if name.startswith("CAL_MAG") and not name.endswith("_ID")}
     if not kept:
         return ()
     return ("on board: " + ", ".join(f"{name} {value:.6g}" for name, value in sorted(kept.items())),)

@@ -76,7 +76,9 @@ def dataflash(path: Path, made: Made) -> Path:
         b"\xa3\x95\x40" + struct.pack("<Q16sf", 1, b"COMPASS_OFS_X", 12.5),
     ]
     for t, m in zip(made.t_s, made.reading, strict=True):
-        parts.append(b"\xa3\x95\x41" + struct.pack("<QB3h", 1_000_000 + round(t * 1e6), 0, *np.round(m / 100).astype(int)))
+        parts.append(
+            b"\xa3\x95\x41" + struct.pack("<QB3h", 1_000_000 + round(t * 1e6), 0, *np.round(m / 100).astype(int))
+        )
     path.write_bytes(b"".join(parts))
     return path
 
@@ -113,7 +115,10 @@ def mat(path: Path, made: Made) -> Path:
 
 def iaga(path: Path, made: Made) -> Path:
     """IAGA-2002 with H [nT], D [minutes of arc], Z and F; one row is missing."""
-    h, d = np.hypot(made.reading[:, 0], made.reading[:, 1]), np.degrees(np.arctan2(made.reading[:, 1], made.reading[:, 0]))
+    h, d = (
+        np.hypot(made.reading[:, 0], made.reading[:, 1]),
+        np.degrees(np.arctan2(made.reading[:, 1], made.reading[:, 0])),
+    )
     head = {"Format": "IAGA-2002", "Station Name": "Nowhere", "IAGA CODE": "NWH", "Reported": "HDZF"}
     lines = [f" {key:<23}{value:<45}|" for key, value in head.items()]
     lines.append(f"{'DATE       TIME         DOY     NWHH      NWHD      NWHZ      NWHF':<69}|")
