@@ -13,7 +13,7 @@ from itertools import permutations, product
 import numpy as np
 from numpy.typing import NDArray
 
-from labcal.record import Run, carry, offers
+from labcal.record import Run, carry
 
 Array = NDArray[np.float64]
 
@@ -53,9 +53,9 @@ class Clock:
     steps: Array
 
 
-def doubts(run: Run, clocks: Mapping[str, Clock]) -> list[Finding]:
-    """What no fit should see, the most fundamental first."""
-    return [*_times(clocks), *_apart(clocks), *_constant(run), *_units(run), *_axes(run)]
+def doubts(run: Run, clocks: Mapping[str, Clock], attitude: Array | None = None) -> list[Finding]:
+    """What no fit should see, the most fundamental first; `attitude` (n, 3, 3) turned the reference into the body."""
+    return [*_times(clocks), *_apart(clocks), *_constant(run), *_units(run), *_axes(run, attitude)]
 
 
 def findings(run: Run, clocks: Mapping[str, Clock]) -> list[Finding]:
@@ -112,37 +112,36 @@ def _units(run: Run) -> Iterator[Finding]:
         yield Finding(f"{sizes}: a large offset, or a wrong unit")
 
 
-def _axes(run: Run) -> Iterator[Finding]:
+def _axes(run: Run, attitude: Array | None) -> Iterator[Finding]:
     """Readings that fit their reference in other axes, or turned the other way, far better than as stated."""
-    body, read, cage, attitude = _pairs(run)
-    if len(body) < FEW:
+    rows, body, read = _pairs(run)
+    if len(rows) < FEW:
         return
     as_stated = _left(body, read)
-    best, axes = min((_left(body @ np.array(p).T, read), _word(p)) for p in _signed_axes())
-    if as_stated > BETTER * best:
+    best, axes = min((_left(body @ p.T, read), _word(p)) for p in _signed_axes())
+    inverse = np.inf if attitude is None else _left(_turned_back_twice(body, attitude[rows]), read)
+    if as_stated > BETTER * inverse:
+        yield Finding("the attitude fits far better the other way round: is `maps` inverted?", "attitude")
+    elif as_stated > BETTER * best:
         what = f"the readings fit the reference with axes {axes} {as_stated / best:.1f} times better than as stated"
         yield Finding(f"{what}: are axes swapped or turned about?", "axes")
-    if attitude is not None:
-        inverse = _left(np.einsum("nji,nj->ni", attitude, cage), read)
-        if as_stated > BETTER * inverse:
-            yield Finding("the attitude fits far better the other way round: is `maps` inverted?", "attitude")
 
 
-def _pairs(run: Run) -> tuple[Array, Array, Array, Array | None]:
-    """Reference in the body's axes and reading [nT], of at most `MOST_ROWS` rows where both are known."""
+def _turned_back_twice(body: Array, attitude: Array) -> Array:
+    """The reference (n, 3) as it were in the body's axes if `attitude` (n, 3, 3) were its own inverse."""
+    return np.einsum("nji,nkj,nk->ni", attitude, attitude, body)
+
+
+def _pairs(run: Run) -> tuple[NDArray[np.intp], Array, Array]:
+    """At most `MOST_ROWS` rows where both are known, the reference in the body's axes there, and the reading [nT]."""
     if run.reference.kind != "vector":
-        return np.empty((0, 3)), np.empty((0, 3)), np.empty((0, 3)), None
+        return np.empty(0, dtype=np.intp), np.empty((0, 3)), np.empty((0, 3))
     carried = carry(run)
     known = (carried.observation == "vector") & (carried.phase_group < 0)
     known &= np.isfinite(carried.vector).all(axis=1) & np.isfinite(run.reading).all(axis=1)
     rows = np.flatnonzero(known)
     rows = rows[:: max(1, len(rows) // MOST_ROWS)]
-    stated = [s.body_from_cage if offers(run, s) == "vector" and s.body_from_cage else None for s in run.segments]
-    cage = run.reference_vector[rows] if run.reference_vector is not None else np.empty((0, 3))
-    turned = None
-    if all(one is not None for one in stated):
-        turned = np.array(stated, dtype=float)[run.segment_index[rows]]
-    return carried.vector[rows], run.reading_nT[rows], cage, turned
+    return rows, carried.vector[rows], run.reading_nT[rows]
 
 
 def _signed_axes() -> Iterator[Array]:

@@ -43,8 +43,11 @@ def take_in(path: Path, format_: str, mapping: Mapping) -> Imported:
     rows = [_rows(opened, part) for part in _own_files(mapping) or (None,)]
     whole = _together(rows)
     origin = float(whole.t_s[0]) if is_date(float(whole.t_s[0])) else 0.0
-    run = run_of(mapping, whole.since(origin), opened.started(whole.t_s[0]), opened.note(), path.stem or path.name)
-    seen = [*doubts(run, whole.clocks), *findings(run, whole.clocks)]
+    started, whole = opened.started(float(whole.t_s[0])), whole.since(origin)
+    run = run_of(mapping, whole, started, opened.note(), path.stem or path.name)
+    used = np.isin(whole.t_s, run.t_s) if len(run) < len(whole.t_s) else slice(None)
+    seen = doubts(run, whole.clocks, None if whole.attitude is None else whole.attitude[used])
+    seen += findings(run, whole.clocks)
     _refuse(seen, mapping, path)
     return Imported(run, tuple(finding.text for finding in seen))
 

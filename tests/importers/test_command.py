@@ -18,7 +18,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples" / "measured"
 
 @pytest.fixture
 def log(tmp_path: Path) -> Path:
-    return csv(tmp_path / "log.csv", table(tumble(600, noise_nT=20.0)))
+    return csv(tmp_path / "log.csv", table(tumble(300, noise_nT=20.0)))
 
 
 def test_a_recording_goes_into_the_store_and_through_close_loop(
@@ -35,7 +35,7 @@ def test_a_recording_goes_into_the_store_and_through_close_loop(
     calibration = json.loads((tmp_path / "cal.json").read_text())
     assert told["verdict"] == "clean"
     assert told["residual_kind"] == "vector"
-    assert np.allclose(np.linalg.inv(calibration["K"]), K, atol=5e-4)
+    assert np.allclose(np.linalg.inv(calibration["K"]), K, atol=1e-3)
     assert np.allclose(np.linalg.solve(calibration["K"], calibration["k_nT"]), BIAS_nT, atol=10)
 
 
@@ -48,7 +48,7 @@ def test_the_same_recording_gives_the_same_bytes(log: Path, tmp_path: Path) -> N
             == 0
         )
     assert (tmp_path / "one.zip").read_bytes() == (tmp_path / "two.zip").read_bytes()
-    assert len(read_bundle(tmp_path / "one.zip")) == 600
+    assert len(read_bundle(tmp_path / "one.zip")) == 300
 
 
 def test_a_guess_goes_to_the_screen_or_to_the_mapping_and_nothing_is_imported(

@@ -61,7 +61,8 @@ def test_temperature_current_gravity_and_a_quaternion_are_seen(tmp_path: Path) -
     half = 0.1 * made.t_s
     more = {
         "acc_x": np.full(n, 0.1), "acc_y": np.full(n, 9.7) + 0.01 * np.sin(half), "acc_z": np.full(n, 1.2),
-        "qw": np.cos(half), "qx": 0 * half, "qy": 0 * half, "qz": np.sin(half), "i_heater_current": 0.4 + 0.1 * np.sin(half),
+        "qw": np.cos(half), "qx": 0 * half, "qy": 0 * half, "qz": np.sin(half),
+        "i_heater_current": 0.4 + 0.1 * np.sin(half),
     }  # fmt: skip
     text = guessed(tmp_path, csv(tmp_path / "log.csv", table(made, **more)), "csv")
     assert '[channels.temp]\ncolumn = "temp"' in text
