@@ -129,7 +129,7 @@ def _axes(run: Run, attitude: Array | None) -> Iterator[Finding]:
 
 def _turned_back_twice(body: Array, attitude: Array) -> Array:
     """The reference (n, 3) as it were in the body's axes if `attitude` (n, 3, 3) were its own inverse."""
-    return np.einsum("nji,nkj,nk->ni", attitude, attitude, body)
+    return np.asarray(np.einsum("nji,nkj,nk->ni", attitude, attitude, body))
 
 
 def _pairs(run: Run) -> tuple[NDArray[np.intp], Array, Array]:
@@ -165,9 +165,12 @@ def _left(predicted: Array, read: Array) -> float:
 
 
 def _gaps(clocks: Mapping[str, Clock]) -> Iterator[Finding]:
+    of_one_table: set[tuple[float, float, int]] = set()
     for name, clock in clocks.items():
         long = clock.steps[clock.steps > GAP * clock.period_s]
-        if long.size:
+        table = (clock.first_s, clock.last_s, clock.n)
+        if long.size and table not in of_one_table:
+            of_one_table.add(table)
             yield Finding(f"{name}: {long.size} gap{'s' * (long.size > 1)}, the longest {long.max():.4g} s")
 
 

@@ -24,6 +24,7 @@ from labcal.record import Run, period_s
 from labcal.record.assemble import interpolated
 
 Array = NDArray[np.float64]
+Change = Callable[[Array], Array]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -141,41 +142,44 @@ def _wanted(groups: Sequence[Source], mapping: Mapping) -> dict[str, Wanted]:
 
 def _rows(opened: _Opened, part: SegmentPart | None) -> Rows:
     """The rows of one file, at the readings' stamps."""
-    mapping = opened.mapping
-    own_stream = opened.stream(mapping.reading, part)
-    own = stamps_of(own_stream, mapping.reading, mapping.time)
-    values = own_stream.together(mapping.reading.columns)
-    own_stream.together([mapping.reading.columns[0], *_clock_columns(mapping.reading, mapping)])
-    clocks = {"reading": _clock(own, values)}
-
-    def bring(
-        group: Source, name: str, columns: Sequence[str], change: Callable[[Array], Array] = lambda v: v
-    ) -> Array:
-        """A group's columns (n, k), through `change`, at the readings' stamps."""
-        stream = opened.stream(group, part)
-        at = stamps_of(stream, group, mapping.time)
-        found = stream.together([*columns, *_clock_columns(group, mapping)])[:, : len(columns)]
-        clocks[name] = _clock(at, found)
-        if stream is own_stream and _same_clock(group, mapping):
-            return change(found)[own.rows]
-        return interpolated(own.t_s, at.t_s, change(found[at.rows]))
-
-    reading = attitude.turned(values[own.rows], mapping.reading.axes)
+    mapping, own = opened.mapping, _Readings(opened, part)
     return Rows(
-        t_s=own.t_s,
-        reading=reading * nT_OF[mapping.reading.unit],
-        reference=_reference(mapping, bring),
-        attitude=_attitudes(opened, part, own, clocks),
-        angle_deg=_angle(mapping, bring),
-        channels=_channels(mapping, bring),
-        labels=_labels(own_stream, own, mapping.segment_column),
-        modes=_labels(own_stream, own, mapping.mode_column),
+        t_s=own.at.t_s,
+        reading=attitude.turned(own.values, mapping.reading.axes) * nT_OF[mapping.reading.unit],
+        reference=_reference(mapping, own),
+        attitude=_attitudes(mapping, own),
+        angle_deg=_angle(mapping, own),
+        channels=_channels(mapping, own),
+        labels=_labels(own.stream, own.at, mapping.segment_column),
+        modes=_labels(own.stream, own.at, mapping.mode_column),
         part=part,
-        clocks=clocks,
+        clocks=own.clocks,
     )
 
 
-Bring = Callable[..., Array]
+class _Readings:
+    """The readings of one file and their clock, to which every other group is brought."""
+
+    def __init__(self, opened: _Opened, part: SegmentPart | None) -> None:
+        self._opened, self._part, self._mapping = opened, part, opened.mapping
+        self.clocks: dict[str, Clock] = {}
+        self.stream, self.at, values = self.sampled(self._mapping.reading, "reading", self._mapping.reading.columns)
+        self.values = values[self.at.rows]
+
+    def sampled(self, group: Source, name: str, columns: Sequence[str]) -> tuple[Stream, Stamps, Array]:
+        """A group's stream, its stamps, and its columns (n, k) of all rows."""
+        stream = self._opened.stream(group, self._part)
+        at = stamps_of(stream, group, self._mapping.time)
+        values = stream.together([*columns, *_clock_columns(group, self._mapping)])[:, : len(columns)]
+        self.clocks[name] = _clock(at, values)
+        return stream, at, values
+
+    def bring(self, group: Source, name: str, columns: Sequence[str], change: Change = lambda v: v) -> Array:
+        """A group's columns (n, k), through `change`, at the readings' stamps."""
+        stream, at, values = self.sampled(group, name, columns)
+        if stream is self.stream and _same_clock(group, self._mapping):
+            return change(values)[self.at.rows]
+        return interpolated(self.at.t_s, at.t_s, change(values[at.rows]))
 
 
 def _clock_columns(group: Source, mapping: Mapping) -> list[str]:
@@ -194,43 +198,40 @@ def _clock(at: Stamps, values: Array) -> Clock:
     return Clock(float(at.t_s[0]), float(at.t_s[-1]), period_s(at.t_s), len(at.t_s), missing, steps)
 
 
-def _reference(mapping: Mapping, bring: Bring) -> Array | None:
+def _reference(mapping: Mapping, own: _Readings) -> Array | None:
     part = mapping.reference
     factor = nT_OF[part.unit or "nT"]
     if part.columns is not None:
-        return bring(part, "reference", part.columns, lambda v: attitude.turned(v, part.axes) * factor)
+        return own.bring(part, "reference", part.columns, lambda v: attitude.turned(v, part.axes) * factor)
     if part.column is not None:
-        return bring(part, "reference", (part.column,), lambda v: v * factor)
+        return own.bring(part, "reference", (part.column,), lambda v: v * factor)
     return None
 
 
-def _attitudes(opened: _Opened, part: SegmentPart | None, own: Stamps, clocks: dict[str, Clock]) -> Array | None:
-    group = opened.mapping.attitude
+def _attitudes(mapping: Mapping, own: _Readings) -> Array | None:
+    group = mapping.attitude
     if group is None:
         return None
-    stream = opened.stream(group, part)
-    at = stamps_of(stream, group, opened.mapping.time)
-    values = stream.together([*group.columns, *_clock_columns(group, opened.mapping)])[at.rows, :4]
-    clocks["attitude"] = _clock(Stamps(at.t_s, np.arange(len(at.t_s))), values)
+    stream, at, values = own.sampled(group, "attitude", group.columns)
     try:
-        return attitude.body_from_cage(own.t_s, at.t_s, values, group)
+        return attitude.body_from_cage(own.at.t_s, at.t_s, values[at.rows], group)
     except ValueError as error:
         raise InputError(str(error), file=stream.file, column=group.columns[0]) from None
 
 
-def _angle(mapping: Mapping, bring: Bring) -> Array | None:
+def _angle(mapping: Mapping, own: _Readings) -> Array | None:
     part = mapping.angle
     if part is None:
         return None
     factor = part.sign * (1.0 if part.unit == "deg" else 180 / np.pi)
-    return bring(part, "angle", (part.column,), lambda v: np.unwrap(v * factor, period=360.0, axis=0))[:, 0]
+    return own.bring(part, "angle", (part.column,), lambda v: np.unwrap(v * factor, period=360.0, axis=0))[:, 0]
 
 
-def _channels(mapping: Mapping, bring: Bring) -> dict[str, Array]:
+def _channels(mapping: Mapping, own: _Readings) -> dict[str, Array]:
     found = {}
     for name, part in mapping.channels.items():
         _, factor, offset = part.converted
-        values = bring(part, f"channel {name}", (part.column,))
+        values = own.bring(part, f"channel {name}", (part.column,))
         found[name] = values[:, 0] * factor + offset
     return found
 
