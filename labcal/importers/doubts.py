@@ -22,6 +22,7 @@ NEAR = 0.2  # of a factor, for it to be the one of two units
 FAR = 4.0  # a reading that many times its reference, or one part of it, is told
 SMALLEST_nT = 200.0  # a median field below says nothing about its unit
 BETTER = 3.0  # times smaller has the rms to be under other axes
+AS_GOOD = 1.5  # times the best rms leave axes that fit as well
 GAP = 5.0  # median steps that make a gap
 SHORTEST_S, LONGEST_S = 1e-5, 3600.0  # between two samples
 MOST_ROWS = 4000  # that are looked at for axes and delays
@@ -118,11 +119,14 @@ def _axes(run: Run, attitude: Array | None) -> Iterator[Finding]:
     if len(rows) < FEW:
         return
     as_stated = _left(body, read)
-    best, axes = min((_left(body @ p.T, read), _word(p)) for p in _signed_axes())
+    tried = sorted((_left(body @ p.T, read), _word(p)) for p in _signed_axes())
+    best, axes = tried[0]
     inverse = np.inf if attitude is None else _left(_turned_back_twice(body, attitude[rows]), read)
     if as_stated > BETTER * inverse:
         yield Finding("the attitude fits far better the other way round: is `maps` inverted?", "attitude")
     elif as_stated > BETTER * best:
+        as_good = [word for left, word in tried[1:4] if left < AS_GOOD * best]
+        axes = " or ".join([axes, *as_good])  # along an axis that saw little field no sign can be told
         what = f"the readings fit the reference with axes {axes} {as_stated / best:.1f} times better than as stated"
         yield Finding(f"{what}: are axes swapped or turned about?", "axes")
 
