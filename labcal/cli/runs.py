@@ -89,11 +89,32 @@ def check_store(
 
 
 @app.command("import", rich_help_panel="Runs")
-def import_(bundle: Path = typer.Argument(..., metavar="BUNDLE", help="A folder, or a zip of it.")) -> None:
-    """Take a bundle into the store, byte for byte; prints its run id."""
+def import_(
+    path: Path = typer.Argument(..., metavar="PATH", help="A bundle (a folder, or a zip of it), or what --from says."),
+    kind: str | None = typer.Option(
+        None, "--from", metavar="FORMAT", help="A recording of others: csv, ulog, dataflash, rosbag, mat or iaga."
+    ),
+    map_: Path | None = typer.Option(
+        None, "--map", metavar="MAP.toml", help="What its columns are: units, axes, clocks (docs/import.md)."
+    ),
+    guess: bool = typer.Option(
+        False, "--guess", help="Write a first mapping to --map, or to standard output, for a person to check."
+    ),
+    out: Path | None = typer.Option(
+        None, "--out", metavar="BUNDLE", help="Write a bundle instead of taking the run into the store."
+    ),
+    force: bool = FORCE,
+) -> None:
+    """Take a bundle into the store, byte for byte, or a recording of others by its mapping; prints its run id."""
     from labcal import session
 
-    say(session.import_bundle(bundle))
+    if kind is None:
+        if map_ is not None or guess or out is not None:
+            raise typer.BadParameter("--map, --guess and --out go with --from: a bundle is taken in as it is")
+        return say(session.import_bundle(path))
+    taken = session.import_foreign(session.Asked(path, kind, map_, guess, out, force))
+    say_lines(taken.told, err=True)
+    return say_lines(taken.result.splitlines())
 
 
 @app.command(rich_help_panel="Runs")

@@ -56,8 +56,10 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         t_s=t,
         segment_index=place,
         reading=readings,
-        reference_vector=_at(t, *_readings(references, ("ref_x", "ref_y", "ref_z"))) if kind == "vector" else None,
-        reference_magnitude=_at(t, *_readings(references, ("ref_f",)))[:, 0] if kind == "scalar" else None,
+        reference_vector=interpolated(t, *_readings(references, ("ref_x", "ref_y", "ref_z")))
+        if kind == "vector"
+        else None,
+        reference_magnitude=interpolated(t, *_readings(references, ("ref_f",)))[:, 0] if kind == "scalar" else None,
         angle_deg=_angle(t, angles) if angles else None,
         row_mode=_modes(t, items),
         environment=header.environment,
@@ -160,7 +162,7 @@ def _apart(t: Array) -> Array:
     return np.asarray(t + place * np.repeat(step, count))
 
 
-def _at(when: Array, t: Array, values: Array) -> Array:
+def interpolated(when: Array, t: Array, values: Array) -> Array:
     """`values` (n, k) at stamps `t` (n,) brought to `when` (m,): shape (m, k), NaN where a neighbour is too far."""
     period = period_s(t) if len(t) > 1 else 0.0
     if not len(t) or not np.isfinite(values).all():
@@ -188,7 +190,7 @@ def _beyond(when: Array, t: Array, period: float) -> NDArray[np.bool_]:
 def _angle(when: Array, blocks: Sequence[Block]) -> Array:
     t, values = _samples(blocks, ("angle_deg",))
     there = np.isfinite(values[:, 0])
-    return _at(when, t[there], np.unwrap(values[there], period=360.0, axis=0))[:, 0]
+    return interpolated(when, t[there], np.unwrap(values[there], period=360.0, axis=0))[:, 0]
 
 
 def _modes(when: Array, items: Iterable[Item]) -> NDArray[np.str_] | None:
@@ -204,7 +206,9 @@ def _channels(header: RunHeader, when: Array, items: Iterable[Item]) -> tuple[Ch
     blocks = _blocks(items, "channel")
     recorded = {column for block in blocks for column in block.columns}
     return tuple(
-        Channel(spec.name, spec.unit, spec.quantity, _at(when, *_samples(blocks, (spec.name,)))[:, 0], spec.role)
+        Channel(
+            spec.name, spec.unit, spec.quantity, interpolated(when, *_samples(blocks, (spec.name,)))[:, 0], spec.role
+        )
         for spec in header.channels
         if spec.name in recorded
     )

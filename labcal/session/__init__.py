@@ -1,8 +1,8 @@
 """The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
 
-Beside the line: `sources` (what names a run), `records` (the local store), `trust` (keys), `signing`, `audited` (who
-did what), `working_out` (a calibration worked out again from its run), `instruments` (the bench without a procedure),
-and `measuring`, where the loop closes on the instruments.
+Beside the line: `sources` (what names a run), `records` (the local store), `importing` (what others wrote), `trust`
+(keys), `signing`, `audited` (who did what), `working_out` (a calibration worked out again from its run), `instruments`
+(the bench without a procedure), and `measuring`, where the loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.session.audited import note_file, note_run, read_audit
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
+from labcal.session.importing import Asked, Taken, import_foreign
 from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
 from labcal.session.records import (
     check_store,
@@ -67,7 +68,9 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FOREIGN_CALIBRATIONS",
+    "Asked",
     "Source",
+    "Taken",
     "apply_calibration",
     "approve",
     "approve_cage",
@@ -87,6 +90,7 @@ __all__ = [
     "hand_out",
     "import_bundle",
     "import_calibration",
+    "import_foreign",
     "keep_photo",
     "listed_keys",
     "load_calibration",

@@ -43,6 +43,8 @@ ASKED = {
     "runs --json": ("runs", "runs.json"),
     "audit --json": ("audit", "audit.json"),
     "show --json": ("show {bundle}", "show.json"),
+    "import --out": ("import {readings} --from csv --map {mapping}", "imported.zip"),
+    "import --map": ("import {readings} --from csv --guess", "guess.toml"),
     "export --out": ("export {bundle} --format csv", "samples.csv"),
     "bench serve --out": ("bench serve {bench}", "served.toml"),
     "bench cage --out": ("bench cage RUN --as Roe", "cage.json"),
@@ -52,8 +54,16 @@ READS = {
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
     "verify --json": ("{calibration}",),
     "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),
-    "bench serve --out": ("{bench}",),
+    "bench serve --out": ("{bench}",), "import --out": ("{readings}", "{mapping}"), "import --map": ("{readings}",),
 }  # fmt: skip
+
+
+MAPPING = """format = "labcal-mapping/1"
+dut = { serial = "SN1" }
+time = { column = "i_eps", unit = "s" }
+reading = { columns = ["dut_x", "dut_y", "dut_z"], unit = "nT" }
+reference = { kind = "none" }
+"""
 
 
 def commands(group: typer.Typer, name: str = "") -> Iterator[tuple[str, dict[str, inspect.Parameter]]]:
@@ -86,9 +96,10 @@ class Place:
         shutil.copy(GOLDEN / "calibration-1.json", folder / "calibration-1.json")
         shutil.copy(SIMULATED, folder / "bench.toml")
         (folder / "readings.csv").write_text("dut_x,dut_y,dut_z,i_eps\n1,2,3,0.1\n")
+        (folder / "map.toml").write_text(MAPPING)
         (folder / "limits.toml").write_text('offset = { limit = 1e6, unit = "nT" }\n')
         self.named = {
-            "specification": folder / "limits.toml",
+            "specification": folder / "limits.toml", "mapping": folder / "map.toml",
             "bundle": folder / "bundle", "calibration": folder / "calibration-1.json",
             "readings": folder / "readings.csv", "bench": folder / "bench.toml",
         }  # fmt: skip

@@ -1,0 +1,176 @@
+"""Tables of text as loggers write them: any of the usual delimiters, with or without a header, comments and NaN."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Sequence
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.errors import InputError
+from labcal.importers.recording import CsvForm, Recording, Request, Stream, Wanted
+from labcal.record.physical import LARGEST_NUMBER
+from labcal.store.limits import MOST_CELLS, MOST_COLUMNS, shortened
+from labcal.store.table import line_blocks
+
+Array = NDArray[np.float64]
+Numbered = tuple[int, list[str]]  # line (from 1) and its cells
+
+DELIMITERS = (",", ";", "\t", " ")
+MISSING = frozenset({"", "nan", "na", "n/a", "null", "none"})
+AT_ONCE = 20_000  # rows
+LOOKED_AT = 20  # lines, to see how the table is written
+
+
+def read(path: Path, request: Request) -> Recording:
+    """The table as the stream "". Columns of a table without a header are called 1, 2, 3 and so on."""
+    with path.open("rb") as source:
+        lines = _lines(line_blocks(source, str(path)), request.form)
+        first = list(islice(lines, LOOKED_AT))
+        if not first:
+            raise InputError("expected rows, found none", file=path)
+        delimiter = request.form.delimiter or _delimiter([text for _, text in first])
+        rows = _cells(first, lines, delimiter, path)
+        head = next(rows)
+        names, first_row = _header(head, request.form, path)
+        if first_row is None:
+            first_row = next(rows, None)
+        table = _Table(names, request.of(""), request.form, path)
+        for block in _blocks(first_row, rows, request.most_rows):
+            table.take(block)
+    return Recording(path, {"": table.stream()})
+
+
+def _lines(blocks: Iterator[tuple[int, list[str]]], form: CsvForm) -> Iterator[tuple[int, str]]:
+    """Lines that hold cells, with their numbers: those to skip, comments and empty ones are left out."""
+    for first, texts in blocks:
+        for line, text in enumerate(texts, first):
+            if line > form.skip_lines and text.strip() and not (form.comment and text.startswith(form.comment)):
+                yield line, text
+
+
+def _delimiter(lines: Sequence[str]) -> str:
+    """The first that cuts the lines at hand into equal numbers of cells, two or more; a comma where none does."""
+    for delimiter in DELIMITERS:
+        counts = {len(_split(line, delimiter)) for line in lines}
+        if len(counts) == 1 and counts.pop() > 1:
+            return delimiter
+    return ","
+
+
+def _split(line: str, delimiter: str) -> list[str]:
+    if delimiter == " ":
+        return line.split()
+    if '"' not in line:
+        return [cell.strip() for cell in line.split(delimiter)]
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter), [])]
+
+
+def _cells(
+    first: Sequence[tuple[int, str]], lines: Iterator[tuple[int, str]], delimiter: str, path: Path
+) -> Iterator[Numbered]:
+    width = 0
+    for part in (first, lines):
+        for line, text in part:
+            cells = _split(text, delimiter)
+            width = width or len(cells)
+            if width > MOST_COLUMNS:
+                raise InputError(f"{width} columns are more than {MOST_COLUMNS}, which no recording has", file=path)
+            if len(cells) != width:
+                what = f"expected {width} cells as in the first row, found {len(cells)}"
+                raise InputError(what, file=path, line=line)
+            yield line, cells
+
+
+def _header(head: Numbered, form: CsvForm, path: Path) -> tuple[list[str], Numbered | None]:
+    """The columns' names, and the first row where it is no header."""
+    line, cells = head
+    is_header = form.header if form.header is not None else any(not _is_value(cell, form) for cell in cells)
+    if not is_header:
+        return [str(number) for number in range(1, len(cells) + 1)], head
+    names = [cell.removeprefix("\ufeff") or str(number) for number, cell in enumerate(cells, 1)]
+    for place, name in enumerate(names):
+        if name in names[:place]:
+            raise InputError("the column is there twice", file=path, line=line, column=shortened(name))
+    return names, None
+
+
+def _is_value(cell: str, form: CsvForm) -> bool:
+    """Whether the cell is a number, a date or missing: something that no header has."""
+    return _number(cell, form) is not None or (cell[:4].isdigit() and cell[4:5] == "-")
+
+
+def _number(cell: str, form: CsvForm) -> float | None:
+    if cell.lower() in MISSING or cell in form.missing:
+        return float("nan")
+    try:
+        value = float(cell.replace(",", ".") if form.decimal == "," else cell)
+    except ValueError:
+        return None
+    return value if abs(value) <= LARGEST_NUMBER and "_" not in cell else None
+
+
+def _blocks(first: Numbered | None, rows: Iterator[Numbered], most: int | None) -> Iterator[list[Numbered]]:
+    waiting = [first] if first is not None else []
+    left = most
+    while True:
+        size = AT_ONCE if left is None else min(AT_ONCE, left)
+        block = [*waiting, *islice(rows, size - len(waiting))]
+        waiting = []
+        if not block:
+            return
+        yield block
+        left = None if left is None else left - len(block)
+
+
+class _Table:
+    """The wanted columns, growing block by block; of all, those are numbers whose first cells are."""
+
+    def __init__(self, names: list[str], wanted: Wanted | None, form: CsvForm, path: Path) -> None:
+        self._names, self._form, self._path = names, form, path
+        self._wanted = wanted
+        self._numbers: dict[str, list[Array]] = {}
+        self._texts: dict[str, list[str]] = {}
+        self._lines: list[int] = []
+
+    def take(self, block: list[Numbered]) -> None:
+        columns = dict(zip(self._names, zip(*(cells for _, cells in block), strict=True), strict=True))
+        lines = [line for line, _ in block]
+        if (len(self._lines) + len(lines)) * len(self._names) > MOST_CELLS:
+            raise InputError(f"has more than {MOST_CELLS // 1_000_000} million cells: split it", file=self._path)
+        if not self._lines:
+            self._begin(columns)
+        for name, parts in self._numbers.items():
+            parts.append(self._parsed(columns[name], lines, name))
+        for name, texts in self._texts.items():
+            texts.extend(columns[name])
+        self._lines += lines
+
+    def stream(self) -> Stream:
+        numbers = {name: np.concatenate(parts) for name, parts in self._numbers.items()}
+        if not self._lines:
+            raise InputError("expected rows after the header, found none", file=self._path)
+        return Stream("", self._path, numbers, self._texts, np.array(self._lines, dtype=np.intp))
+
+    def _begin(self, columns: dict[str, tuple[str, ...]]) -> None:
+        for name, cells in columns.items():
+            if self._wanted is not None:
+                is_text, is_number = name in self._wanted.texts, name in self._wanted.numbers
+            else:
+                is_number = all(_number(cell, self._form) is not None for cell in cells)
+                is_text = not is_number
+            if is_number:
+                self._numbers[name] = []
+            if is_text:
+                self._texts[name] = []
+
+    def _parsed(self, cells: tuple[str, ...], lines: list[int], name: str) -> Array:
+        values = [_number(cell, self._form) for cell in cells]
+        if None in values:
+            at = values.index(None)
+            what = f"expected a number, found {shortened(cells[at], 40)!r}"
+            raise InputError(what, file=self._path, line=lines[at], column=shortened(name))
+        return np.array(values, dtype=float)
