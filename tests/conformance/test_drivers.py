@@ -28,6 +28,7 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     "waveshare-relay": {"x": 0, "y": 1, "z": 2},
     "replay": {"file": str(ROOT / "tests" / "drivers" / "replayed.csv")},
     "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
+    "scpi-table": {"model": "rohde-schwarz-hmp"},
 }
 FORBIDDEN = {  # a message of each driver's deny-list
     "tti-pl": [b"*RST\n", b"*rst\n", b"SAV1 1\n", b"RCL1 1\n"],
@@ -50,6 +51,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
         )
     ],
     "csv-line": [b"x"],
+    "scpi-table": [b"*RST\n", b"*rcl 1\n", b"CURR 1;CAL:STAT ON\n", b"OUTP:TRAC ON\n", b"INST:COUP:OUTP ALL\n"],
     "pmag": [b"$"],
     "lemi-025": [b"L"],
     "replay": [b"1"],
@@ -72,6 +74,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
 TO_PANEL = {  # what a supply's driver says last, once zero and off are read back; the others' panels need no word
     "tti-pl": b"LOCAL\n",
     "rigol-dp800": b":SYST:LOC\n",
+    "scpi-table": b"SYST:LOC\n",
     "keysight-e36300": b"SYST:LOC\n",
     "ea-9000": bytes.fromhex("000501920000"),
 }
@@ -113,7 +116,7 @@ def test_every_driver_stands_in_the_docs_and_every_supply_says_whether_it_has_a_
     named = re.findall(r"^\|( `.*?) \|", (ROOT / "docs" / "bench.md").read_text(), re.MULTILINE)
     assert set(DRIVERS) <= set(re.findall(r"`([\w-]+)`", " ".join(named)))
     watchdogs = (ROOT / "docs" / "instruments.md").read_text().partition("## A supply's own watchdog")[2]
-    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA"}
+    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA", "scpi-table": "A table's"}
     for name in SUPPLIES:
         assert makers.get(name, name.split("-")[0].title()) in watchdogs, name
 

@@ -121,6 +121,10 @@ WIRES: dict[str, Wire] = {
         always(b"IOUT1?", b"0.499"), current, 0.499, b"9.999", nonsense=(b"00.49", b"-.499", b"0,499"), timeout_s=0.5,
         asks=2,
     ),
+    "scpi-table": Wire(
+        always(b"INST:NSEL 1;:MEAS:CURR?\n", b"0.4990\n"), current, 0.499, b"0.9990\n",
+        settings={"model": "rohde-schwarz-hmp"}, nonsense=(b"nan\n", b"9.91E37\n", b"0.499A\n"), timeout_s=1.5,
+    ),
     "riden-rd60xx": Wire(
         always(*riden(499)), current, 0.499, riden(999)[1], before=[read("0103 0000 0004", [60062, 1, 0x86A0, 135])],
         prepare=lambda d: d.identify(),
@@ -305,7 +309,10 @@ STAGES = sorted(name for name in ASKING if "platform" in DRIVERS[name].roles)
 @pytest.mark.parametrize("name", SUPPLIES)
 @pytest.mark.parametrize("amps", [99.0, -99.0, float("nan"), float("inf")])
 def test_a_current_out_of_range_sends_nothing(name: str, amps: float) -> None:
-    with scripted(DRIVERS[name], []) as supply, pytest.raises(LimitError, match="nothing was sent"):
+    with (
+        scripted(DRIVERS[name], [], **WIRES[name].settings) as supply,
+        pytest.raises(LimitError, match="nothing was sent"),
+    ):
         supply.set_current(amps)
 
 
