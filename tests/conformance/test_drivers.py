@@ -52,6 +52,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     ],
     "csv-line": [b"x"],
     "scpi-table": [b"*RST\n", b"*rcl 1\n", b"CURR 1;CAL:STAT ON\n", b"OUTP:TRAC ON\n", b"INST:COUP:OUTP ALL\n"],
+    "microcontroller": [b"SET 1 5\n", b"1 SAVE*00\n", b"1 SET 1 5*00\n2 X*00\n", b"1 OUT 1 2*00\n", b"*RST\n"],
     "pmag": [b"$"],
     "lemi-025": [b"L"],
     "replay": [b"1"],

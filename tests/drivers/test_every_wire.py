@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 from frames import read, rtu
 
+from drivers.framing.coil_line import sealed
 from labcal.bench.clock import RealClock
 from labcal.bench.config import DutLimits, PlatformConfig
 from labcal.bench.driver_kit.testing import SILENT, UNPLUGGED, Exchange, scripted
@@ -124,6 +125,10 @@ WIRES: dict[str, Wire] = {
     "scpi-table": Wire(
         always(b"INST:NSEL 1;:MEAS:CURR?\n", b"0.4990\n"), current, 0.499, b"0.9990\n",
         settings={"model": "rohde-schwarz-hmp"}, nonsense=(b"nan\n", b"9.91E37\n", b"0.499A\n"), timeout_s=1.5,
+    ),
+    "microcontroller": Wire(
+        lambda k: (sealed(f"{9 + 8 * k} MEAS? 1"), sealed(f"{9 + 8 * k} OK -499000")), current, -0.499,
+        sealed("9 OK 999000"), nonsense=(sealed("9 OK nan"), sealed("9 OK 1.5"), b"9 OK 499000\n"), timeout_s=0.5,
     ),
     "riden-rd60xx": Wire(
         always(*riden(499)), current, 0.499, riden(999)[1], before=[read("0103 0000 0004", [60062, 1, 0x86A0, 135])],
