@@ -58,7 +58,7 @@ class counted(quantity):
         return super()._ask(device) / float(device.per_A if self.set or device.settings.unsensed else MICRO)
 
     def _agrees(self, device: Any, value: float, held: float) -> bool:
-        return abs(held - value) <= device.settings.resolution_A
+        return bool(abs(held - value) <= device.settings.resolution_A)
 
 
 def _whole(reply: str) -> float:

@@ -68,8 +68,11 @@ class CoilLine:
                 raise InstrumentError(f"{self._name}: {quoted(line)} came to {words!r}.", fault="wrong reply")
             if answer[0] == number:
                 return answer[2] if answer[1] else self._refused(words, answer[2])
-        raise InstrumentError(f"{self._name}: only late answers came to {words!r}.", fault="out of step")
+        told = f"{self._name}: only late answers came to {words!r}."
+        raise InstrumentError(told, fault="out of step", remedy="Does another program talk on its line?")
 
     def _refused(self, words: str, why: str) -> str:
         told = f"{self._name}: {words!r} failed: {WHY.get(why, quoted(why))}."
-        raise InstrumentError(told, fault="tripped" if why == "watchdog" else "refused")
+        if why == "watchdog":
+            raise InstrumentError(told, fault="tripped", remedy="Begin this step again: its output has to go on anew.")
+        raise InstrumentError(told, fault="refused")

@@ -29,6 +29,8 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     "replay": {"file": str(ROOT / "tests" / "drivers" / "replayed.csv")},
     "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
     "scpi-table": {"model": "rohde-schwarz-hmp"},
+    "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
+    "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
 FORBIDDEN = {  # a message of each driver's deny-list
     "tti-pl": [b"*RST\n", b"*rst\n", b"SAV1 1\n", b"RCL1 1\n"],
@@ -70,6 +72,10 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "newport-smc100": [b"1PR5\r\n", b"1PW1\r\n", b"1RS\r\n", b"1SA2\r\n", b"1ZX3\r\n"],
     "oriental-az": [bytes.fromhex(h) for h in ("01060058", "011000580010200000000000000002", "0110007C00020400000040")],
     "leadshine": [bytes.fromhex(h) for h in ("010618012211", "010618014001", "010660020021", "0110620000060C0041")],
+    "labjack-t7": [
+        bytes.fromhex(h) for h in ("010603E80001", "011003E80002", "0110EA600002", "01059C4000FF", "0110A410")
+    ],
+    "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "manual": [b"x"],
 }
 TO_PANEL = {  # what a supply's driver says last, once zero and off are read back; the others' panels need no word
