@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
@@ -22,7 +22,7 @@ from labcal.record.stream import Block, Event
 
 RANGE, NEGATIVE, RESOLUTION = 40000, 41000, 41500  # of input 0; two, one, one register an input
 PRODUCT, FIRMWARE, SERIAL = 60000, 60004, 60028
-T7, GROUND = 7.0, 199
+T7, GROUND, RANGES_V = 7.0, 199, (10.0, 1.0, 0.1, 0.01)
 NONE_V = -9999.0  # what an input reads that does not exist
 Input = Annotated[int, Field(ge=0, le=13)]
 
@@ -40,7 +40,7 @@ class Settings:
     zero_V: tuple[float, float, float] = (0.0, 0.0, 0.0)
     inputs: tuple[Input, Input, Input] = (0, 1, 2)
     differential: bool = False
-    range_V: Literal[10.0, 1.0, 0.1, 0.01] = 10.0
+    range_V: float = 10.0
     full_scale_V: Positive = 9.9
     resolution_index: Annotated[int, Field(ge=0, le=12)] = 0
     filter_Hz: NotNegative = 0.0
@@ -50,6 +50,8 @@ class Settings:
     address: Address = 1
 
     def __post_init__(self) -> None:
+        if self.range_V not in RANGES_V:
+            raise ValueError(f"range_V must be one of {', '.join(f'{one:g}' for one in RANGES_V)}")
         if len(set(self.inputs)) != 3 or (self.differential and any(n % 2 for n in self.inputs)):
             raise ValueError("inputs must be three, and even where they are differential")
         if not all(map(math.isfinite, (*self.uT_per_V, *self.zero_V))) or not all(self.uT_per_V):
@@ -90,10 +92,10 @@ class LabJackT7:
 
     def read_until(self, t_s: float) -> list[Block]:
         """Samples taken up to `t_s` [nT, the sensor's own axes]."""
-        taken = [(stamp, volts) for stamp in self._polls.due(t_s) if (volts := self._volts(stamp)) is not None]
+        taken = [(stamp, row) for stamp in self._polls.due(t_s) if (row := self._volts(stamp)) is not None]
         if not taken:
             return []
-        volts = np.array([row for _, row in taken])
+        volts = np.array([three for _, three in taken])
         if np.abs(volts).max() >= self.settings.full_scale_V:
             raise overloaded(self.name)
         values = 1000.0 * (volts - self.settings.zero_V) * np.array(self.settings.uT_per_V)

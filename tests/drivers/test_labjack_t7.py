@@ -104,6 +104,7 @@ def test_a_range_that_it_does_not_take_is_a_fault() -> None:
         ({"uT_per_V": [10, 10, 0]}, "other than zero"),
         ({"uT_per_V": [10, 10, 10], "inputs": [0, 0, 1]}, "inputs must be three"),
         ({"uT_per_V": [10, 10, 10], "differential": True}, "even where they are differential"),
+        ({"uT_per_V": [10, 10, 10], "range_V": 5}, "range_V must be one of 10, 1, 0.1, 0.01"),
         ({"uT_per_V": [10, 10, 10], "inputs": [0, 1, 14]}, "less than or equal to 13"),
     ],
 )
