@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from drivers.framing.scpi import Scpi
-from drivers.framing.scpi_table import NEVER, SAID, Table, bit_of, shipped, stated
+from drivers.framing.scpi_table import NEVER, SAID, Table, bit_of, names, shipped, stated
 from drivers.framing.supply import CurrentSource
 from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import decimal
@@ -98,6 +98,12 @@ class TableSupply(CurrentSource):
         """Ask; of an answer that is read by its bits, the bit."""
         reply = self._scpi.query(text)
         return reply if text not in self._bits else bit_of(reply, self._bits[text])
+
+    @staticmethod
+    def recognise(identity: str) -> dict[str, str] | None:
+        """The settings for an instrument that answers so to *IDN?; None where no table of labcal fits."""
+        maker, model = (part.strip() for part in [*identity.split(","), ""][:2])
+        return next(({"model": name} for name in names() if shipped(name).fits(maker, model)), None)
 
     def command(self, text: str) -> None:
         """Tell, under remote control where it needs to be told. Raises InstrumentError with what the supply says."""

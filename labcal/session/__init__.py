@@ -34,7 +34,7 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
-from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
+from labcal.session.instruments import approve_cage, coils_off, find_instruments, greetings, look_again, serve_bench
 from labcal.session.records import (
     check_store,
     correct_serial,
@@ -67,6 +67,7 @@ __all__ = [
     "draft",
     "export_run",
     "filter_history",
+    "find_instruments",
     "fit_run",
     "greetings",
     "hand_out",
