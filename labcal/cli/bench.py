@@ -60,10 +60,10 @@ def serve(
 
 @bench.command()
 def find(
-    place: list[str] = typer.Argument(
+    place: list[str] | None = typer.Argument(
         None, metavar="[PLACE]...", help="Links, devices, hosts; none: this computer's serial and USB devices."
     ),
-    out: Path = typer.Option(
+    out: Path | None = typer.Option(
         None, "--out", metavar="BENCH.toml", help="A draft of a bench file, refused as it stands."
     ),
     force: bool = FORCE,
@@ -74,7 +74,7 @@ def find(
     found = find_instruments(place or [], out, say, force=force)
     if not found:
         say("Nothing answered.")
-    raise typer.Exit(DONE if found or out else NEGATIVE)
+    raise typer.Exit(DONE if found or out is not None else NEGATIVE)
 
 
 @bench.command()

@@ -81,7 +81,7 @@ def test_the_draft_is_refused_until_limits_are_stated(tmp_path: Path) -> None:
     )
     stated = stated.replace("# field_nT =", "field_nT = 1e5 #").replace("# serial = ", "serial = 'A' # ")
     path.write_text(stated.replace("# constants_nT_per_A = [ , , ]", "constants_nT_per_A = 5e4 #"))
-    with pytest.raises(InputError, match="tti_pl_1.role is missing"):
+    with pytest.raises(InputError, match=r"tti_pl_1\.role is missing"):
         read_config(path)
 
 
