@@ -17,14 +17,16 @@ LONGEST_QUEUE = 64
 MOST_ECHOES = 8  # that may still be on their way
 FLOW = b"\x11\x13"  # XON, XOFF that an adapter let through
 NAK = b"\x15"  # of a Kepco whose input queue overran
-CODE = re.compile(r"[+-]?\d+,")  # with which an answer to "which errors?" begins
+CODE = re.compile(r"[+-]?\d+(,| +[A-Za-z])")  # with which an answer to "which errors?" begins
+NO_ERROR = '0,"No error"'
 
 
 @dataclass
 class Scpi:
     """`gap_s`: the least pause after each message. `errors`: what asks for the oldest error in its queue.
 
-    `may_echo`: it may send back what it is told before it answers; that is no answer, whenever it comes.
+    `may_echo`: it may send back what it is told before it answers; that is no answer, whenever it comes. `end` closes
+    what it is told, and its last byte what it says. `no_error`: how an empty queue reads, if not as a 0 and a comma.
     """
 
     name: str
@@ -34,6 +36,8 @@ class Scpi:
     gap_s: float = 0.0
     errors: str = "SYST:ERR?"
     may_echo: bool = False
+    end: bytes = b"\n"
+    no_error: str = NO_ERROR
     _free_s: float = field(default=float("-inf"), init=False)
     _told: deque[bytes] = field(default_factory=lambda: deque(maxlen=MOST_ECHOES), init=False)
 
@@ -57,7 +61,7 @@ class Scpi:
     def command(self, text: str) -> None:
         """Tell, then ask for errors. Raises InstrumentError with what the supply says."""
         self.send(text)
-        if _none(error := self.query(self.errors)):
+        if self._none(error := self.query(self.errors)):
             return
         if not CODE.match(error):
             self.refuse_earlier(self.errors, error)
@@ -68,12 +72,15 @@ class Scpi:
         """Tell, once it is ready to hear; what was left on the line is dropped."""
         self.clock.wait_until(self._free_s)
         self.link.flush()
-        self.link.send(text.encode() + b"\n")
+        self.link.send(text.encode() + self.end)
         self._told.append(text.encode())
         self._free_s = self.clock.now() + self.gap_s
 
     def _line(self) -> bytes:
-        return self.link.ask(b"", end=b"\n", timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
+        return self.link.ask(b"", end=self.end[-1:], timeout_s=self.timeout_s).strip(FLOW + b"\r\n ")
+
+    def _none(self, error: str) -> bool:
+        return error.startswith(("0,", "+0,")) or _evenly(error) == _evenly(self.no_error)
 
     def identify(self, fits: Callable[[str, str], bool], kind: str) -> Identity:
         """Who it says it is. Raises InstrumentError where maker and model do not fit: it is no `kind`.
@@ -94,7 +101,7 @@ class Scpi:
     def empty_errors(self) -> None:
         """Read away the errors of the time before. Raises InstrumentError where its queue has no end."""
         for _ in range(LONGEST_QUEUE):
-            if _none(error := self.query(self.errors)):
+            if self._none(error := self.query(self.errors)):
                 return
         raise InstrumentError(f"{self.name}: its queue of errors has no end: {abridged(error)}.", fault="wrong reply")
 
@@ -108,7 +115,3 @@ def refused(name: str, text: str, why: str) -> InstrumentError:
 def _evenly(words: str) -> str:
     """One blank between words: some makers pad them."""
     return " ".join(words.split())
-
-
-def _none(error: str) -> bool:
-    return error.startswith(("0,", "+0,"))

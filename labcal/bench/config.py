@@ -308,6 +308,7 @@ def read_config(path: Path) -> BenchConfig:
 
 WORDS = {
     "extra_forbidden": "is not a key that is known here",
+    "unexpected_keyword_argument": "is not a key that is known here",
     "missing": "is missing",
     "dict_type": "must be a table",
     "model_type": "must be a table",

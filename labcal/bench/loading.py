@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass, field, fields
 from functools import cache
@@ -240,6 +240,11 @@ class Loader:
 def _installed(group: str) -> dict[str, EntryPoint]:
     """What the installed packages bring, by name; to look takes 40 ms."""
     return {entry.name: entry for entry in entry_points(group=group)}
+
+
+def recogniser(driver: str) -> Callable[[str], dict[str, str] | None]:
+    """What tells a driver's settings by an answer to *IDN?; None where it knows no such instrument."""
+    return cast("Callable[[str], dict[str, str] | None]", plugin_loading.load(_installed(DRIVERS)[driver]).recognise)
 
 
 def drivers_of(path: Path, config: BenchConfig) -> None:

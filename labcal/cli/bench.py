@@ -9,7 +9,7 @@ from pathlib import Path
 
 import typer
 
-from labcal.cli import DONE, INSTRUMENT_FAILED, app
+from labcal.cli import DONE, INSTRUMENT_FAILED, NEGATIVE, app
 from labcal.cli.results import FORCE
 from labcal.cli.screen import console, say
 
@@ -56,6 +56,25 @@ def serve(
     from labcal.session import serve_bench
 
     serve_bench(file, out, lambda: say("ready"), force=force)
+
+
+@bench.command()
+def find(
+    place: list[str] | None = typer.Argument(
+        None, metavar="[PLACE]...", help="Links, devices, hosts; none: this computer's serial and USB devices."
+    ),
+    out: Path | None = typer.Option(
+        None, "--out", metavar="BENCH.toml", help="A draft of a bench file, refused as it stands."
+    ),
+    force: bool = FORCE,
+) -> None:
+    """Ask who answers on which port, and set nothing; what a person must state stays open in the draft."""
+    from labcal.session import find_instruments
+
+    found = find_instruments(place or [], out, say, force=force)
+    if not found:
+        say("Nothing answered.")
+    raise typer.Exit(DONE if found or out is not None else NEGATIVE)
 
 
 @bench.command()

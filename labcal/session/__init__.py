@@ -37,7 +37,7 @@ from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run
 from labcal.session.audited import note_file, note_run, read_audit
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import Asked, Taken, import_foreign
-from labcal.session.instruments import approve_cage, coils_off, greetings, look_again, serve_bench
+from labcal.session.instruments import approve_cage, coils_off, find_instruments, greetings, look_again, serve_bench
 from labcal.session.records import (
     check_store,
     correct_serial,
@@ -85,6 +85,7 @@ __all__ = [
     "export_calibration",
     "export_run",
     "filter_history",
+    "find_instruments",
     "fit_run",
     "greetings",
     "hand_out",

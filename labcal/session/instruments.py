@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ from labcal.bench import shutdown
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.coils.cage_file import CageCalibration, write_cage
 from labcal.bench.identify import Identified, identify_all
+from labcal.files.atomic import write_text
 from labcal.files.home import home
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
@@ -19,6 +20,7 @@ from labcal.session.audited import note_file
 from labcal.store import Store
 
 if TYPE_CHECKING:
+    from labcal.bench.find import Found
     from labcal.bench.look_again import Looked
 
 
@@ -37,6 +39,25 @@ def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> Cage
 def greetings(bench: Path) -> list[Identified]:
     """Ask every instrument of a bench.toml who it is; silent ones are in the list, with why."""
     return identify_all(bench)
+
+
+def find_instruments(
+    stated: Sequence[str], out: Path | None, say: Callable[[str], None], *, force: bool = False
+) -> list[Found]:
+    """Ask who answers at these places, or at this computer's devices; `out` is a draft of a bench file."""
+    from labcal.bench.clock import RealClock
+    from labcal.bench.find import draft, find, places
+    from labcal.bench.loading import recogniser
+
+    outputs = claim("bench find", out, force=force)
+    found: list[Found] = []
+    for one in find(places(stated), RealClock(), recogniser("scpi-table")):
+        found.append(one)
+        say(f"{one.link}: {one.said}: {one.driver or 'no driver is known to fit'}")
+    for output in outputs:
+        with output.writing() as path:
+            write_text(path, draft(found))
+    return found
 
 
 def serve_bench(bench: Path, out: Path, ready: Callable[[], None], *, force: bool = False) -> None:

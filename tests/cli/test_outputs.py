@@ -47,10 +47,11 @@ ASKED = {
     "import --map": ("import {readings} --from csv --guess", "guess.toml"),
     "export --out": ("export {bundle} --format csv", "samples.csv"),
     "bench serve --out": ("bench serve {bench}", "served.toml"),
+    "bench find --out": ("bench find emulated://", "found.toml"),
     "bench cage --out": ("bench cage RUN --as Roe", "cage.json"),
 }
 READS = {
-    "demo --out": (), "runs --json": (), "audit --json": (), "bench cage --out": (),
+    "demo --out": (), "runs --json": (), "audit --json": (), "bench cage --out": (), "bench find --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
     "verify --json": ("{calibration}",),
     "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),

@@ -28,6 +28,9 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     "waveshare-relay": {"x": 0, "y": 1, "z": 2},
     "replay": {"file": str(ROOT / "tests" / "drivers" / "replayed.csv")},
     "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
+    "scpi-table": {"model": "rohde-schwarz-hmp"},
+    "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
+    "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
 FORBIDDEN = {  # a message of each driver's deny-list
     "tti-pl": [b"*RST\n", b"*rst\n", b"SAV1 1\n", b"RCL1 1\n"],
@@ -50,6 +53,8 @@ FORBIDDEN = {  # a message of each driver's deny-list
         )
     ],
     "csv-line": [b"x"],
+    "scpi-table": [b"*RST\n", b"*rcl 1\n", b"CURR 1;CAL:STAT ON\n", b"OUTP:TRAC ON\n", b"INST:COUP:OUTP ALL\n"],
+    "microcontroller": [b"SET 1 5\n", b"1 SAVE*00\n", b"1 SET 1 5*00\n2 X*00\n", b"1 OUT 1 2*00\n", b"*RST\n"],
     "pmag": [b"$"],
     "lemi-025": [b"L"],
     "replay": [b"1"],
@@ -67,11 +72,16 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "newport-smc100": [b"1PR5\r\n", b"1PW1\r\n", b"1RS\r\n", b"1SA2\r\n", b"1ZX3\r\n"],
     "oriental-az": [bytes.fromhex(h) for h in ("01060058", "011000580010200000000000000002", "0110007C00020400000040")],
     "leadshine": [bytes.fromhex(h) for h in ("010618012211", "010618014001", "010660020021", "0110620000060C0041")],
+    "labjack-t7": [
+        bytes.fromhex(h) for h in ("010603E80001", "011003E80002", "0110EA600002", "01059C4000FF", "0110A410")
+    ],
+    "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "manual": [b"x"],
 }
 TO_PANEL = {  # what a supply's driver says last, once zero and off are read back; the others' panels need no word
     "tti-pl": b"LOCAL\n",
     "rigol-dp800": b":SYST:LOC\n",
+    "scpi-table": b"SYST:LOC\n",
     "keysight-e36300": b"SYST:LOC\n",
     "ea-9000": bytes.fromhex("000501920000"),
 }
@@ -113,7 +123,7 @@ def test_every_driver_stands_in_the_docs_and_every_supply_says_whether_it_has_a_
     named = re.findall(r"^\|( `.*?) \|", (ROOT / "docs" / "bench.md").read_text(), re.MULTILINE)
     assert set(DRIVERS) <= set(re.findall(r"`([\w-]+)`", " ".join(named)))
     watchdogs = (ROOT / "docs" / "instruments.md").read_text().partition("## A supply's own watchdog")[2]
-    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA"}
+    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA", "scpi-table": "A table's"}
     for name in SUPPLIES:
         assert makers.get(name, name.split("-")[0].title()) in watchdogs, name
 

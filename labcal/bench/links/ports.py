@@ -19,6 +19,7 @@ from labcal.bench.links import devices, hosts, locks
 from labcal.bench.links.holders import connected, locker, process
 from labcal.bench.links.places import folders, meet, own_folder, runtime_folder, user, user_name
 from labcal.bench.links.urls import NETWORK, OVER_NETWORK, place, split
+from labcal.bench.links.visa import canonical
 from labcal.errors import InputError, InstrumentError
 
 __all__ = [
@@ -72,12 +73,21 @@ def port_of(url: str) -> str:
     address = rest.split("?")[0]
     if address.startswith("/"):
         return os.path.realpath(address)
+    if scheme == "visa":
+        return _of_visa(address)
     kind, _, there = address.rpartition("://")
     if scheme in NETWORK or kind.lower() in OVER_NETWORK:
         with suppress(InputError):  # whoever opens it says so
             host, port = place(url, scheme, there)
             return f"{hosts.one_of(host)}:{port}"
     return as_spelt(url)
+
+
+def _of_visa(address: str) -> str:
+    """The resource, its name completed."""
+    with suppress(InputError):
+        return canonical(address).lower()
+    return address.lower()
 
 
 def as_spelt(url: str) -> str:

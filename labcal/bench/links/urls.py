@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from urllib.parse import parse_qsl, urlsplit
 
+from labcal.bench.links.visa import canonical
 from labcal.errors import InputError
 
 SERIAL = ("serial", "modbus-rtu")
 NETWORK = ("tcp", "udp", "modbus-tcp")
-OTHERS = ("usbtmc", "manual", "emulated")
+OTHERS = ("usbtmc", "visa", "manual", "emulated")
 NUMBERS = {"baud": 1, "gap_ms": 0, "timeout_ms": 1}  # the least of each
 CHOICES = {
     "bytesize": ("5", "6", "7", "8"), "parity": ("N", "E", "O", "M", "S"), "stopbits": ("1", "1.5", "2"),
     "rtscts": ("0", "1"), "xonxoff": ("0", "1"), "echo": ("0", "1"),
+    "backend": ("py", "ivi"),
 }  # fmt: skip
 OPTIONS = (*NUMBERS, *CHOICES)
 BY_URL = ("socket", "rfc2217", "loop", "hwgrep")  # pyserial's others write a file (spy) or load code (alt)
@@ -38,6 +40,8 @@ def split(url: str) -> tuple[str, str, dict[str, str]]:
     _refuse_values(url, options)
     if scheme in NETWORK:
         place(url, scheme, address)
+    if scheme == "visa":
+        canonical(address)
     return scheme, address + (f"?{foreign}" if foreign else ""), options
 
 

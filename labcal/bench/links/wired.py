@@ -1,4 +1,4 @@
-"""serial://, tcp://, udp://, usbtmc://: real lines. One that is lost stays lost until it is opened again on purpose."""
+"""serial://, tcp://, udp://, usbtmc://, visa://: real lines. One that is lost stays so until it is opened anew."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from labcal.bench.links.line import drop, read_reply
 from labcal.bench.links.ports import claim
 from labcal.bench.links.urls import place, split
 from labcal.bench.links.usbtmc import UsbtmcPort
+from labcal.bench.links.visa import VisaPort
 from labcal.errors import InputError, InstrumentError
 
 CONNECT_S = 3.0
@@ -326,5 +327,7 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
         return SerialPort(address, options)
     if scheme == "usbtmc":
         return UsbtmcPort(address)
+    if scheme == "visa":
+        return VisaPort(address, options)
     host, port = place(url, scheme, address)
     return UdpPort(host, port) if scheme == "udp" else TcpPort(host, port)

@@ -1,0 +1,115 @@
+"""A supply that speaks as its table says: what a driver tells by it, this understands, in long and short forms."""
+
+from __future__ import annotations
+
+import re
+import string
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from drivers.emulators.line import Answers, Lab
+from drivers.emulators.scpi import RANGE, Messages, short
+from drivers.framing.scpi_table import Table
+
+MARKS = {"value": "\ue000", "channel": "\ue001", "on": "\ue002"}  # letters of no alphabet, while words are shortened
+NUMBER = r"(?P<value>[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?)"
+Act = Callable[[float, "Channel", str], str]
+
+
+@dataclass
+class Channel:
+    """One channel and the coil behind it; `tripped`: by which of the table's trips."""
+
+    coil: Any
+    volts: float = 0.0
+    amps: float = 0.0
+    on: bool = False
+    tripped: set[str] = field(default_factory=set)
+
+
+class TableEmulator(Answers):
+    """A message that names no channel is for the one that was selected last."""
+
+    baud = 9600
+
+    def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
+        table: Table = settings.words
+        alone = settings.channel if len(roles) == 1 else 1
+        self.channels = {int(s.get("channel", alone)): Channel(lab.coils[role[-1]]) for role, s in roles.items()}
+        self._selected, self._table = min(self.channels), table
+        self._scpi = Messages(table.example, self._do, self._reset, table.no_error, table.terminator)
+        self._known = list(self._understood(table))
+        super().__init__(self._scpi.line, end=table.terminator.encode()[-1:], delay_s=0.01)
+
+    def trip(self, t_s: float, number: int, name: str) -> None:
+        """A protection has switched a channel off."""
+        self.channels[number].tripped.add(name)
+        self._switch(t_s, self.channels[number], self._table.off)
+
+    def _understood(self, table: Table) -> list[tuple[re.Pattern[str], Act]]:
+        found: dict[str, Act] = {
+            table.set_current: lambda t, c, value: self._set(t, c, "amps", float(value), table.most_A),
+            table.set_voltage: lambda t, c, value: self._set(t, c, "volts", float(value), table.most_V),
+            table.output: self._switch,
+            table.ask_current: lambda t, c, _: f"{c.amps:.4f}",
+            table.ask_voltage: lambda t, c, _: f"{c.volts:.4f}",
+            table.measure_current: lambda t, c, _: f"{round(c.coil.current.now(t), 4):.4f}",
+        }
+        found[table.ask_output] = lambda t, c, _: self._outputs() if table.output_bit else f"{c.on:d}"
+        found |= {question: self._tripped(question) for question in table.trips.values()}
+        found |= {words: lambda t, c, _: "" for words in (table.remote, table.local) if words}
+        found |= {table.select: self._select} if table.select else {}
+        return [(_pattern(words, table), act) for words, act in found.items()]
+
+    def _do(self, t_s: float, message: str) -> str | None:
+        for pattern, act in self._known:
+            if found := pattern.fullmatch(message):
+                named = found.groupdict()
+                number = int(named.get("channel") or self._selected)
+                if act == self._select:
+                    return self._select(t_s, self.channels[number], f"{number}")
+                return act(t_s, self.channels[number], named.get("value") or named.get("on") or "")
+        return None
+
+    def _select(self, t_s: float, channel: Channel, number: str) -> str:
+        self._selected = int(number)
+        return ""
+
+    def _set(self, t_s: float, channel: Channel, what: str, value: float, most: float) -> str:
+        if not (-most if self._table.bipolar and what == "amps" else 0.0) <= value <= 1.001 * most:
+            return self._scpi.fault(RANGE)
+        setattr(channel, what, value)
+        return self._drive(t_s, channel)
+
+    def _switch(self, t_s: float, channel: Channel, word: str) -> str:
+        channel.on = word == short(self._table.on) and not channel.tripped
+        return self._drive(t_s, channel)
+
+    def _drive(self, t_s: float, channel: Channel) -> str:
+        channel.coil.drive(t_s, channel.amps, channel.volts, channel.on)
+        return ""
+
+    def _tripped(self, question: str) -> Act:
+        names = [name for name, asked in self._table.trips.items() if asked == question]
+        bits = self._table.trip_bit
+        return lambda t, c, _: f"{sum((name in c.tripped) << bits.get(name, 0) for name in names)}"
+
+    def _outputs(self) -> str:
+        bits = dict(zip(self._table.channels, self._table.output_bit, strict=True))
+        return f"0x{sum(channel.on << bits[number] for number, channel in self.channels.items()):04x}"
+
+    def _reset(self, t_s: float) -> None:
+        for channel in self.channels.values():
+            channel.volts = channel.amps = 0.0
+            self._switch(t_s, channel, self._table.off)
+
+
+def _pattern(words: str, table: Table) -> re.Pattern[str]:
+    """What fits `words` in their short form, whatever number, channel and state stand in them."""
+    parts = [text + MARKS.get(name or "", "") for text, name, _, _ in string.Formatter().parse(words)]
+    pattern = re.escape(short("".join(parts).removeprefix(":")))
+    states = "|".join(re.escape(short(word)) for word in (table.on, table.off))
+    for name, form in (("value", NUMBER), ("channel", r"(?P<channel>\d+)"), ("on", f"(?P<on>{states})")):
+        pattern = pattern.replace(re.escape(MARKS[name]), form)
+    return re.compile(pattern)

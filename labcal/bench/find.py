@@ -1,0 +1,235 @@
+"""What answers on which port: every place is asked who is there, in the words of the drivers, and nothing is set."""
+
+from __future__ import annotations
+
+import re
+import struct
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from labcal.bench.clock import Clock
+from labcal.bench.links import Link, abridged, open_link
+from labcal.errors import InputError, InstrumentError
+
+PORTS = (5025, 5555, 9221, 2268, 50000, 502)  # of instruments that speak over TCP
+BAUDS = (9600, 19200, 57600, 115200)
+DEVICES = ("/dev/serial/by-id/*", "/dev/ttyUSB*", "/dev/ttyACM*", "/dev/usbtmc*")
+LISTEN_S, ANSWER_S = 0.3, 0.4
+ADDRESSES = range(1, 4)  # of Modbus devices
+IDN = (  # of what answers *IDN?, by its text
+    (r"(THURLBY|TTI).*", "tti-pl", "coil"),
+    (r"RIGOL[^,]*,DP8.*", "rigol-dp800", "coil"),
+    (r"KEPCO.*", "kepco-bop", "coil"),
+    (r"[^,]*,E3631[123]A,.*", "keysight-e36300", "coil"),
+    (r"(KORAD|TENMA|VELLEMAN).*", "korad-ka3005p", "coil"),
+    (r"METROLAB.*", "metrolab", "reference"),
+)
+Recognise = Callable[[str], dict[str, str] | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What answers at `link`; `driver` and `kind` of role are "" where no driver of labcal is known to fit."""
+
+    link: str
+    said: str
+    driver: str = ""
+    kind: str = ""
+    settings: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Probe:
+    """A question that sets nothing, in pieces with a pause between them, and the answer that `driver` is known by."""
+
+    pieces: tuple[bytes, ...]
+    answer: bytes
+    driver: str
+    kind: str
+
+
+PROBES = (  # each ends first what the one before may have left in another's buffer
+    Probe((b"*IDN?", b"\n"), rb"[ -~]*[A-Za-z][ -~]*", "", ""),  # a Korad answers to the first piece
+    Probe((b"\n/get system.serial\n",), rb"@\d\d \d( \d\d)? (OK|RJ) .*", "zaber", "platform"),
+    Probe((b"\r*99#\r",), rb"SER#.*", "hmr2300", "reference"),
+    Probe((b"\n1 WHO*D1\n",), rb"1 OK labcal-coil/1 .*", "microcontroller", "coil"),
+    Probe((b"\rVE?\r",), rb"ESP30\d.*", "newport-esp301", "platform"),
+    Probe((b"\r\n1VE\r\n",), rb"1VE.*", "newport-smc100", "platform"),
+)
+
+
+def places(stated: Sequence[str]) -> list[str]:
+    """Links to ask: those stated (a link, a device, or a host with the usual ports), else this computer's devices."""
+    if not stated:
+        devices = sorted({Path(name).resolve() for pattern in DEVICES for name in _glob(pattern)})
+        return [f"usbtmc://{path}" if path.name.startswith("usbtmc") else f"serial://{path}" for path in devices]
+    return [link for place in stated for link in _links(place)]
+
+
+def _glob(pattern: str) -> Iterator[Path]:
+    return Path("/").glob(pattern.removeprefix("/"))
+
+
+def _links(place: str) -> list[str]:
+    if "://" in place:
+        return [place]
+    if place.startswith("/"):
+        return [f"usbtmc://{place}" if "usbtmc" in place else f"serial://{place}"]
+    return [f"{'modbus-tcp' if port == 502 else 'tcp'}://{place}:{port}" for port in PORTS]
+
+
+def find(links: Sequence[str], clock: Clock, recognise: Recognise = lambda said: None) -> Iterator[Found]:
+    """What answers at each of these; nothing is yielded of a place that is silent.
+
+    `recognise`: settings of the driver scpi-table for an answer to *IDN?, where one of its tables fits.
+    """
+    for link in links:
+        scheme, _, rest = link.partition("://")
+        if scheme == "modbus-tcp":
+            yield from _modbus(link, clock, LABJACK)
+        elif scheme == "serial":
+            yield from _serial(rest.partition("?")[0], clock, recognise)
+        elif scheme != "emulated":
+            yield from _asked(link, clock, PROBES[:1], recognise)
+
+
+def _serial(device: str, clock: Clock, recognise: Recognise) -> Iterator[Found]:
+    """At each usual rate: listened to, asked in words, then by registers; the first that makes sense is it."""
+    for baud in BAUDS:
+        if found := list(_asked(f"serial://{device}?baud={baud}", clock, PROBES, recognise)):
+            yield from found
+            return
+    for baud in BAUDS:
+        if found := list(_modbus(f"modbus-rtu://{device}?baud={baud}", clock, RTU)):
+            yield from found
+            return
+
+
+def _asked(url: str, clock: Clock, probes: Sequence[Probe], recognise: Recognise) -> Iterator[Found]:
+    with suppress(InstrumentError, InputError), closing(open_link(url, clock)) as link:
+        if len(heard := _heard(link, clock, LISTEN_S)) and (talker := _talker(url, heard)):
+            yield talker
+            return
+        for probe in probes:
+            answer = b""
+            for piece in probe.pieces:
+                if not answer:
+                    link.send(piece)
+                    answer = _heard(link, clock, ANSWER_S)
+            for line in re.split(rb"[\r\n]+", answer.strip()):
+                if re.fullmatch(probe.answer, line):
+                    yield _found(url, line.decode(), probe, recognise)
+                    return
+
+
+def _heard(link: Link, clock: Clock, seconds: float) -> bytes:
+    return b"".join(data for _, data in link.receive(clock.now() + seconds))
+
+
+def _talker(url: str, heard: bytes) -> Found | None:
+    """What sends lines of text by itself."""
+    lines = [line for line in re.split(rb"[\r\n]+", heard) if line]
+    if not lines or not all(re.fullmatch(rb"[ -~]+", line) for line in lines):
+        return None
+    driver = "pmag" if lines[-1].startswith(b"$PMAG") else "csv-line"
+    return Found(url, f"sends by itself: {lines[-1].decode()}", driver, "dut or reference")
+
+
+def _found(url: str, said: str, probe: Probe, recognise: Recognise) -> Found:
+    if probe.driver:
+        return Found(url, said, probe.driver, probe.kind)
+    for pattern, driver, kind in IDN:
+        if re.fullmatch(pattern, said, re.IGNORECASE):
+            return Found(url, said, driver, kind)
+    if (stated := recognise(said)) is not None:
+        words = ", ".join(f'{key} = "{value}"' for key, value in stated.items())
+        return Found(url, said, "scpi-table", "coil", words)
+    return Found(url, said)
+
+
+@dataclass(frozen=True, slots=True)
+class Register:
+    """Registers that are read, and what a device is that holds such words there."""
+
+    address: int
+    count: int
+    fits: Callable[[list[int]], bool]
+    driver: str
+    kind: str
+    said: str
+
+
+RTU = (
+    Register(0, 1, lambda w: 60_000 <= w[0] <= 60_999, "riden-rd60xx", "coil", "Riden"),
+    Register(
+        0x8000, 1, lambda w: 200 <= w[0] < 1000, "waveshare-relay", "polarity or interlock", "Waveshare relay board"
+    ),
+)
+LABJACK = (
+    Register(60_000, 2, lambda w: w == list(struct.unpack(">2H", struct.pack(">f", 7.0))), "labjack-t7", "reference",
+             "LabJack T7"),
+)  # fmt: skip
+
+
+def _modbus(url: str, clock: Clock, known: Sequence[Register]) -> Iterator[Found]:
+    from labcal.bench.links.modbus import ModbusLink  # slow to import
+
+    with suppress(InstrumentError, InputError), closing(open_link(url, clock)) as line:
+        framer = "socket" if url.startswith("modbus-tcp") else "rtu"
+        master = ModbusLink(line, clock, framer=framer, timeout_s=ANSWER_S, quiet_s=0.1)
+        for device in ADDRESSES:
+            if one := _device(master.read_holding, device, known):
+                settings = f"address = {device}" if device != 1 else ""
+                yield Found(url, f"{one[2]} at Modbus address {device}", one[0], one[1], settings)
+
+
+def _device(read: Callable[[int, int, int], list[int]], device: int, known: Sequence[Register]) -> tuple[str, ...]:
+    """Driver, kind and words of what answers at this address; () where nothing does."""
+    there = False
+    for register in known:
+        try:
+            fits = register.fits(read(device, register.address, register.count))
+        except InstrumentError as fault:
+            if fault.fault == "silent" and not there:
+                return ()
+            there = there or fault.fault == "refused"
+            continue
+        there = True
+        if fits:
+            return register.driver, register.kind, register.said
+    return ("", "", "a device that is not known") if there else ()
+
+
+HEAD = """# What `labcal bench find` found. It is refused until a person has stated what is commented out: limits first.
+name = "cage"
+
+[cage]
+# constants_nT_per_A = [ , , ]   # measured, nT per ampere of each coil; or matrix_nT_per_A, or calibration
+
+[cage.limits]
+# current_A =                    # what the thinnest wire of a coil bears for ever
+# ramp_A_per_s =                 # full current must ramp down within 1.5 s
+# field_nT =                     # at the centre, ambient included
+
+[dut]
+# serial = ""
+"""
+
+
+def draft(found: Sequence[Found]) -> str:
+    """A bench.toml of what was found, with what a person must still state commented out."""
+    parts = [HEAD]
+    for number, one in enumerate(found, 1):
+        said = abridged(one.said).replace("\n", " ")
+        if not one.driver:
+            parts.append(f"# {one.link}: {said}: no driver of labcal is known to fit.\n")
+            continue
+        limits = "max_current_A = , compliance_V = " if one.kind == "coil" else ""
+        settings = ", ".join(filter(None, (one.settings, limits)))
+        name, role = f"{one.driver.replace('-', '_')}_{number}", one.kind + "-x, -y or -z" * bool(limits)
+        lines = [f"[instruments.{name}]  # {said}", f'driver = "{one.driver}"', f'link = "{one.link}"']
+        lines += [f'# role = ""  # {role}'] + [f"# settings = {{ {settings} }}"] * bool(settings)
+        parts.append("\n".join(lines) + "\n")
+    return "\n".join(parts)

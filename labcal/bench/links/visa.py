@@ -1,0 +1,100 @@
+"""visa:// an instrument that VISA reaches: GPIB, USBTMC, VXI-11, HiSLIP; through pyvisa, with pyvisa-py."""
+
+from __future__ import annotations
+
+import errno
+import re
+from contextlib import suppress
+from importlib import import_module
+from typing import Any
+
+from labcal.errors import InputError
+
+TIMEOUT_S, OPEN_S = 2.0, 5.0
+KINDS = ("GPIB", "TCPIP", "USB", "VXI")
+HOW = "visa:// needs pyvisa; install it: pip install 'labcal[visa]' (GPIB and USBTMC: docs/bench.md)"
+GONE = ("VI_ERROR_CONN_LOST", "VI_ERROR_RSRC_NFOUND", "VI_ERROR_INV_OBJECT", "VI_ERROR_NLISTENERS")
+
+
+def canonical(address: str) -> str:
+    """The resource's name with what may be left out: its board, 0, and its class, INSTR.
+
+    Raises InputError for what is none, and for a serial line or a raw socket, which have links of their own: pyvisa-py
+    waits for ever for a socket whose other end has hung up.
+    """
+    kind, *parts = address.upper().split("::")
+    found = re.fullmatch(r"([A-Z]+)(\d*)", kind)
+    if found and found[1] == "ASRL":
+        raise InputError(f"link 'visa://{address}': a serial line is serial://… (docs/bench.md)")
+    if not found or found[1] not in KINDS or not parts or not all(parts):
+        known = ", ".join(f"{one}…::…" for one in KINDS)
+        raise InputError(f"link 'visa://{address}': is no VISA resource such as {known}")
+    if parts[-1] == "SOCKET":
+        raise InputError(f"link 'visa://{address}': a raw socket is tcp://HOST:PORT (docs/bench.md)")
+    last = [] if parts[-1] == "INSTR" else ["INSTR"]
+    return "::".join([f"{found[1]}{found[2] or 0}", *parts, *last])
+
+
+class VisaPort:
+    """Messages, not bytes: one write is one message, and a reply is read only after a message that asks for it.
+
+    The read waits for the reply, at most `TIMEOUT_S`, and nothing else is done meanwhile.
+    """
+
+    byte_s = 0.0
+
+    def __init__(self, address: str, options: dict[str, str]) -> None:
+        resource, self._asked = canonical(address), False
+        try:
+            self._visa: Any = import_module("pyvisa")
+            manager = self._visa.ResourceManager(f"@{options.get('backend', 'py')}")
+        except (ImportError, OSError, ValueError) as error:
+            raise InputError(f"link 'visa://{address}': {HOW}") from error
+        self._port = self._opened(manager, resource)
+        self._port.timeout = 1000 * TIMEOUT_S
+
+    def read(self) -> bytes:
+        """The reply that was asked for. Raises OSError when the instrument is gone."""
+        if not self._asked:
+            return b""
+        self._asked = False
+        try:
+            return bytes(self._port.read_raw())
+        except self._visa.errors.VisaIOError as error:
+            if error.abbreviation != "VI_ERROR_TMO":
+                raise _as_os_error(error) from error
+        with suppress(self._visa.errors.VisaIOError):
+            self._port.clear()  # a reply that comes later must not answer the next question
+        return b""
+
+    def write(self, data: bytes) -> None:
+        """One message, which asks for a reply where it has a question mark."""
+        try:
+            self._port.write_raw(data)
+        except self._visa.errors.VisaIOError as error:
+            raise _as_os_error(error) from error
+        self._asked = b"?" in data
+
+    def there(self) -> bool:
+        """It is, unless an error says otherwise."""
+        return True
+
+    def close(self) -> None:
+        """Let go."""
+        with suppress(self._visa.errors.VisaIOError):
+            self._port.close()
+
+    def _opened(self, manager: Any, resource: str) -> Any:
+        try:
+            return manager.open_resource(resource, open_timeout=round(1000 * OPEN_S))
+        except self._visa.errors.VisaIOError as error:
+            raise _as_os_error(error) from error
+        except OSError:
+            raise
+        except Exception as error:  # a backend that lacks what this kind needs says so in many ways
+            raise InputError(f"link 'visa://{resource}': {error}") from error
+
+
+def _as_os_error(error: Any) -> OSError:
+    number = errno.ENXIO if error.abbreviation in GONE else errno.EIO
+    return OSError(number, f"{error.abbreviation}: {error.description}")
