@@ -70,6 +70,11 @@ class CertificatePage(QWidget):
         """What there is now."""
         self.refresh()
 
+    def hideEvent(self, event: object) -> None:
+        """No passphrase waits here for whoever comes next."""
+        for entry in (self.passphrase, self.again):
+            entry.clear()
+
     def set_theme(self, theme: Theme) -> None:
         """Results in the theme's colours."""
         self.views.set_theme(theme)
@@ -198,6 +203,7 @@ class CertificatePage(QWidget):
         return self._files.get(self.list.item(row).data(Qt.ItemDataRole.UserRole)) if row >= 0 else None
 
     def _known(self, files: tuple[CalibrationFile, ...]) -> None:
+        self._app_state.path.take_calibrations(files)
         before = self.chosen()
         kept = self._wanted or (before.path if before is not None else "")
         self._files = {one.path: one for one in files}
@@ -250,18 +256,20 @@ class CertificatePage(QWidget):
         one, name = self.chosen(), self.signer.currentText().strip()
         known = name in [self.signer.itemText(n) for n in range(self.signer.count())]
         words, twice = bool(self.passphrase.text()), self.passphrase.text() == self.again.text()
-        new = bool(name) and not known
+        new = not known and (bool(name) or not self.signer.count())  # where nobody has a key, one is made first
         for widget, shown in ((self.again, new), (self.new_key, new), (self.sign, not new)):
             widget.setVisible(shown)
         draft = one is not None and not one.standing.signatures
         self.approve.setEnabled(draft and bool(self.approver.currentText().strip()))
         self.sign.setEnabled(one is not None and known and words)
-        self.new_key.setEnabled(new and words and twice)
+        self.new_key.setEnabled(new and bool(name) and words and twice)
         for widget in (self.report, self.export, self.apply):
             widget.setEnabled(one is not None)
         step = next_step(one, self._app_state.lab.state.operator) if one else ""
         if new and self.again.text() and not twice:
             step = self.tr("The two passphrases differ.")
+        elif new and not name:
+            step = self.tr("Nobody has a key here. Write who signs, as in ada.smith, and a passphrase twice; New key.")
         elif new:
             step = self.tr("{0} has no key here: type a passphrase twice, and New key makes one under it.").format(name)
         elif known and not words and draft:

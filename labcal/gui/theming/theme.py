@@ -87,7 +87,7 @@ QLabel#large { font-size: ${large_pt}pt; font-weight: 600; }
 QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padding: 4px 12px; border-radius: 4px;
                    letter-spacing: 2px; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
-QLabel[state="old"] { color: $muted; }
+QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
 QPushButton:disabled { color: $muted; background: $page; }
@@ -103,6 +103,7 @@ QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { back
     border: 1px solid $line; border-radius: 4px; padding: 5px 8px;
     selection-background-color: $accent; selection-color: $on_accent; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
+QLineEdit[state="bad"] { border: 2px solid $bad; padding: 4px 7px; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
     selection-color: $on_accent; }
 QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; padding: 1px; gridline-color: $line;

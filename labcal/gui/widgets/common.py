@@ -200,8 +200,9 @@ class AutoSizeLabel(QLabel):
 
     styles_itself = True  # its font is its own: no style sheet is put on it
 
-    def __init__(self) -> None:
+    def __init__(self, largest_pt: int = LARGEST_PT) -> None:
         super().__init__()
+        self._largest_pt = largest_pt
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setWordWrap(True)
         self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -220,7 +221,7 @@ class AutoSizeLabel(QLabel):
         self._enlarge()
 
     def _enlarge(self) -> None:
-        sizes = range(SMALLEST_PT + 1, LARGEST_PT + 1)
+        sizes = range(SMALLEST_PT + 1, self._largest_pt + 1)
         fitting = SMALLEST_PT + bisect_left(sizes, True, key=lambda pt: not self._fits(pt))
         if fitting != self._pt:
             self._pt = fitting

@@ -57,6 +57,7 @@ class RunChooser(QComboBox):
         self.setCurrentIndex(self.findData(run))
 
     def _known(self, runs: tuple[RunLine, ...]) -> None:
+        self._app_state.path.take_runs(runs)
         kept = self._wanted or self.currentData()
         self.clear()
         for one in runs:
