@@ -270,7 +270,8 @@ class Frame(QMainWindow):
     def _status_line(self) -> QWidget:
         self.bottom = line = Surface(Qt.Edge.TopEdge)
         row = QHBoxLayout(line)
-        row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
+        row.setContentsMargins(2 * GRID, GRID // 2, 2 * GRID, GRID // 2)
+        row.setSpacing(GRID)
         row.addWidget(self.said_at)
         row.addWidget(self.message, 1)
         row.addWidget(self.waiting)
@@ -337,6 +338,7 @@ class Frame(QMainWindow):
         self.side.show_state(state)
         self.said_at.setText(state.said_at)
         self.message.setText(step_title(state.message))
+        self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

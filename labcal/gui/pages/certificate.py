@@ -8,7 +8,16 @@ from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QGridLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.ipc.messages import (
@@ -123,7 +132,7 @@ class CertificatePage(QWidget):
     def _approve_row(self) -> QHBoxLayout:
         self.approver = QComboBox()
         self.approver.setEditable(True)
-        written(self.approver, self.tr("Approver, by the name of their key"))
+        written(self.approver, self.tr("Approver: their key's name"))
         self.approver.setToolTip(
             self.tr("Another person than the operator, by the name that they sign under; written before anybody signs")
         )
@@ -139,7 +148,7 @@ class CertificatePage(QWidget):
         row.addWidget(self.approve)
         return row
 
-    def _sign_row(self) -> QHBoxLayout:
+    def _sign_row(self) -> QGridLayout:
         self.signer = QComboBox()
         self.signer.setEditable(True)
         written(self.signer, self.tr("Who signs"))
@@ -149,7 +158,7 @@ class CertificatePage(QWidget):
         self.passphrase.setPlaceholderText(self.tr("Passphrase"))
         self.passphrase.setToolTip(self.tr("Asked each time, never kept"))
         self.again = QLineEdit()
-        self.again.setPlaceholderText(self.tr("The same once more"))
+        self.again.setPlaceholderText(self.tr("Once more"))
         self.again.setToolTip(self.tr("A new key's passphrase is typed twice: nothing can bring it back"))
         for entry in (self.passphrase, self.again):
             entry.setAccessibleName(entry.placeholderText())
@@ -163,14 +172,16 @@ class CertificatePage(QWidget):
             self.tr("New key"), self.tr("Make a key for this name under this passphrase, and trust it in this lab")
         )
         self.new_key.clicked.connect(self._new_key)
-        row = QHBoxLayout()
-        row.addWidget(label(self.tr("2"), "title"))
-        row.addWidget(self.signer, 1)
-        row.addWidget(self.passphrase, 1)
-        row.addWidget(self.again, 1)
-        row.addWidget(self.new_key)
-        row.addWidget(self.sign)
-        return row
+        grid = QGridLayout()
+        grid.addWidget(label(self.tr("2"), "title"), 0, 0)
+        grid.addWidget(self.signer, 0, 1, 1, 2)
+        grid.addWidget(self.passphrase, 1, 1)
+        grid.addWidget(self.again, 1, 2)
+        for widget in (self.new_key, self.sign):
+            grid.addWidget(widget, 1, 3)
+        for column in (1, 2):
+            grid.setColumnStretch(column, 1)
+        return grid
 
     def _paper_row(self) -> QVBoxLayout:
         self.report = button(
@@ -231,6 +242,8 @@ class CertificatePage(QWidget):
             chooser.clear()
             chooser.addItems(names)
             chooser.setCurrentText(typed or first)
+            if (line := chooser.lineEdit()) is not None and not line.hasFocus():
+                line.setCursorPosition(0)  # of a long one its beginning is seen
         self._enable()
 
     def _show(self) -> None:

@@ -78,9 +78,7 @@ class HistoryPage(QWidget):
         card = Card(self.tr("Runs"))
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Search: DUT, date, operator, procedure, verdict …"))
-        self.search.setToolTip(
-            self.tr("Several words narrow it down: EM-07 yesterday explained; or 22.11.2026")
-        )
+        self.search.setToolTip(self.tr("Several words narrow it down: EM-07 yesterday explained; or 22.11.2026"))
         self.search.setClearButtonEnabled(True)
         takes_scans(self.search)
         self.search.textChanged.connect(self._show)

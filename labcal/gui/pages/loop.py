@@ -138,7 +138,7 @@ class LoopPage(QWidget):
         return card
 
     def _left_card(self) -> Card:
-        card = Card(self.tr("1  What is left over"), self.tr("noise, k=2"))
+        card = Card(self.tr("1  What is left over"), self.tr("noise k=2"))
         self.left = Residuals(self._theme)
         card.body.addWidget(self.left)
         return card
@@ -162,7 +162,7 @@ class LoopPage(QWidget):
     def _change_card(self) -> Card:
         card = Card(self.tr("3  What it changes"), "")
         self.change_heading, self.change_words = card.heading, card.unit
-        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=5)
+        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=2)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
         self.change_why = label("", "caption", wrap=True)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QScrollArea, QWidget
 
 from labcal.gui.ipc.answers import Procedure, Procedures
@@ -15,7 +16,7 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
-from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.parameter_form import ParameterForm
 
@@ -46,6 +47,7 @@ class Choose(QWidget):
 
     def _list_card(self) -> Card:
         card = Card(self.tr("Procedures"))
+        card.heading.setMinimumWidth(0)  # of its text
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Procedures"))
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -76,7 +78,9 @@ class Choose(QWidget):
         self.plan = label("", wrap=True)
         self.plan.setAccessibleName(self.tr("The plan"))
         card.body.addWidget(self.plan)
-        self.objection = label("", "caption")
+        self.objection = label("", "caption", wrap=True)
+        self.objection.setAlignment(Qt.AlignmentFlag.AlignRight)
+        set_state(self.objection, "bad")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
         for pace in SPEEDS:
             self.pace.addItem(translated(PACE_WORDS.get(pace, pace)), pace)
@@ -101,9 +105,9 @@ class Choose(QWidget):
         for widget in (self.pace_label, self.pace):
             row.addWidget(widget)
         row.addStretch()
-        row.addWidget(self.objection)
         for act in (self.show_plan, self.start):
             row.addWidget(act)
+        card.body.addWidget(self.objection)
         card.body.addLayout(row)
         return card
 
@@ -172,6 +176,9 @@ class Choose(QWidget):
         heading = QListWidgetItem(group, self.list)
         heading.setFlags(Qt.ItemFlag.NoItemFlags)
         heading.setData(HEADING, True)
+        font = QFont()
+        font.setBold(True)
+        heading.setFont(font)
 
     def _show_found(self) -> None:
         """Hide what the search does not find, and headings with nothing below them."""
@@ -230,6 +237,7 @@ class Choose(QWidget):
         if not objection and self.form is not None and not self.form.valid():
             objection = self.tr("A setting is not accepted: see above.")
         self.objection.setText(objection)
+        self.objection.setVisible(bool(objection))
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         self.start.setEnabled(ready)
         self.show_plan.setEnabled(ready)

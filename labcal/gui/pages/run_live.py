@@ -26,7 +26,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, format_duration, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
-from labcal.gui.widgets.common import Card, button, deferred_layout, label, set_primary, shrinkable
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
@@ -34,6 +34,7 @@ from labcal.gui.widgets.prompt_card import PromptCard
 from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
+HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 SHOWN_S = 120.0  # of the traces
@@ -147,7 +148,9 @@ class Live(QWidget):
 
     def _live_card(self) -> Card:
         card = Card()
-        self.headline = shrinkable(label("", "large"))
+        self.headline = AutoSizeLabel(HEADLINE_PT)
+        self.headline.setMinimumHeight(5 * GRID)
+        self.headline.setMaximumHeight(9 * GRID)
         self.headline.setAccessibleName(self.tr("What happens now"))
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
@@ -308,7 +311,7 @@ class Live(QWidget):
         """Draw what has come since the last frame."""
         run = self._run
         self._show_left()
-        self.headline.setText(self._now())
+        self.headline.set_text(self._now())
         self.coverage.setValue(round(100 * run.coverage()))
         self.covered.setText(
             self.tr("{0} % of the circle").format(f"{round(100 * run.coverage()):3d}".replace(" ", FIGURE_SPACE))

@@ -14,7 +14,7 @@ from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import format_number
-from labcal.gui.widgets.common import Card, button, flat, label, set_state, shrinkable
+from labcal.gui.widgets.common import Card, button, flat, label, set_state
 from labcal.gui.widgets.run_chooser import run_title
 
 DUE_DAYS = 365
@@ -24,6 +24,8 @@ CAGE_DAYS = 30  # a cage calibration older than this is checked again
 
 class StartPage(QWidget):
     """Answers "may I begin?" before it is asked."""
+
+    tells_only = True
 
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
@@ -70,7 +72,7 @@ class StartPage(QWidget):
     def _hello_card(self) -> Card:
         card = Card()
         today = QLocale().toString(QDate.currentDate(), "dddd, d MMMM")
-        self.date, self.question = shrinkable(label(today, "large")), label("", wrap=True)
+        self.date, self.question = label(today, "large", wrap=True), label("", wrap=True)
         self.morning = button(
             translated(MORNING),
             self.tr("Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time"),
@@ -202,6 +204,7 @@ class StartPage(QWidget):
             self._say("runs", self.tr("none yet"), words)
         while (old := self.interrupted.body.takeAt(0)) is not None:
             if (widget := old.widget()) is not None:
+                widget.hide()
                 widget.deleteLater()
         broken = [one for one in runs if one.status == "interrupted"]
         self.interrupted.setVisible(bool(broken))

@@ -91,7 +91,7 @@ class PathViewModel(QObject):
             return Next("Start", self.tr("Open a bench"))
         if self._run.alive:
             return Next("Run", self.tr("See the run"))
-        if not state.dut_serial or not state.operator:
+        if not state.dut_serial or state.dut_objection or not state.operator:
             return Next("Start", self.tr("Say who and what"))
         if last is not None and last.status == "interrupted":
             return Next("Start", self.tr("Go on with the run"))

@@ -212,8 +212,9 @@ class AutoSizeLabel(QLabel):
 
     def set_text(self, text: str) -> None:
         """Write `text`."""
-        self.setText(text)
-        self._enlarge()
+        if text != self.text():
+            self.setText(text)
+            self._enlarge()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The place is another."""
