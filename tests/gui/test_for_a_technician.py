@@ -51,7 +51,7 @@ def test_where_nobody_has_a_key_one_is_made_first_and_no_passphrase_stays(still,
     worker.answer(ListCalibrations, (calibration(signed=False),))
     worker.answer(ListKeys, ())
     assert (page.new_key.isVisible(), page.new_key.isEnabled(), page.sign.isVisible()) == (True, False, False)
-    assert page.next.text().startswith("Nobody has a key here.")
+    assert "Nobody has a key here: write who signs" in page.next.text()
     page.signer.setCurrentText("jdoe@lab")
     for entry in (page.passphrase, page.again):
         entry.setText("a long passphrase")

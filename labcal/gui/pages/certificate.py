@@ -39,7 +39,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import next_step
 from labcal.gui.widgets.calibration_views import CalibrationViews
-from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.common import Card, button, label, say_wanted, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
@@ -132,7 +132,7 @@ class CertificatePage(QWidget):
     def _approve_row(self) -> QHBoxLayout:
         self.approver = QComboBox()
         self.approver.setEditable(True)
-        written(self.approver, self.tr("Approver: their key's name"))
+        say_wanted(self.approver, self.tr("Approver: their key's name"))
         self.approver.setToolTip(
             self.tr("Another person than the operator, by the name that they sign under; written before anybody signs")
         )
@@ -151,7 +151,7 @@ class CertificatePage(QWidget):
     def _sign_row(self) -> QGridLayout:
         self.signer = QComboBox()
         self.signer.setEditable(True)
-        written(self.signer, self.tr("Who signs"))
+        say_wanted(self.signer, self.tr("Who signs"))
         self.signer.setToolTip(self.tr("Whose key; a name without a key here can be given a new one"))
         self.signer.currentTextChanged.connect(self._enable)
         self.passphrase = QLineEdit()
@@ -282,7 +282,7 @@ class CertificatePage(QWidget):
         if new and self.again.text() and not twice:
             step = self.tr("The two passphrases differ.")
         elif new and not name:
-            step = self.tr("Nobody has a key here. Write who signs, as in ada.smith, and a passphrase twice; New key.")
+            step = self.tr("{0} Nobody has a key here: write who signs, a passphrase twice, then New key.").format(step)
         elif new:
             step = self.tr("{0} has no key here: type a passphrase twice, and New key makes one under it.").format(name)
         elif known and not words and draft:
@@ -397,9 +397,3 @@ class CertificatePage(QWidget):
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
         self.drop.words.setText(f"{shape} {Path(said.path).name}: {' '.join([*said.sentences, *faults])}")
         set_state(self.drop.words, "bad" if not said.valid else "warning" if said.provisional else "good")
-
-
-def written(chooser: QComboBox, wanted: str) -> None:
-    """Say in an editable chooser what belongs there."""
-    if (line := chooser.lineEdit()) is not None:
-        line.setPlaceholderText(wanted)

@@ -106,7 +106,8 @@ class AppState(QObject):
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
         self.run.links = {name: one.link for name, one in facts.instruments.items()}
         serial = self.lab.state.dut_serial or facts.dut.serial
-        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial)
+        refused = self.serial_objection(serial)
+        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial, dut_objection=refused)
         self._grow_old()
         self.bench_changed.emit()
 

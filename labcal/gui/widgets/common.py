@@ -70,6 +70,12 @@ def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
     return widget
 
 
+def say_wanted(chooser: QComboBox, wanted: str) -> None:
+    """Say in an editable chooser what belongs there."""
+    if (line := chooser.lineEdit()) is not None:
+        line.setPlaceholderText(wanted)
+
+
 def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
     """A push button; `primary` is the one thing to do on a page."""
     widget = QPushButton(text)
