@@ -7,7 +7,7 @@ from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QScrollArea, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidgetItem, QScrollArea, QWidget
 
 from labcal.gui.ipc.answers import Procedure, Procedures
 from labcal.gui.ipc.messages import ListProcedures, Rehearse
@@ -17,6 +17,7 @@ from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
 from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.parameter_form import ParameterForm
 
@@ -48,7 +49,7 @@ class Choose(QWidget):
     def _list_card(self) -> Card:
         card = Card(self.tr("Procedures"))
         card.heading.setMinimumWidth(0)  # of its text
-        self.list = QListWidget()
+        self.list = GroupedList()
         self.list.setAccessibleName(self.tr("Procedures"))
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setMinimumWidth(20 * GRID)

@@ -32,4 +32,4 @@ def said_plainly(loop: Loop) -> str:
     named = names[0] if len(names) == 1 else translated("rows that were set aside")
     if len(names) > 1:
         named = translated("{0} and {1}").format(", ".join(names[:-1]), names[-1])
-    return translated(MEANS[loop.verdict]).format(named)
+    return translated(str(MEANS[loop.verdict])).format(named)

@@ -32,7 +32,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "It did not come to its end, so it has no verdict, and gives no calibration."),
     QT_TRANSLATE_NOOP("Words", "DONE"),
 )
-RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), TEXTS, strict=False))
+RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +50,7 @@ def run_verdict(run: RunViewModel) -> RunVerdict:
     status = run.status.partition(":")[0]
     if status != "finished":
         shape, state = ENDS.get(status, ENDS["failed"])
-        return RunVerdict(f"{shape} {translated(status).upper()}", state, translated(TEXTS[4]), _next(status))
+        return RunVerdict(f"{shape} {translated(status).upper()}", state, translated(str(TEXTS[4])), _next(status))
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
     if not worst:
         return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))
@@ -61,7 +61,7 @@ def run_verdict(run: RunViewModel) -> RunVerdict:
 
 
 def _next(key: str) -> str:
-    return translated(NEXT.get(key, NEXT["failed"]))
+    return translated(str(NEXT.get(key, NEXT["failed"])))
 
 
 def _listed(measured: Iterable[Measurement], most: int = 2) -> str:
