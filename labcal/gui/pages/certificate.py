@@ -172,6 +172,7 @@ class CertificatePage(QWidget):
             self.tr("New key"), self.tr("Make a key for this name under this passphrase, and trust it in this lab")
         )
         self.new_key.clicked.connect(self._new_key)
+        self.new_key.hide()
         grid = QGridLayout()
         grid.addWidget(label(self.tr("2"), "title"), 0, 0)
         grid.addWidget(self.signer, 0, 1, 1, 2)
@@ -179,8 +180,7 @@ class CertificatePage(QWidget):
         grid.addWidget(self.again, 1, 2)
         for widget in (self.new_key, self.sign):
             grid.addWidget(widget, 1, 3)
-        for column in (1, 2):
-            grid.setColumnStretch(column, 1)
+        grid.setColumnStretch(1, 1)
         return grid
 
     def _paper_row(self) -> QVBoxLayout:
@@ -267,7 +267,7 @@ class CertificatePage(QWidget):
 
     def _enable(self) -> None:
         one, name = self.chosen(), self.signer.currentText().strip()
-        known = name in [self.signer.itemText(n) for n in range(self.signer.count())]
+        known = self.signer.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive) >= 0
         words, twice = bool(self.passphrase.text()), self.passphrase.text() == self.again.text()
         new = not known and (bool(name) or not self.signer.count())  # where nobody has a key, one is made first
         for widget, shown in ((self.again, new), (self.new_key, new), (self.sign, not new)):

@@ -77,7 +77,7 @@ class HistoryPage(QWidget):
     def _runs_card(self) -> Card:
         card = Card(self.tr("Runs"))
         self.search = QLineEdit()
-        self.search.setPlaceholderText(self.tr("Search: DUT, date, operator, procedure, verdict …"))
+        self.search.setPlaceholderText(self.tr("Search: DUT, day …"))
         self.search.setToolTip(self.tr("Several words narrow it down: EM-07 yesterday explained; or 22.11.2026"))
         self.search.setClearButtonEnabled(True)
         takes_scans(self.search)

@@ -216,10 +216,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Approver, by the name of their key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
         <translation type="unfinished"></translation>
     </message>
@@ -249,10 +245,6 @@
     </message>
     <message>
         <source>Asked each time, never kept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The same once more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -324,7 +316,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} Nobody has a key here: write who signs, a passphrase twice, then New key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nobody yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approver: their key&apos;s name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -333,10 +337,6 @@
     </message>
     <message>
         <source>The two passphrases differ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody has a key here. Write who signs, as in ada.smith, and a passphrase twice; New key.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -767,7 +767,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Search: DUT, date, operator, procedure, verdict …</source>
+        <source>Search: DUT, day …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1038,6 +1038,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>noise k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1099,10 +1103,6 @@
     </message>
     <message>
         <source>The loop&apos;s own words: held-out rms, tests, rows set aside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>noise, k=2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2355,7 +2355,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PASS where |value| + U (k=2) is within the limit: so it is for all {0}.</source>
+        <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
