@@ -173,9 +173,10 @@ class HistoryPage(QWidget):
 
     def _keep_chosen(self, chosen: RunLine | None, found: list[RunLine]) -> None:
         """In another order the same run is chosen, where it is still there."""
+        ids = [one.run_id for one in found]
         with QSignalBlocker(self.table):
-            if chosen in found:
-                self.table.selectRow(found.index(chosen))
+            if chosen is not None and chosen.run_id in ids:
+                self.table.selectRow(ids.index(chosen.run_id))
             else:
                 self.table.clearSelection()
 
