@@ -12,11 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
+from labcal.bench import serials
 from labcal.errors import InputError
 from labcal.files.toml_file import read_toml
 from labcal.record.physical import LARGEST_CURRENT_A, LARGEST_FIELD_nT
 
 AXES = ("x", "y", "z")
+SERVED_AT = ("emulated://", "//127.0.0.1:", "///dev/pts/", "///dev/ttys")
 RUNTIME_LONGEST = 60  # of the 107 bytes that the name of a socket may have
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
 Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
@@ -211,6 +213,7 @@ class DutConfig(_Table):
     """The device under test."""
 
     serial: Text = Field(min_length=1)
+    serial_pattern: Annotated[Text, AfterValidator(serials.usable_pattern)] = serials.USUAL  # of a whole serial
     model: Text = ""
     unit: Literal["nT", "count"] = "nT"
     nominal_nT_per_unit: Field_nT = 1.0
@@ -219,6 +222,11 @@ class DutConfig(_Table):
     stuck_s: Positive = 120.0
     limits: DutLimits = DutLimits()
     specification: dict[str, Any] | str | None = None  # a table, or a file: labcal.bench.specification
+
+    def refuse_serial(self, serial: str) -> None:
+        """Raise InputError where `serial` does not match the pattern of this bench's serials."""
+        if said := serials.objection(serial, self.serial_pattern):
+            raise InputError(said)
 
 
 class SafetyConfig(_Table):
@@ -254,6 +262,7 @@ class BenchConfig(_Table):
     dut: DutConfig
     safety: SafetyConfig = SafetyConfig()
     environment: EnvironmentConfig = EnvironmentConfig()
+    served: bool = False  # its instruments are emulated ones on ports of this computer: `labcal bench serve` writes it
     instruments: dict[str, InstrumentConfig]
     twin: dict[str, Any] = Field(default={}, exclude=True, repr=False)
 
@@ -270,6 +279,9 @@ class BenchConfig(_Table):
             raise ValueError(f"no instrument has the role {', '.join(missing)}")
         if self.twin and not self.simulated:
             raise ValueError("the table [twin] is for benches whose links are all emulated://")
+        elsewhere = [i.link for i in self.instruments.values() if not any(place in i.link for place in SERVED_AT)]
+        if self.served and elsewhere:
+            raise ValueError(f"served: {elsewhere[0]} is no port of this computer that emulated instruments stand at")
         return self
 
     @property
@@ -288,6 +300,11 @@ class BenchConfig(_Table):
     def simulated(self) -> bool:
         """Whether every link is emulated."""
         return all(i.link.startswith("emulated://") for i in self.instruments.values())
+
+    @property
+    def unreal(self) -> bool:
+        """Whether no instrument is a real one: what is measured here is SIMULATED, though served lines be real."""
+        return self.simulated or self.served
 
 
 def read_config(path: Path) -> BenchConfig:

@@ -189,7 +189,8 @@ class TcpOutlet:
 def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | None = None) -> None:
     """Serve the emulated instruments of `path` until interrupted; write `out` first, then call `ready`.
 
-    `out` is the same bench with real links instead of emulated:// and without the table [twin].
+    `out` is the same bench with real links instead of emulated:// and without the table [twin]; where no instrument is
+    a real one it says `served`: what is measured there is simulated.
     """
     config = read_config(path)
     loader = Loader(path, config, clock or RealClock(), 0)
@@ -203,6 +204,8 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
                 afterwards.callback(outlet.close)
                 lines[loader.line_of(name)] = (outlet, emulator)
         table = config.model_dump(mode="json", exclude_defaults=True)
+        if all(loader.line_of(name) in lines for name in config.instruments):
+            table["served"] = True
         for name in config.instruments:
             if loader.line_of(name) in lines:
                 table["instruments"][name]["link"] = lines[loader.line_of(name)][0].url

@@ -57,7 +57,7 @@ def as_positions(
     return Run(
         run_id="positions",
         started_utc=bench.clock.utc().isoformat(),
-        simulated=bench.simulated,
+        simulated=bench.config.unreal,
         operator="",
         dut=Dut(bench.config.dut.serial),
         reference=stated_reference(bench),

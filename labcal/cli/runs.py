@@ -92,7 +92,10 @@ def check_store(
 def import_(
     path: Path = typer.Argument(..., metavar="PATH", help="A bundle (a folder, or a zip of it), or what --from says."),
     kind: str | None = typer.Option(
-        None, "--from", metavar="FORMAT", help="A recording of others: csv, ulog, dataflash, rosbag, mat or iaga."
+        None,
+        "--from",
+        metavar="FORMAT",
+        help="A recording of others: csv, ulog, dataflash, rosbag, mat or iaga; a calibration: magcal or magneto.",
     ),
     map_: Path | None = typer.Option(
         None, "--map", metavar="MAP.toml", help="What its columns are: units, axes, clocks (docs/import.md)."
@@ -105,13 +108,20 @@ def import_(
     ),
     force: bool = FORCE,
 ) -> None:
-    """Take a bundle into the store, byte for byte, or a recording of others by its mapping; prints its run id."""
+    """Take a bundle into the store, byte for byte, or a recording of others by its mapping; prints its run id.
+
+    A calibration that another program made becomes a draft.
+    """
     from labcal import session
 
     if kind is None:
         if map_ is not None or guess or out is not None:
             raise typer.BadParameter("--map, --guess and --out go with --from: a bundle is taken in as it is")
         return say(session.import_bundle(path))
+    if kind in session.FOREIGN_CALIBRATIONS:
+        if map_ is not None or guess:
+            raise typer.BadParameter("--map and --guess are for recordings, not for a calibration")
+        return say(session.import_calibration(path, kind, out, force=force))
     taken = session.import_foreign(session.Asked(path, kind, map_, guess, out, force))
     say_lines(taken.told, err=True)
     return say_lines(taken.result.splitlines())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from math import hypot
 
@@ -28,7 +28,8 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
 from labcal.gui.viewmodels.number_format import format_field, format_number, step_title
-from labcal.gui.widgets.common import ReadoutGrid, Surface, label, named, plain, set_state, shrinkable
+from labcal.gui.widgets.barcode_scanner import takes_scans
+from labcal.gui.widgets.common import ReadoutGrid, Surface, button, label, named, plain, set_state, shrinkable
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 
@@ -59,6 +60,7 @@ class TopBar(Surface):
             row.addSpacing(2 * GRID)
         self._tips = {entry: entry.toolTip() for entry in (self.dut, self.operator)}
         self.dut.returnPressed.connect(self.operator.setFocus)
+        takes_scans(self.dut)
         row.addWidget(label(self.tr("Bench"), "caption"))
         row.addWidget(self.bench)
         row.addStretch()
@@ -78,6 +80,7 @@ class TopBar(Surface):
                 entry.setText(text)
                 entry.setCursorPosition(0)  # of a long one its beginning is seen
             entry.setToolTip(plain(f"{text}\n{self._tips[entry]}") if text else self._tips[entry])
+        set_state(self.dut, "bad" if state.dut_objection else "")
         self.bench.setText(state.bench or "–")
         self.simulated.setVisible(state.simulated)
 
@@ -199,8 +202,11 @@ class Frame(QMainWindow):
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
         self.said_at, self.message, self.waiting = label("", "caption"), shrinkable(label()), label()
+        self.next = button("", self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"), primary=True)
+        self.next.hide()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self._sidebar_buttons, self._scale = QButtonGroup(self), 1.0
+        self.says_off = True  # when it closes; else its worker finds the line closed, and takes the coils to zero
         self._names = tuple(pages)
         middle = QHBoxLayout()
         middle.setSpacing(0)
@@ -245,6 +251,7 @@ class Frame(QMainWindow):
                 words = self.tr("the page {0}").format(translated(name))
                 described(QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self, entry.click), words)
             self._sidebar_buttons.addButton(entry, index)
+            entry.setAccessibleName(translated(name))
             column.addWidget(entry)
             self.stack.addWidget(page)
         column.addStretch()
@@ -252,18 +259,32 @@ class Frame(QMainWindow):
         self.help.setToolTip(self.tr("Which keys there are, and what each does"))
         self.help.clicked.connect(self.show_keys)
         described(QShortcut(QKeySequence("F1"), self, self.show_keys), self.tr("this sheet"))
-        column.addWidget(self.help)
+        self.theme_switch, self.size_switch = named(QPushButton(), "rail"), named(QPushButton(), "rail")
+        self.theme_switch.setToolTip(self.tr("Dark or light; until then as the system has it"))
+        self.size_switch.setToolTip(self.tr("Letters to be read from two metres, and back (F11)"))
+        for widget in (self.theme_switch, self.size_switch, self.help):
+            column.addWidget(widget)
         self._sidebar_buttons.idClicked.connect(self.stack.setCurrentIndex)
         return sidebar
 
     def _status_line(self) -> QWidget:
         self.bottom = line = Surface(Qt.Edge.TopEdge)
         row = QHBoxLayout(line)
-        row.setContentsMargins(2 * GRID, GRID, 2 * GRID, GRID)
+        row.setContentsMargins(2 * GRID, GRID // 2, 2 * GRID, GRID // 2)
+        row.setSpacing(GRID)
         row.addWidget(self.said_at)
         row.addWidget(self.message, 1)
         row.addWidget(self.waiting)
+        row.addWidget(self.next)
         return line
+
+    def show_path(self, marks: Mapping[str, str], following: str) -> None:
+        """A mark before the name of each page that is a step of the path, and what is next in words."""
+        for index, name in enumerate(self._names):
+            mark = marks.get(name, "")
+            self._sidebar_buttons.button(index).setText(f"{mark} {translated(name)}".strip())
+        self.next.setText(self.tr("Next: {0}").format(following))
+        self.next.show()
 
     def open_page(self, name: str) -> None:
         """Show the page called `name`."""
@@ -317,6 +338,7 @@ class Frame(QMainWindow):
         self.side.show_state(state)
         self.said_at.setText(state.said_at)
         self.message.setText(step_title(state.message))
+        self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -332,8 +354,9 @@ class Frame(QMainWindow):
         return isinstance(watched, QWidget) and any(handle_key(watched, event) for handle_key in self.key_handlers)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Coils off before the window goes; a window that is gone hears no keys."""
-        self.coils_off.emit()
+        """Coils off before the window goes, by a word or by hanging up; a window that is gone hears no keys."""
+        if self.says_off:
+            self.coils_off.emit()
         application = QApplication.instance()
         if application is not None:
             application.removeEventFilter(self)

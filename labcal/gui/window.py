@@ -16,16 +16,19 @@ from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.gui.frame import Frame
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.leaving import Leaving
 from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import described
+from labcal.gui.widgets.scan_card import ScanCard
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
@@ -55,12 +58,17 @@ def system_theme() -> Theme:
     return DARK if dark else LIGHT
 
 
+def chosen_theme(app_state: AppState) -> Theme | None:
+    """What was switched to by hand; None where nothing was."""
+    return {"light": LIGHT, "dark": DARK}.get(str(app_state.settings.value("theme", "")))
+
+
 class Window(Frame):
     """Everything together. `theme` overrides what the system says."""
 
     def __init__(self, app_state: AppState, theme: Theme | None = None) -> None:
         self.app_state = app_state
-        self.theme = theme or system_theme()
+        self.theme = theme or chosen_theme(app_state) or system_theme()
         self.lazy_pages = {
             name: LazyPage(entry, app_state, lambda: self.theme, self.sheet) for name, entry in pages().items()
         }
@@ -73,24 +81,34 @@ class Window(Frame):
         self._before_wall: QSize | None = None
         self.fault = FaultCard()
         self.fault.setContentsMargins(0, 2 * GRID, 0, 0)
-        self.above.addWidget(self.fault)
+        self.scan_card = ScanCard(app_state.scan_vm)
+        self.scan_card.setContentsMargins(0, 2 * GRID, 0, 0)
+        for card in (self.fault, self.scan_card):
+            self.above.addWidget(card)
         self.fault.report_requested.connect(app_state.report_requested)
-        self.scanner = Scanner(self)
+        self.scanner, self.leaving, self._may_go = Scanner(self), Leaving(self, app_state), False
         self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
         self._connect(app_state)
         self._restyle()
         self.style_queue.finish()
         if theme is None:
-            QGuiApplication.styleHints().colorSchemeChanged.connect(lambda _: self.set_theme(system_theme()))
+            QGuiApplication.styleHints().colorSchemeChanged.connect(self._system_changed)
         if (geometry := app_state.settings.value("geometry")) is not None:
             self.restoreGeometry(geometry)
 
     def _connect(self, app_state: AppState) -> None:
+        self.leaving.leave.connect(self.leave)
         self.scanner.scanned.connect(app_state.scan)
         self.coils_off.connect(app_state.coils_off)
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
         app_state.page_requested.connect(self.open_page)
+        self.theme_switch.clicked.connect(self._other_theme)
+        self.size_switch.clicked.connect(self.toggle_wall)
+        self.next.clicked.connect(lambda: app_state.go(app_state.path.next()))
+        described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
+        app_state.path.changed.connect(self._show_path)
+        self._show_path()
         app_state.fault.connect(self._show_fault)
         app_state.fault_over.connect(self._fault_is_over)
         app_state.lab.changed.connect(self._say_coils)
@@ -136,6 +154,21 @@ class Window(Frame):
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
 
+    def _system_changed(self) -> None:
+        if chosen_theme(self.app_state) is None:
+            self.set_theme(system_theme())
+
+    def _other_theme(self) -> None:
+        """Dark in place of light or the other way round; kept for the next day."""
+        theme = LIGHT if self.theme is DARK else DARK
+        self.app_state.settings.setValue("theme", theme.name)
+        self.set_theme(theme)
+
+    def _say_switches(self) -> None:
+        """What a click on them would give."""
+        self.theme_switch.setText(self.tr("Dark") if self.theme is LIGHT else self.tr("Light"))
+        self.size_switch.setText(self.tr("Smaller F11") if self.wall else self.tr("Larger F11"))
+
     def set_theme(self, theme: Theme) -> None:
         """Show everything in `theme`, what is in sight first."""
         self.theme = theme
@@ -147,10 +180,11 @@ class Window(Frame):
 
     def _restyle(self, *, recolour: bool = False) -> None:
         """Style everything bit by bit, what is in sight first: no event takes long."""
+        self._say_switches()
         QApplication.setPalette(_palette(self.theme))
         sheet = self.sheet()
         self.set_scale(WALL_SCALE if self.wall else 1.0)
-        for part in (self.top, self.side, self.sidebar, self.bottom, self.fault):
+        for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
             updates = lazy_page.theme_updates(self.theme) if recolour else ()
@@ -172,10 +206,16 @@ class Window(Frame):
             apply_style(watched, self.sheet())
         return super().eventFilter(watched, event)
 
+    def _show_path(self) -> None:
+        path = self.app_state.path
+        self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()}, path.next().words)
+
     def _lock(self) -> None:
         """Who and what stand fixed while a run goes on."""
         for entry in (self.top.dut, self.top.operator):
             entry.setReadOnly(self.app_state.run.alive)
+        if self.app_state.run.alive:
+            self.app_state.scan_vm.put_away()
 
     def _show_fault(self, fault: Fault) -> None:
         self.fault.show_fault(fault)
@@ -200,11 +240,18 @@ class Window(Frame):
             facts = self.app_state.facts
             save_problem(Path(out), fault, self.app_state.bench, steps, None if facts is None else facts.simulated)
 
+    def leave(self, resumed_later: bool = False) -> None:
+        """Go, whatever goes on: a run is aborted, or left to be resumed later; either with coils at zero."""
+        self._may_go, self.says_off = True, not resumed_later
+        self.close()
+
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Remember where it stood; coils to zero; hang up."""
+        """Remember where it stood; coils to zero; hang up. In a run the person is asked first."""
+        if not self._may_go and not self.leaving.may_go():
+            return event.ignore()
         self.app_state.settings.setValue("geometry", self.saveGeometry())
         super().closeEvent(event)
-        self.app_state.close()
+        return self.app_state.close()
 
 
 def _palette(theme: Theme) -> QPalette:

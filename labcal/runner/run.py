@@ -98,7 +98,7 @@ def run_procedure(
     header = RunHeader(
         run_id=run_id or new_run_id(bench),
         started_utc=iso(bench.clock.utc()),
-        simulated=bench.simulated,
+        simulated=bench.config.unreal,
         operator=operator,
         dut=_dut(bench, dut_serial),
         reference=stated_reference(bench, identities[bench.reference.name].serial),
@@ -317,4 +317,5 @@ def _dut(bench: Bench, serial: str | None) -> Dut:
     chosen = config.serial if serial is None else serial
     if not chosen.strip():
         raise InputError("a run needs the serial number of its DUT: --dut SERIAL")
+    config.refuse_serial(chosen)
     return Dut(chosen, config.model, config.unit, config.nominal_nT_per_unit, config.noise_nT)

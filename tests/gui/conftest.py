@@ -64,7 +64,7 @@ def deaf_window_at(home):
     window.procedures = procedures(None, ListProcedures())
     window.app_state.quick_worker.answer(ListProcedures, window.procedures)
     yield window
-    window.close()
+    window.leave()
 
 
 @pytest.fixture(scope="session")
@@ -103,6 +103,7 @@ def at_rest(window):
     app_state.force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
     app_state.force_timer.stop()
     app_state.run.forget()
+    app_state.scan_vm.put_away()
     app_state.forget()
     app_state.lab.update(message="", waiting="", unit="nT")
     app_state.run.order = None
@@ -136,7 +137,7 @@ def alive(tmp_path_factory, qapp):
         window.app_state.open_bench(str(BENCH))
         KEPT.append(window)
         yield window
-        window.close()
+        window.leave()
 
 
 @pytest.fixture
@@ -168,7 +169,7 @@ def window_at(home):
         window.home = str(home)
         KEPT.append(window)
         yield window
-        window.close()
+        window.leave()
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,7 @@
 """A burst is a scan and a person is not, by when keys were struck: the clock is the test's own."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
@@ -35,11 +37,77 @@ def keys(still, qtbot, patience):
     return struck
 
 
-def test_a_burst_of_characters_is_a_scan_and_goes_to_the_serial(still, keys):
+def shown(still):
+    card = still.scan_card
+    buttons = [one.text() for one in (card.take, card.leave, card.undo) if one.isVisible()]
+    return (card.words.text(), buttons) if card.isVisible() else None
+
+
+def test_a_burst_where_no_field_waits_for_it_is_a_question_and_can_be_undone(still, keys, qtbot):
     keys(still.top.operator, "EM-19", 0.01, Qt.Key.Key_Return)
-    assert still.app_state.lab.state.dut_serial == "EM-19"
-    assert still.app_state.lab.state.operator == "J. Doe"
+    state = still.app_state.lab.state
+    assert (state.dut_serial, state.operator, still.top.operator.text()) == ("EM-07", "J. Doe", "J. Doe")
+    asked = "Scanned EM-19. Is it the DUT from here on? Until now: EM-07."
+    assert shown(still) == (asked, ["Take EM-19", "Leave EM-07"])
+    qtbot.mouseClick(still.scan_card.take, Qt.MouseButton.LeftButton)
     assert still.top.dut.text() == "EM-19"
+    assert shown(still) == ("The DUT is EM-19, in place of EM-07.", ["Close", "Undo"])
+    qtbot.mouseClick(still.scan_card.undo, Qt.MouseButton.LeftButton)
+    assert still.top.dut.text() == "EM-07"
+    assert shown(still) is None
+
+
+def test_a_scan_that_is_left_or_answered_by_typing_changes_nothing(still, keys, qtbot):
+    for _ in range(2):
+        keys(still.top.operator, "EM-19", 0.01)
+        qtbot.mouseClick(still.scan_card.leave, Qt.MouseButton.LeftButton)
+        assert (shown(still), still.app_state.lab.state.dut_serial) == (None, "EM-07")
+    keys(still.top.operator, "EM-19", 0.01)
+    still.app_state.set_identity(dut="EM-33")
+    assert (shown(still), still.app_state.lab.state.dut_serial) == (None, "EM-33")
+
+
+def test_a_question_of_a_scan_is_gone_when_a_run_begins(still, keys):
+    from labcal.gui.ipc.messages import RunProcedure
+
+    keys(still.top.operator, "EM-19", 0.01)
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    assert shown(still) is None
+    keys(still.top.dut, "EM-19", 0.01)  # whose run it is stands fixed
+    assert (shown(still), still.app_state.lab.state.dut_serial) == (None, "EM-07")
+
+
+def test_a_scan_goes_into_the_serial_or_the_search_that_has_the_focus(still, keys):
+    keys(still.top.dut, "EM-19", 0.01)
+    assert (still.app_state.lab.state.dut_serial, shown(still)) == ("EM-19", None)
+    still.open_page("History")
+    search = still.page("History").search
+    search.setText("what was searched before")
+    keys(search, "EM-21", 0.01)
+    assert (search.text(), still.app_state.lab.state.dut_serial, shown(still)) == ("EM-21", "EM-19", None)
+    search.clear()
+
+
+def test_what_is_no_serial_is_not_taken_and_says_why(still, keys):
+    keys(still.top.operator, "EM 07/!?<b>", 0.01)
+    assert shown(still) is None
+    assert still.message.text().startswith("✕ Scanned, and not taken: 'EM 07/!?<b>' is no serial number")
+    still.app_state.set_identity(dut="EM 07/!?<b>")
+    assert still.top.dut.property("state") == "bad"
+    choose = still.page("Run").choose
+    assert "is no serial number" in choose.objection.text()
+    assert not choose.start.isEnabled()
+    still.app_state.set_identity(dut="EM-07")
+    assert (still.top.dut.property("state"), choose.start.isEnabled(), still.message.text()) == ("", True, "")
+
+
+def test_serials_are_those_of_the_pattern_of_the_bench_file(still, keys, monkeypatch):
+    monkeypatch.setattr(still.app_state, "facts", replace(still.app_state.facts, serial_pattern=r"EM-\d\d"))
+    keys(still.top.operator, "FM-19", 0.01)
+    assert shown(still) is None
+    assert r"they match EM-\d\d" in still.message.text()
+    keys(still.top.operator, "EM-19", 0.01)
+    assert shown(still) is not None
 
 
 def test_a_scan_reaches_no_answer_of_an_open_question(still, keys):

@@ -10,6 +10,8 @@ from labcal.gui.ipc.answers import Change, Ended, Look, Loop, Proposal
 from labcal.gui.ipc.bench_commands import procedures, rehearse
 from labcal.gui.ipc.messages import CloseLoop, JoinRuns, ListProcedures, LookAt, Rehearse, RunProcedure
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.widgets.typed_number import NotClear, number_stated
 from labcal.model.calibration import EffectRecord, Rival
 
 
@@ -18,8 +20,79 @@ def choose(still):
     return still.page("Run").choose
 
 
+def procedure_rows(choose):
+    """The rows of the list that are procedures; the others are headings."""
+    return [row for row in range(choose.list.count()) if choose.list.item(row).flags() & Qt.ItemFlag.ItemIsSelectable]
+
+
+def in_sight(choose):
+    rows = range(choose.list.count())
+    return [choose.list.item(row).text() for row in rows if not choose.list.item(row).isHidden()]
+
+
+def test_procedures_stand_in_groups_and_are_found_by_what_they_do(choose):
+    assert in_sight(choose)[:2] == ["Calibrate a DUT", "preflight"]
+    choose.search.setText("gyro")
+    assert in_sight(choose) == []
+    choose.search.setText("cage-map")
+    assert in_sight(choose) == ["The cage and its reference", "cage-map"]
+    choose.search.setText("")
+    assert len(in_sight(choose)) == choose.list.count()
+
+
+def test_what_was_typed_is_there_again_after_another_procedure(choose):
+    choose.form.set_text("inclination_deg", "80")
+    choose.form.set_text("rate_deg_per_s", "12")
+    choose.choose("axes-check")
+    choose.choose("preflight")
+    assert choose.form.text("inclination_deg") == "80"
+    assert choose.form.given() == {"inclination_deg": "80", "rate_deg_per_s": "12"}
+    assert not choose.start.isEnabled()
+
+
+def test_a_refused_setting_is_red_with_its_reason(choose):
+    choose.form.set_text("inclination_deg", "80")
+    field, complaint = choose.form.fields["inclination_deg"], choose.form.complaints["inclination_deg"]
+    assert (field.property("state"), complaint.property("state")) == ("bad", "bad")
+    choose.form.ensurePolished()
+    assert complaint.palette().windowText().color().name() == LIGHT.bad
+    choose.form.set_text("inclination_deg", "50")
+    assert (field.property("state"), complaint.property("state")) == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("typed", "mark", "stated"),
+    [("1.5", ".", "1.5"), ("1,5", ",", "1.5"), ("-0,005", ",", "-0.005"), ("0,125", ",", "0.125"), ("1e4", ".", "1e4"),
+     ("20000", ",", "20000"), ("1.125", ".", "1.125"), ("1234,567", ",", "1234.567"), (" 7 ", ".", "7")],
+)  # fmt: skip
+def test_numbers_are_taken_as_the_locale_writes_them(typed, mark, stated):
+    assert number_stated(typed, mark) == stated
+
+
+@pytest.mark.parametrize(
+    ("typed", "mark", "reason"),
+    [("20 000", ".", "thousands"), ("20,000", ".", "thousands"), ("20,000", ",", "thousands"),
+     ("20.000", ",", "thousands"), ("1.234,5", ",", "thousands"), ("20'000", ".", "thousands"),
+     ("20\u202f000", ",", "thousands"), ("1,5", ".", "point")],
+)  # fmt: skip
+def test_a_number_that_may_be_meant_in_two_ways_is_refused_with_the_reason(typed, mark, reason):
+    with pytest.raises(NotClear, match=reason):
+        number_stated(typed, mark)
+
+
+def test_a_list_takes_no_comma_within_a_number(choose):
+    for typed, accepted in (
+        ("20000, 50000", True),
+        ("20,000, 50,000", False),
+        ("1,5, 3", False),
+        ("20 000, 5000", False),
+    ):
+        choose.form.set_text("magnitudes_nT", typed)
+        assert choose.form.valid() == accepted, typed
+
+
 def test_every_procedure_says_what_it_needs_and_how_long_it_takes(choose):
-    for row in range(choose.list.count()):
+    for row in procedure_rows(choose):
         choose.list.setCurrentRow(row)
         assert "Needs: " in choose.needs.text(), choose.list.item(row).text()
         assert "min of measuring" in choose.needs.text()
@@ -48,7 +121,7 @@ def test_a_procedure_that_does_not_load_is_listed_with_its_fault_and_is_not_chos
     assert not broken.flags() & Qt.ItemFlag.ItemIsSelectable
     assert choose.list.currentItem().text() == "preflight"
     choose.show_procedures(there)
-    assert choose.list.count() == len(there.found)
+    assert len(procedure_rows(choose)) == len(there.found)
 
 
 def told_by_the_loop(procedure):

@@ -37,7 +37,7 @@ def shown(tmp_path, kept_windows, lab, qtbot, patience):
     app_state.set_identity(operator="J. Doe", dut="EM-07")
     qtbot.waitUntil(lambda: bool(app_state.facts), timeout=patience)
     yield window
-    window.close()
+    window.leave()
 
 
 def bring(qtbot, window, lab, patience, state):

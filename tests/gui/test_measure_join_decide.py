@@ -70,4 +70,4 @@ def test_a_second_run_is_planned_measured_joined_and_the_loop_decides_again(
         assert loop.verdict.text()
         assert {one.run_id for one in session.runs()} == {first.run_id, second, study.run}
     finally:
-        window.close()
+        window.leave()

@@ -210,6 +210,12 @@ def of_the_run(seen, run):
         yield "an ended run may be stopped"
     if run.status != "finished" and "PASS" in "".join(one.text() for one in live.lights.worst.values()):
         yield "PASS of an axis whose checks were not all made"
+    if run.state == "ended" and ("PASS" in live.verdict.word.text()) != (run.status == "finished"):
+        yield f"the verdict is {live.verdict.word.text()!r} of a run that is {run.status!r}"
+    if (live.middle.currentWidget() is live.verdict) != (run.state == "ended"):
+        yield f"a verdict stands while the run is {run.state}, or none when it has ended"
+    if run.alive != (seen.window.next.text() == "Next: See the run"):
+        yield f"{seen.window.next.text()!r} while the run is {run.state}"
     if run.alive and "Ready." in seen.window.page("Start").question.text():
         yield "Ready, while a run goes on"
     if not run.alive and seen.message.startswith(("Paused", "Hands off", "Stopping")):

@@ -72,10 +72,10 @@ def test_who_stops_a_run_reads_how_it_stands_and_no_alarm(still):
     assert card.save.isVisible()
 
 
-def test_a_serial_that_is_typed_takes_the_scanned_one_from_the_line_below(still):
-    still.app_state.scan("WRONG-1")
-    assert still.app_state.lab.state.message == "Scanned: DUT WRONG-1"
-    still.app_state.set_identity(dut="EM-07")
+def test_a_serial_that_is_typed_takes_what_was_said_of_the_one_before_from_the_line_below(still):
+    still.app_state.scan("WRONG!1")
+    assert still.app_state.lab.state.message.startswith("✕ Scanned, and not taken: 'WRONG!1'")
+    still.app_state.set_identity(dut="EM-08")
     assert still.app_state.lab.state.message == ""
 
 

@@ -94,4 +94,4 @@ def test_a_run_whose_window_was_killed_is_gone_on_with_and_fitted(qtbot, tmp_pat
         qtbot.waitUntil(lambda: "ml" in study.fits, timeout=patience)
         assert study.fits["ml"]["fit"]["ok"]
     finally:
-        window.close()
+        window.leave()

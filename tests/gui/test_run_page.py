@@ -10,6 +10,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
+from labcal import session
+
 QUICK = {
     "axes": "x",
     "magnitudes_nT": "20000",
@@ -107,7 +109,8 @@ def test_an_instrument_that_dies_is_named_and_the_coils_are_not_called_safe(qtbo
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as lab:
         assert lab.stdout.readline().strip() == "ready"
         window.app_state.open_bench(str(served))
-        qtbot.waitUntil(lambda: window.app_state.facts.simulated is False, timeout=LONG_MS)
+        qtbot.waitUntil(lambda: window.app_state.facts.virtual_time is False, timeout=LONG_MS)
+        assert window.top.simulated.isVisible()
         page = begin(qtbot, window, "axes-check", {})
         lab.kill()
     qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
@@ -116,3 +119,4 @@ def test_an_instrument_that_dies_is_named_and_the_coils_are_not_called_safe(qtbo
     assert page.live.fault.isVisible()
     assert not page.live.prompt.isVisible()
     assert not run.coils_at_zero
+    assert [one.simulated for one in session.runs() if one.run_id == run.run_id] == [True]

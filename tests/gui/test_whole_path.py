@@ -71,4 +71,4 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, tmp_path, monkeypatch, patie
         page.verify(page.chosen().path)
         qtbot.waitUntil(lambda: page.drop.words.text().startswith("▲"), timeout=patience)
     finally:
-        window.close()
+        window.leave()

@@ -91,7 +91,7 @@ def calibrated(config: BenchConfig, path: Path) -> tuple[BenchConfig, CageCalibr
     if not file.is_file():
         raise InputError(f"cage.calibration: there is no file {file}", file=path, line=line)
     found, own = read_cage(file), config.reference.position_m
-    if found.simulated and not config.simulated:
+    if found.simulated and not config.unreal:
         raise InputError(f"cage.calibration: {file.name} is of a simulated cage", file=path, line=line)
     if found.carry is not None and found.reference_position_m != own:
         where = f"the reference at {found.reference_position_m}, not at {own}"

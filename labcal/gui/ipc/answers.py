@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.bench.parameters import ParameterSpec
+from labcal.bench.serials import USUAL
 from labcal.gui.ipc.wire import Fault
 from labcal.model.calibration import EffectRecord
 from labcal.record.run import Dut
@@ -61,6 +62,8 @@ class Bench:
     reference: Reference
     cage: Cage
     instruments: Mapping[str, Instrument]
+    serial_pattern: str = USUAL  # of the DUTs that this bench takes
+    virtual_time: bool = False  # it passes as fast as is wanted
 
 
 @dataclass(frozen=True, slots=True)

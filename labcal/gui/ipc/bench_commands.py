@@ -52,11 +52,13 @@ def read_bench(channel: Channel, asked: ReadBench) -> Bench:
     dut, reference = config.dut, config.reference
     return Bench(
         name=config.name,
-        simulated=config.simulated,
+        simulated=config.unreal,
         dut=Dut(dut.serial, dut.model, dut.unit, dut.nominal_nT_per_unit, dut.noise_nT),
         reference=Reference(reference.u_offset_nT, reference.u_scale_ppm, reference.calibration),
         cage=_cage(config.cage),
         instruments={name: Instrument(i.role, i.link, i.driver) for name, i in config.instruments.items()},
+        serial_pattern=dut.serial_pattern,
+        virtual_time=config.simulated,
     )
 
 

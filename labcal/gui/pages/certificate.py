@@ -8,7 +8,16 @@ from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLineEdit, QListWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QGridLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.ipc.messages import (
@@ -30,7 +39,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import next_step
 from labcal.gui.widgets.calibration_views import CalibrationViews
-from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.common import Card, button, label, say_wanted, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
@@ -69,6 +78,11 @@ class CertificatePage(QWidget):
     def showEvent(self, event: object) -> None:
         """What there is now."""
         self.refresh()
+
+    def hideEvent(self, event: object) -> None:
+        """No passphrase waits here for whoever comes next."""
+        for entry in (self.passphrase, self.again):
+            entry.clear()
 
     def set_theme(self, theme: Theme) -> None:
         """Results in the theme's colours."""
@@ -118,7 +132,7 @@ class CertificatePage(QWidget):
     def _approve_row(self) -> QHBoxLayout:
         self.approver = QComboBox()
         self.approver.setEditable(True)
-        written(self.approver, self.tr("Approver, by the name of their key"))
+        say_wanted(self.approver, self.tr("Approver: their key's name"))
         self.approver.setToolTip(
             self.tr("Another person than the operator, by the name that they sign under; written before anybody signs")
         )
@@ -134,17 +148,17 @@ class CertificatePage(QWidget):
         row.addWidget(self.approve)
         return row
 
-    def _sign_row(self) -> QHBoxLayout:
+    def _sign_row(self) -> QGridLayout:
         self.signer = QComboBox()
         self.signer.setEditable(True)
-        written(self.signer, self.tr("Who signs"))
+        say_wanted(self.signer, self.tr("Who signs"))
         self.signer.setToolTip(self.tr("Whose key; a name without a key here can be given a new one"))
         self.signer.currentTextChanged.connect(self._enable)
         self.passphrase = QLineEdit()
         self.passphrase.setPlaceholderText(self.tr("Passphrase"))
         self.passphrase.setToolTip(self.tr("Asked each time, never kept"))
         self.again = QLineEdit()
-        self.again.setPlaceholderText(self.tr("The same once more"))
+        self.again.setPlaceholderText(self.tr("Once more"))
         self.again.setToolTip(self.tr("A new key's passphrase is typed twice: nothing can bring it back"))
         for entry in (self.passphrase, self.again):
             entry.setAccessibleName(entry.placeholderText())
@@ -158,14 +172,16 @@ class CertificatePage(QWidget):
             self.tr("New key"), self.tr("Make a key for this name under this passphrase, and trust it in this lab")
         )
         self.new_key.clicked.connect(self._new_key)
-        row = QHBoxLayout()
-        row.addWidget(label(self.tr("2"), "title"))
-        row.addWidget(self.signer, 1)
-        row.addWidget(self.passphrase, 1)
-        row.addWidget(self.again, 1)
-        row.addWidget(self.new_key)
-        row.addWidget(self.sign)
-        return row
+        self.new_key.hide()
+        grid = QGridLayout()
+        grid.addWidget(label(self.tr("2"), "title"), 0, 0)
+        grid.addWidget(self.signer, 0, 1, 1, 2)
+        grid.addWidget(self.passphrase, 1, 1)
+        grid.addWidget(self.again, 1, 2)
+        for widget in (self.new_key, self.sign):
+            grid.addWidget(widget, 1, 3)
+        grid.setColumnStretch(1, 1)
+        return grid
 
     def _paper_row(self) -> QVBoxLayout:
         self.report = button(
@@ -198,6 +214,7 @@ class CertificatePage(QWidget):
         return self._files.get(self.list.item(row).data(Qt.ItemDataRole.UserRole)) if row >= 0 else None
 
     def _known(self, files: tuple[CalibrationFile, ...]) -> None:
+        self._app_state.path.take_calibrations(files)
         before = self.chosen()
         kept = self._wanted or (before.path if before is not None else "")
         self._files = {one.path: one for one in files}
@@ -225,6 +242,8 @@ class CertificatePage(QWidget):
             chooser.clear()
             chooser.addItems(names)
             chooser.setCurrentText(typed or first)
+            if (line := chooser.lineEdit()) is not None and not line.hasFocus():
+                line.setCursorPosition(0)  # of a long one its beginning is seen
         self._enable()
 
     def _show(self) -> None:
@@ -248,20 +267,22 @@ class CertificatePage(QWidget):
 
     def _enable(self) -> None:
         one, name = self.chosen(), self.signer.currentText().strip()
-        known = name in [self.signer.itemText(n) for n in range(self.signer.count())]
+        known = self.signer.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive) >= 0
         words, twice = bool(self.passphrase.text()), self.passphrase.text() == self.again.text()
-        new = bool(name) and not known
+        new = not known and (bool(name) or not self.signer.count())  # where nobody has a key, one is made first
         for widget, shown in ((self.again, new), (self.new_key, new), (self.sign, not new)):
             widget.setVisible(shown)
         draft = one is not None and not one.standing.signatures
         self.approve.setEnabled(draft and bool(self.approver.currentText().strip()))
         self.sign.setEnabled(one is not None and known and words)
-        self.new_key.setEnabled(new and words and twice)
+        self.new_key.setEnabled(new and bool(name) and words and twice)
         for widget in (self.report, self.export, self.apply):
             widget.setEnabled(one is not None)
         step = next_step(one, self._app_state.lab.state.operator) if one else ""
         if new and self.again.text() and not twice:
             step = self.tr("The two passphrases differ.")
+        elif new and not name:
+            step = self.tr("{0} Nobody has a key here: write who signs, a passphrase twice, then New key.").format(step)
         elif new:
             step = self.tr("{0} has no key here: type a passphrase twice, and New key makes one under it.").format(name)
         elif known and not words and draft:
@@ -376,9 +397,3 @@ class CertificatePage(QWidget):
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
         self.drop.words.setText(f"{shape} {Path(said.path).name}: {' '.join([*said.sentences, *faults])}")
         set_state(self.drop.words, "bad" if not said.valid else "warning" if said.provisional else "good")
-
-
-def written(chooser: QComboBox, wanted: str) -> None:
-    """Say in an editable chooser what belongs there."""
-    if (line := chooser.lineEdit()) is not None:
-        line.setPlaceholderText(wanted)

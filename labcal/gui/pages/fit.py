@@ -65,7 +65,7 @@ class FitPage(QWidget):
     def _head(self) -> QHBoxLayout:
         self.chooser = RunChooser(self._app_state)
         self.chooser.chosen.connect(self.open_run)
-        self.chooser.known.connect(self._say_empty)
+        self.chooser.known.connect(self._show)
         self.fit = button(self.tr("Fit"), self.tr("Estimate by maximum likelihood, the default method"), primary=True)
         self.fit.clicked.connect(lambda: self._study.fit("ml"))
         self.all = button(self.tr("All methods"), self.tr("Estimate by every method, to see whether they agree"))
@@ -125,15 +125,17 @@ class FitPage(QWidget):
         self.fault.show_fault(study.fault)
         if self.chooser.currentData() != study.run:
             self.chooser.show_run(study.run)
-        self.waiting.setText(self.tr("computing: {0}").format(", ".join(study.waiting)) if study.busy else "")
-        self.waiting.setVisible(study.busy)
+        refused = self._app_state.path.why_no_fit(study.run)
+        self.waiting.setText(self.tr("computing: {0}").format(", ".join(study.waiting)) if study.busy else refused)
+        self.waiting.setVisible(bool(self.waiting.text()))
         self.cancel.setVisible(study.busy)
         for widget in (self.fit, self.all):
             widget.setVisible(not study.busy)
-        self.fit.setEnabled(bool(study.run) and not study.busy and "ml" not in study.fits)
-        self.all.setEnabled(bool(study.methods) and not study.busy)
-        self.draft.setEnabled(study.best() is not None)
-        self.trace.setEnabled(bool(study.run) and not study.busy)
+        ready = bool(study.run) and not study.busy and not refused
+        self.fit.setEnabled(ready and "ml" not in study.fits)
+        self.all.setEnabled(ready and bool(study.methods))
+        self.draft.setEnabled(study.best() is not None and not refused)
+        self.trace.setEnabled(ready)
         set_primary(self.fit, "ml" not in study.fits)
         set_primary(self.trace, "ml" in study.fits)
         self.empty.setVisible(not study.fits)
@@ -144,7 +146,8 @@ class FitPage(QWidget):
     def _say_empty(self) -> None:
         """What to do where there is no fit yet."""
         study, none = self._study, self.chooser.none and not self._study.run
-        ready = self.tr("Fit estimates K and k; All methods compares eleven ways.")
+        refused = self._app_state.path.why_no_fit(study.run)
+        ready = refused or self.tr("Fit estimates K and k; All methods compares eleven ways.")
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
         self.empty.setText(
             translated(NO_RUNS) if none else waits if study.run else self.tr("Choose a run above, then Fit.")

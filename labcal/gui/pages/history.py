@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -9,13 +10,17 @@ from typing import Any, Literal
 
 import numpy as np
 import pyqtgraph as pg
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.ipc.messages import CorrectSerial, ExportRun, ImportBundle, ListCalibrations, ListRuns
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.run_search import cells, in_order, local_time, matches
+from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import Card, button, label, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
@@ -24,7 +29,7 @@ from labcal.gui.widgets.open_externally import FolderButton
 from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
-HEADINGS = ("started (UTC)", "DUT", "procedure", "operator", "status", "verdict", "run")
+HEADINGS = ("started", "DUT", "procedure", "operator", "status", "verdict", "run")
 Format = Literal["bundle", "csv", "hdf5", "mat"]
 FORMATS: dict[str, Format] = {
     "Bundle (*.zip)": "bundle",
@@ -33,12 +38,6 @@ FORMATS: dict[str, Format] = {
     "MATLAB (*.mat)": "mat",
 }
 PARAMETERS = {"k": (9, ("k x", "k y", "k z"), "nT"), "gain": (0, ("K xx", "K yy", "K zz"), "ppm from the first")}
-
-
-def matches(one: RunLine, words: str) -> bool:
-    """Whether every word stands somewhere in the run's line."""
-    line = " ".join((one.started_utc, one.dut_serial, one.procedure, one.operator, one.status, one.verdict, one.run_id))
-    return all(word.casefold() in line.casefold() for word in words.split())
 
 
 class HistoryPage(QWidget):
@@ -78,9 +77,10 @@ class HistoryPage(QWidget):
     def _runs_card(self) -> Card:
         card = Card(self.tr("Runs"))
         self.search = QLineEdit()
-        self.search.setPlaceholderText(self.tr("Search: DUT, date, operator, procedure, verdict …"))
-        self.search.setToolTip(self.tr("Several words narrow it down: EM-07 2026-11 explained"))
+        self.search.setPlaceholderText(self.tr("Search: DUT, day …"))
+        self.search.setToolTip(self.tr("Several words narrow it down: EM-07 yesterday explained; or 22.11.2026"))
         self.search.setClearButtonEnabled(True)
+        takes_scans(self.search)
         self.search.textChanged.connect(self._show)
         self.open = button(
             self.tr("Open"), self.tr("Look at this run on the Fit page; nothing recorded is ever changed"), primary=True
@@ -103,6 +103,13 @@ class HistoryPage(QWidget):
         self.said.hide()
         self.table = Table(HEADINGS, stretch=6)
         self.table.itemSelectionChanged.connect(self._chosen)
+        self._order = 0, True  # the column it is sorted by, and whether the largest is first
+        header = self.table.horizontalHeader()
+        header.setSectionsClickable(True)
+        header.setSortIndicatorShown(True)
+        header.setSortIndicator(0, Qt.SortOrder.DescendingOrder)
+        header.sectionClicked.connect(self._sort)
+        header.setToolTip(self.tr("Click to sort by this column, again to turn the order round"))
         self.table.doubleClicked.connect(self._open)
         self.empty = label(
             self.tr("No such run. A run from the Run page, or an imported bundle, comes up here."), "caption"
@@ -125,7 +132,7 @@ class HistoryPage(QWidget):
         self.parameter.setToolTip(self.tr("k: offsets in nT; gain: the diagonal of K, ppm from the first calibration"))
         self.parameter.activated.connect(self._draw)
         self.plot = plot(self._theme, "", "")
-        self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem(utcOffset=0)})
+        self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem()})
         card.body.addWidget(self.parameter)
         self.none = label(
             self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day."),
@@ -144,6 +151,7 @@ class HistoryPage(QWidget):
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self.runs = runs
+        self._app_state.path.take_runs(runs)
         self._show()
 
     def _calibrations_known(self, files: tuple[CalibrationFile, ...]) -> None:
@@ -151,23 +159,34 @@ class HistoryPage(QWidget):
         self._idle_queue.add(self._draw)
 
     def _show(self) -> None:
-        found = [one for one in self.runs if matches(one, self.search.text())]
+        now, chosen = datetime.now().astimezone(), self.chosen()
+        found = [one for one in self.runs if matches(one, self.search.text(), now)]
+        found = in_order(found, *self._order)
         self.empty.setVisible(not found)
         self.table.setRowCount(len(found))
         for row, one in enumerate(found):
-            when, status = one.started_utc[:19].replace("T", " "), one.status.partition(":")[0]
-            cells = (
-                when,
-                one.dut_serial,
-                " · ".join(filter(None, (one.procedure or "bundle", self.tr("SIMULATED") if one.simulated else ""))),
-                one.operator,
-                status,
-                one.verdict,
-                one.run_id,
-            )
-            for column, text in enumerate(cells):
-                self.table.set_cell(row, column, text or "–", tip=one.status if column == 4 else "")
+            for column, text in enumerate(cells(one)):
+                tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: one.status}
+                self.table.set_cell(row, column, text or "–", tip=tips.get(column, ""))
+        self._keep_chosen(chosen, found)
         self._chosen()
+
+    def _keep_chosen(self, chosen: RunLine | None, found: list[RunLine]) -> None:
+        """In another order the same run is chosen, where it is still there."""
+        ids = [one.run_id for one in found]
+        with QSignalBlocker(self.table):
+            if chosen is not None and chosen.run_id in ids:
+                self.table.selectRow(ids.index(chosen.run_id))
+            else:
+                self.table.clearSelection()
+
+    def _sort(self, column: int) -> None:
+        """By this column; a second click turns the order round."""
+        at, falling = self._order
+        self._order = column, (not falling if at == column else column == 0)
+        order = Qt.SortOrder.DescendingOrder if self._order[1] else Qt.SortOrder.AscendingOrder
+        self.table.horizontalHeader().setSortIndicator(column, order)
+        self._show()
 
     def _chosen(self) -> None:
         one = self.chosen()
@@ -185,6 +204,8 @@ class HistoryPage(QWidget):
 
     def correct_serial(self, run: str, serial: str) -> None:
         """State another serial of the DUT of `run`, in the operator's name."""
+        if refused := self._app_state.serial_objection(serial.strip()):
+            return self.fault.show_fault(Fault("input", refused, self.tr("Nothing was changed.")))
         said = self.tr("Run {0}: DUT {1}").format(run, serial.strip())
         who = self._app_state.lab.state.operator
 
@@ -193,7 +214,8 @@ class HistoryPage(QWidget):
             self._app_state.store_changed.emit()
             self.refresh()
 
-        self._app_state.quick_worker.request(CorrectSerial(run, serial, who), corrected, self.fault.show_fault)
+        command = CorrectSerial(run, serial, who)
+        return self._app_state.quick_worker.request(command, corrected, self.fault.show_fault)
 
     def _open(self) -> None:
         if (one := self.chosen()) is not None and self.open.isEnabled():
@@ -203,7 +225,9 @@ class HistoryPage(QWidget):
         one = self.chosen()
         if one is None:
             return
-        start = str(Path.home() / one.run_id)
+        started = local_time(one.started_utc)
+        serial = re.sub(r"[^\w.-]", "-", one.dut_serial)
+        start = str(Path.home() / f"{serial}_{started:%Y-%m-%d_%H%M}_{one.procedure or 'bundle'}")
         out, kind = QFileDialog.getSaveFileName(self, self.tr("Export the run"), start, ";;".join(FORMATS))
         if out:
             self.export_to(one.run_id, FORMATS[kind], out)

@@ -9,8 +9,9 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from importlib.metadata import EntryPoint
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 
 from labcal.errors import InputError
 from labcal.gui.ipc.wire import Fault
@@ -23,8 +24,54 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import TIME_SLICE_S
 
 
+class Place(QWidget):
+    """As large as what can be seen, and no smaller than the page in it can be.
+
+    Put into the area itself, a page with wrapped texts would get the height that it would like to have, and would
+    scroll where it needs less. One that only tells (`tells_only`) gets that height: nothing in it can give way.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._page: QWidget | None = None
+
+    def hold(self, page: QWidget) -> None:
+        """Put the page here."""
+        self._page = page
+        policy = self.sizePolicy()
+        policy.setHeightForWidth(getattr(page, "tells_only", False))
+        self.setSizePolicy(policy)
+        page.setParent(self)
+        page.resize(self.size())
+        page.show()
+        self.updateGeometry()
+
+    def minimumSizeHint(self) -> QSize:
+        """Of the page."""
+        return QSize() if self._page is None else self._page.minimumSizeHint()
+
+    def heightForWidth(self, width: int) -> int:
+        """What the page would like to have at this width, with the lines of its wrapped texts."""
+        layout = None if self._page is None else self._page.layout()
+        return self.minimumSizeHint().height() if layout is None else layout.totalHeightForWidth(width)
+
+    def event(self, event: QEvent) -> bool:
+        """The page needs another place."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()
+        return super().event(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another size, for the page too."""
+        if self._page is not None:
+            self._page.resize(self.size())
+
+
 class LazyPage(QWidget):
-    """The page that `entry` names, built when it is first seen: the window is up before the plots are."""
+    """The page that `entry` names, built when it is first seen: the window is up before the plots are.
+
+    Where a small window has no room for all of it, it can be scrolled: nothing of it is cut off.
+    """
 
     wanted = Signal()  # it is in sight, and not yet built
 
@@ -37,11 +84,20 @@ class LazyPage(QWidget):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self.page: QWidget | None = None
+        self.area = QScrollArea()
+        self.area.setWidgetResizable(True)
+        self.area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # what has the focus comes into sight by itself
+        self.area.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.area.viewport().setAutoFillBackground(False)
+        self.place = Place()
+        self.area.setWidget(self.place)
+        self.place.setAutoFillBackground(False)
+        self._column.addWidget(self.area)
 
     @property
     def ready(self) -> bool:
         """Whether it is built, and has its style sheets."""
-        return self.page is not None and self.page.parent() is self
+        return self.page is not None and self.page.parent() is self.place
 
     def built(self) -> QWidget:
         """The page itself, at once."""
@@ -66,14 +122,13 @@ class LazyPage(QWidget):
             self.page = self._card(error)
             yield
         yield from self._styled(self.page)
-        self._column.addWidget(self.page)
-        self.page.show()
+        self.place.hold(self.page)
 
     def _styled(self, page: QWidget) -> Iterator[None]:
         applied = ""
         while applied != (applied := self._sheet()):  # again, where another theme has come meanwhile
             until = time.monotonic() + TIME_SLICE_S
-            for one in styled_widgets(page):
+            for one in (*self._bars(), *styled_widgets(page)):
                 if time.monotonic() > until:
                     yield
                     until = time.monotonic() + TIME_SLICE_S
@@ -94,7 +149,10 @@ class LazyPage(QWidget):
 
     def styled_widgets(self) -> list[QWidget]:
         """What has a style sheet of its own, in order."""
-        return styled_widgets(self.page) if self.page is not None and self.ready else []
+        return [*self._bars(), *styled_widgets(self.page)] if self.page is not None and self.ready else []
+
+    def _bars(self) -> tuple[QWidget, QWidget]:
+        return self.area.verticalScrollBar(), self.area.horizontalScrollBar()
 
     def theme_updates(self, theme: Theme) -> Iterator[Callable[[], object]]:
         """What puts each part that draws for itself into the colours of `theme`; holders come after what they hold."""

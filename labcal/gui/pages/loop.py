@@ -12,6 +12,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.loop_words import said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.study import cause_name
 from labcal.gui.widgets.common import Card, button, combo_box, label, named, set_primary, set_state, shrinkable
@@ -77,7 +78,7 @@ class LoopPage(QWidget):
     def _head(self) -> QHBoxLayout:
         self.chooser = RunChooser(self._app_state)
         self.chooser.chosen.connect(self._study.open)
-        self.chooser.known.connect(self._say_empty)
+        self.chooser.known.connect(self._show)
         self.close_loop = button(
             self.tr("Trace the residual"), self.tr("Find what causes what is left over"), primary=True
         )
@@ -114,10 +115,17 @@ class LoopPage(QWidget):
 
     def _verdict_card(self) -> Card:
         card = Card()
-        self.verdict, self.summary = label("", "ask"), shrinkable(label("", wrap=True))
+        self.verdict, self.plainly = label("", "ask"), shrinkable(label("", wrap=True))
+        self.summary = shrinkable(label("", "caption", wrap=True))
+        self.summary.hide()
+        self.fold = button(self.tr("In figures"), self.tr("The loop's own words: held-out rms, tests, rows set aside"))
+        self.fold.setCheckable(True)
+        self.fold.toggled.connect(self.summary.setVisible)
         self.before_after, self.noise = label("", "large"), label("", "caption", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
+        words.addWidget(self.plainly)
+        words.addWidget(self.fold, 0, Qt.AlignmentFlag.AlignLeft)
         words.addWidget(self.summary)
         for widget in (self.before_after, self.noise):
             widget.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -130,7 +138,7 @@ class LoopPage(QWidget):
         return card
 
     def _left_card(self) -> Card:
-        card = Card(self.tr("1  What is left over"), self.tr("noise, k=2"))
+        card = Card(self.tr("1  What is left over"), self.tr("noise k=2"))
         self.left = Residuals(self._theme)
         card.body.addWidget(self.left)
         return card
@@ -154,7 +162,7 @@ class LoopPage(QWidget):
     def _change_card(self) -> Card:
         card = Card(self.tr("3  What it changes"), "")
         self.change_heading, self.change_words = card.heading, card.unit
-        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=5)
+        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=2)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
         self.change_why = label("", "caption", wrap=True)
@@ -205,7 +213,8 @@ class LoopPage(QWidget):
         self._tell()
         self.cancel.setVisible(study.busy)
         self.close_loop.setVisible(not study.busy)
-        self.close_loop.setEnabled(bool(study.run) and not study.busy)
+        refused = self._app_state.path.why_no_fit(study.run)
+        self.close_loop.setEnabled(bool(study.run) and not study.busy and not refused)
         self.sign.setEnabled(study.loop is not None)
         set_primary(self.close_loop, study.loop is None)
         set_primary(self.sign, study.loop is not None)
@@ -222,7 +231,8 @@ class LoopPage(QWidget):
         if "loop" in study.waiting:
             words = self.tr("Looking at the residual; a whole preflight takes about a minute.")
         elif study.run:
-            words = self.tr("Trace the residual of this run to its cause.")
+            refused = self._app_state.path.why_no_fit(study.run)
+            words = refused or self.tr("Trace the residual of this run to its cause.")
         self.empty.setText(translated(NO_RUNS) if none else words)
         self.to_run.setVisible(none)
         height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter
@@ -239,6 +249,7 @@ class LoopPage(QWidget):
         words, state = WORDS[loop.verdict]
         self.verdict.setText(translated(words))
         set_state(self.verdict, state)
+        self.plainly.setText(said_plainly(loop))
         self.summary.setText(loop.summary)
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")

@@ -6,7 +6,8 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QListWidget, QListWidgetItem, QScrollArea, QWidget
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidgetItem, QScrollArea, QWidget
 
 from labcal.gui.ipc.answers import Procedure, Procedures
 from labcal.gui.ipc.messages import ListProcedures, Rehearse
@@ -14,10 +15,13 @@ from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.viewmodels.procedure_groups import group_of, grouped
+from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.parameter_form import ParameterForm
 
+HEADING = Qt.ItemDataRole.UserRole  # of an item that is no procedure
 PACE_WORDS = {"true": "real time"}
 
 
@@ -30,6 +34,7 @@ class Choose(QWidget):
         self._procedures: dict[str, Procedure] = {}
         self.form: ParameterForm | None = None
         self._wanted, self._plan_wanted = "preflight", False
+        self._shown, self._typed = "", dict[str, dict[str, str]]()  # whose form it is; what was typed, by procedure
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
         row = QHBoxLayout(self)
@@ -43,11 +48,18 @@ class Choose(QWidget):
 
     def _list_card(self) -> Card:
         card = Card(self.tr("Procedures"))
-        self.list = QListWidget()
+        card.heading.setMinimumWidth(0)  # of its text
+        self.list = GroupedList()
         self.list.setAccessibleName(self.tr("Procedures"))
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setMinimumWidth(20 * GRID)
         self.list.currentTextChanged.connect(self._chosen)
+        self.search = QLineEdit()
+        self.search.setPlaceholderText(self.tr("Search"))
+        self.search.setToolTip(self.tr("By name, by what it does, or by what it needs"))
+        self.search.setClearButtonEnabled(True)
+        self.search.textChanged.connect(self._show_found)
+        card.body.addWidget(self.search)
         card.body.addWidget(self.list)
         return card
 
@@ -67,7 +79,9 @@ class Choose(QWidget):
         self.plan = label("", wrap=True)
         self.plan.setAccessibleName(self.tr("The plan"))
         card.body.addWidget(self.plan)
-        self.objection = label("", "caption")
+        self.objection = label("", "caption", wrap=True)
+        self.objection.setAlignment(Qt.AlignmentFlag.AlignRight)
+        set_state(self.objection, "bad")
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
         for pace in SPEEDS:
             self.pace.addItem(translated(PACE_WORDS.get(pace, pace)), pace)
@@ -92,9 +106,9 @@ class Choose(QWidget):
         for widget in (self.pace_label, self.pace):
             row.addWidget(widget)
         row.addStretch()
-        row.addWidget(self.objection)
         for act in (self.show_plan, self.start):
             row.addWidget(act)
+        card.body.addWidget(self.objection)
         card.body.addLayout(row)
         return card
 
@@ -146,8 +160,11 @@ class Choose(QWidget):
         """List what there is to run, and by name what does not load, with the reason."""
         with QSignalBlocker(self.list):  # nothing is chosen before the new ones are there
             self.list.clear()
-        self._procedures = {one.name: one for one in there.found}
-        self.list.addItems(list(self._procedures))
+        self._procedures, self._typed, self._shown = {one.name: one for one in there.found}, {}, ""
+        self._app_state.resumable = frozenset(one.name for one in there.found if one.resumable)
+        for group, names in grouped(self._procedures):
+            self._add_heading(group)
+            self.list.addItems(names)
         for name, fault in there.broken.items():
             broken = QListWidgetItem(f"✕ {name}", self.list)
             broken.setFlags(Qt.ItemFlag.NoItemFlags)
@@ -155,6 +172,31 @@ class Choose(QWidget):
         self.choose(self._wanted)
         if self._plan_wanted:
             self.rehearse()
+
+    def _add_heading(self, group: str) -> None:
+        heading = QListWidgetItem(group, self.list)
+        heading.setFlags(Qt.ItemFlag.NoItemFlags)
+        heading.setData(HEADING, True)
+        font = QFont()
+        font.setBold(True)
+        heading.setFont(font)
+
+    def _show_found(self) -> None:
+        """Hide what the search does not find, and headings with nothing below them."""
+        heading: QListWidgetItem | None = None
+        for item in map(self.list.item, range(self.list.count())):
+            if item.data(HEADING):
+                heading = item
+                heading.setHidden(bool(self.search.text()))
+            else:
+                item.setHidden(not self._is_found(item.text().removeprefix("✕ ")))
+                if heading is not None and not item.isHidden():
+                    heading.setHidden(False)
+
+    def _is_found(self, name: str) -> bool:
+        one = self._procedures.get(name)
+        about = name if one is None else f"{name} {procedure_title(name)} {one.title} {one.needs} {group_of(name)}"
+        return all(word in about.casefold() for word in self.search.text().casefold().split())
 
     def choose(self, names: str) -> None:
         """Choose the first procedure there is of `names`, apart by |; also before the list is known."""
@@ -165,28 +207,38 @@ class Choose(QWidget):
         return None
 
     def _chosen(self, name: str) -> None:
+        self._keep_typed()
         one = self._procedures[name]
         self.heading.setText(procedure_title(name))
         self.title.setText(one.title)
         self.needs.setText(needs_text(one))
         self.form = ParameterForm(one.parameters)
+        self._shown = name
+        for key, text in self._typed.get(name, {}).items():
+            self.form.set_text(key, text)
         self.form.changed.connect(self._other_settings)
         self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
         self._idle_queue.put("form", partial(self._show_form, self.form))
         self._other_settings()
+
+    def _keep_typed(self) -> None:
+        """Whoever comes back to a procedure finds its settings as they were typed."""
+        if self.form is not None and self._shown in self._procedures:
+            self._typed[self._shown] = self.form.texts()
 
     def _show_form(self, form: ParameterForm) -> None:
         self._area.setWidget(form)
         form.setAutoFillBackground(False)
 
     def _check(self) -> None:
-        simulated = self._app_state.facts is not None and self._app_state.facts.simulated
+        virtual = self._app_state.facts is not None and self._app_state.facts.virtual_time
         for widget in (self.pace, self.pace_label):
-            widget.setVisible(simulated)
+            widget.setVisible(virtual)
         objection = self._app_state.objection()
         if not objection and self.form is not None and not self.form.valid():
             objection = self.tr("A setting is not accepted: see above.")
         self.objection.setText(objection)
+        self.objection.setVisible(bool(objection))
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         self.start.setEnabled(ready)
         self.show_plan.setEnabled(ready)

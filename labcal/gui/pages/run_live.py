@@ -24,14 +24,17 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import FIGURE_SPACE, format_duration, step_title
+from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
-from labcal.gui.widgets.common import Card, button, deferred_layout, label, set_primary, shrinkable
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, deferred_layout, label, set_primary
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import PromptCard
+from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
+HEADLINE_PT = 36
 LOCI_EVERY = 12  # frames: a locus grows slowly, and is dear to draw
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 SHOWN_S = 120.0  # of the traces
@@ -49,6 +52,7 @@ class Live(QWidget):
         self.loci, self.traces = loci, traces
         self._asked: object = None
         self._drawn, self._ticks = -1, 0
+        self._details = False  # of a run that has ended: what was measured is shown in place of the verdict
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
@@ -128,7 +132,9 @@ class Live(QWidget):
         self.fault.report_requested.connect(self._app_state.report_requested)
         self.middle = QStackedWidget()
         self._picture = self._live_card()
-        for widget in (self._picture, self.prompt):
+        self.verdict = VerdictCard(self._theme)
+        self.verdict.details_wanted.connect(self._show_details)
+        for widget in (self._picture, self.prompt, self.verdict):
             self.middle.addWidget(widget)
         holder = QWidget()
         column = QVBoxLayout(holder)
@@ -142,7 +148,9 @@ class Live(QWidget):
 
     def _live_card(self) -> Card:
         card = Card()
-        self.headline = shrinkable(label("", "large"))
+        self.headline = AutoSizeLabel(HEADLINE_PT)
+        self.headline.setMinimumHeight(5 * GRID)
+        self.headline.setMaximumHeight(9 * GRID)
         self.headline.setAccessibleName(self.tr("What happens now"))
         self.coverage = QProgressBar()
         self.coverage.setTextVisible(False)
@@ -204,25 +212,35 @@ class Live(QWidget):
         self.pause.setEnabled(run.state in ("running", "asking", "paused"))
         self.stop.setEnabled(run.alive and run.state != "stopping")
         turned = bool(run.names or run.locus)  # else there is no turn to show, and nothing to fit
+        self._details = self._details and ended
+        decided = ended and not self._details  # the verdict has the whole place
         with deferred_layout(self, *self._holders):
             for widget, shown in (
                 (self.pause, not ended),
                 (self.stop, not ended),
                 (self.close_run, ended),
-                (self.fit, ended and turned),
-                *((widget, turned) for widget in (self.progress, self.steps, self.lights, self.turn, self.loci)),
+                (self.fit, ended and turned and run.status == "finished"),
+                (self.lights, turned and not decided),
+                *((widget, turned) for widget in (self.progress, self.steps, self.turn, self.loci)),
             ):
                 widget.setVisible(shown)
-        set_primary(self.close_run, not turned)
+        set_primary(self.close_run, not (turned and run.status == "finished"))
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.note.setEnabled(run.alive)
         self.photo.setEnabled(run.alive)
-        self.below.setVisible(run.prompt is None and bool(run.measurements))
+        self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
+        if ended:
+            self.verdict.show_verdict(run.order.dut if run.order else "", run_verdict(run))
         self.table.show_measurements(run.measurements.values())
         self.lights.show_run(run)
         self._show_fault(run.fault)
         self._ask()
         self.frame_timer.start() if run.alive else self._draw_last()
+
+    def _show_details(self) -> None:
+        """What was measured, in place of the verdict, until the next run."""
+        self._details = True
+        self._show()
 
     def _draw_last(self) -> None:
         self.frame_timer.stop()
@@ -261,7 +279,9 @@ class Live(QWidget):
     def _ask(self) -> None:
         prompt = self._run.prompt
         self.prompt.show_prompt(prompt)
-        self.middle.setCurrentWidget(self.prompt if prompt is not None else self._picture)
+        decided = self._run.state == "ended" and not self._details
+        shown = self.prompt if prompt is not None else self.verdict if decided else self._picture
+        self.middle.setCurrentWidget(shown)
         if prompt is not None and prompt is not self._asked:
             QApplication.alert(self)
         self._asked = prompt
@@ -291,7 +311,7 @@ class Live(QWidget):
         """Draw what has come since the last frame."""
         run = self._run
         self._show_left()
-        self.headline.setText(self._now())
+        self.headline.set_text(self._now())
         self.coverage.setValue(round(100 * run.coverage()))
         self.covered.setText(
             self.tr("{0} % of the circle").format(f"{round(100 * run.coverage()):3d}".replace(" ", FIGURE_SPACE))

@@ -9,20 +9,23 @@ from PySide6.QtCore import QDate, QLocale
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Checked, RunLine
-from labcal.gui.ipc.messages import FindSimulatedBench, LastCageCheck, LastClosingCheck, ListRuns
+from labcal.gui.ipc.messages import FindSimulatedBench, LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import MORNING, MORNING_CHECKS, translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.number_format import format_number
-from labcal.gui.widgets.common import Card, button, flat, label, set_state, shrinkable
+from labcal.gui.widgets.common import Card, button, flat, label, set_state
 from labcal.gui.widgets.run_chooser import run_title
 
 DUE_DAYS = 365
+LISTED = 3  # interrupted runs
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
 
 
 class StartPage(QWidget):
     """Answers "may I begin?" before it is asked."""
+
+    tells_only = True
 
     def __init__(self, app_state: AppState, theme: Theme) -> None:
         super().__init__()
@@ -32,7 +35,7 @@ class StartPage(QWidget):
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addWidget(flat(self._hello_card()))
-        self.interrupted = flat(Card(self.tr("▲ An interrupted run")))
+        self.interrupted = flat(Card(self.tr("▲ Interrupted: to be gone on with")))
         self.interrupted.hide()
         column.addWidget(self.interrupted)
         grid = QGridLayout()
@@ -64,11 +67,12 @@ class StartPage(QWidget):
         self._app_state.request(ListRuns(), self._runs_known)
         self._app_state.request(LastClosingCheck(), self._closing_known)
         self._app_state.request(LastCageCheck(), self._cage_known)
+        self._app_state.request(ListCalibrations(), self._app_state.path.take_calibrations)
 
     def _hello_card(self) -> Card:
         card = Card()
         today = QLocale().toString(QDate.currentDate(), "dddd, d MMMM")
-        self.date, self.question = shrinkable(label(today, "large")), label("", wrap=True)
+        self.date, self.question = label(today, "large", wrap=True), label("", wrap=True)
         self.morning = button(
             translated(MORNING),
             self.tr("Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time"),
@@ -191,6 +195,7 @@ class StartPage(QWidget):
         return self._say("closing", f"{shape} {said.verdict}", f"{value}\n{run_title(said.run)}", state)
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
+        self._app_state.path.take_runs(runs)
         if runs:
             lines = [run_title(one) for one in runs[:3]]
             self._say("runs", self.tr("{0} in the store").format(len(runs)), "\n".join(lines))
@@ -199,10 +204,19 @@ class StartPage(QWidget):
             self._say("runs", self.tr("none yet"), words)
         while (old := self.interrupted.body.takeAt(0)) is not None:
             if (widget := old.widget()) is not None:
+                widget.hide()
                 widget.deleteLater()
-        broken = [one for one in runs if one.status == "interrupted"][:3]
+        broken = [one for one in runs if one.status == "interrupted"]
         self.interrupted.setVisible(bool(broken))
-        for one in broken:
+        self._list_interrupted(broken)
+
+    def _list_interrupted(self, broken: list[RunLine]) -> None:
+        """A button each; how many more there are is said."""
+        lost = self.tr("Nothing that was measured is lost: each goes on after its last finished step.")
+        more = self.tr("{0} more on the History page.").format(len(broken) - LISTED) if len(broken) > LISTED else ""
+        bench = "" if self._app_state.facts is not None else self.tr("Open a bench first.")
+        self.interrupted.body.addWidget(label(" ".join(filter(None, (lost, bench, more))), wrap=True))
+        for one in broken[:LISTED]:
             again = button(
                 self.tr("Go on with  {0}").format(run_title(one)),
                 self.tr("After its last finished step; you are asked whether the mounting stands"),

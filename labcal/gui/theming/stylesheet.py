@@ -32,7 +32,7 @@ def styled_widgets(widget: QWidget) -> list[QWidget]:
     """`widget`, or what it holds where it only holds."""
     if isinstance(widget, QScrollArea):
         within = widget.widget()
-        return [] if within is None else [*styled_widgets(within), widget.verticalScrollBar()]
+        return [*([] if within is None else styled_widgets(within)), widget.verticalScrollBar()]
     if _holds(widget):
         return [one for child in widget.children() if isinstance(child, QWidget) for one in styled_widgets(child)]
     styles_itself = isinstance(widget, QGraphicsView) or getattr(widget, "styles_itself", False)

@@ -87,7 +87,7 @@ QLabel#large { font-size: ${large_pt}pt; font-weight: 600; }
 QLabel#simulated { background: $warning; color: $surface; font-weight: 700; padding: 4px 12px; border-radius: 4px;
                    letter-spacing: 2px; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
-QLabel[state="old"] { color: $muted; }
+QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
 QPushButton:disabled { color: $muted; background: $page; }
@@ -96,13 +96,14 @@ QPushButton#primary:focus { border: 2px solid $text; }
 QPushButton#primary:disabled { background: $line; color: $muted; border-color: $line; }
 QPushButton#off { background: $bad; color: $surface; border: 0; font-weight: 700; padding: 12px 24px; }
 QPushButton#off:focus { border: 3px solid $text; padding: 9px 21px; }
-QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 12px 16px; }
-QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; font-weight: 600; padding-left: 12px; }
-QPushButton#rail:focus { border: 2px solid $accent; padding: 10px 14px; }
+QPushButton#rail { text-align: left; border: 0; border-radius: 0; padding: 10px 12px; }
+QPushButton#rail:checked { background: $page; border-left: 4px solid $accent; padding-left: 8px; }
+QPushButton#rail:focus { border: 2px solid $accent; padding: 8px 10px; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit, QTextEdit { background: $sunken;
     border: 1px solid $line; border-radius: 4px; padding: 5px 8px;
     selection-background-color: $accent; selection-color: $on_accent; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid $accent; padding: 4px 7px; }
+QLineEdit[state="bad"] { border: 2px solid $bad; padding: 4px 7px; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
     selection-color: $on_accent; }
 QTableView, QListView, QTreeView { background: $surface; border: 1px solid $line; padding: 1px; gridline-color: $line;

@@ -12,7 +12,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scanned: DUT {0}</source>
+        <source>✕ Scanned, and not taken: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned {0}: it is the DUT at the top.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -212,10 +216,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Approver, by the name of their key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
         <translation type="unfinished"></translation>
     </message>
@@ -245,10 +245,6 @@
     </message>
     <message>
         <source>Asked each time, never kept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The same once more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -320,7 +316,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} Nobody has a key here: write who signs, a passphrase twice, then New key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nobody yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approver: their key&apos;s name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -376,6 +384,14 @@
     <name>Choose</name>
     <message>
         <source>Procedures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By name, by what it does, or by what it needs</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -443,6 +459,49 @@
     </message>
     <message>
         <source>The worker process could not be started.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CloseQuestion</name>
+    <message>
+        <source>A run goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run goes on: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It ends in order, the coils go to zero; then the window closes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep running behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window goes out of sight, and comes back when you are needed or the run has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to zero, the window closes. What is measured is kept; the Start page goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close nothing (Esc)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -653,6 +712,10 @@
 <context>
     <name>Frame</name>
     <message>
+        <source>What is next for this DUT, whichever page is open (Ctrl+N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} (Ctrl+{1})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -670,6 +733,18 @@
     </message>
     <message>
         <source>this sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark or light; until then as the system has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Letters to be read from two metres, and back (F11)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -692,11 +767,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Search: DUT, date, operator, procedure, verdict …</source>
+        <source>Search: DUT, day …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Several words narrow it down: EM-07 2026-11 explained</source>
+        <source>Several words narrow it down: EM-07 yesterday explained; or 22.11.2026</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -732,6 +807,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -752,7 +831,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>SIMULATED</source>
+        <source>{0} UTC</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -761,6 +840,10 @@
     </message>
     <message>
         <source>Serial of the DUT of run {0}:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -791,10 +874,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dark or light is as the system has it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation type="unfinished"></translation>
     </message>
@@ -807,6 +886,17 @@
     <name>LazyPage</name>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Leaving</name>
+    <message>
+        <source>Show the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -948,6 +1038,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>noise k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1004,7 +1098,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>noise, k=2</source>
+        <source>In figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The loop&apos;s own words: held-out rms, tests, rows set aside</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1091,6 +1189,69 @@
     </message>
     <message>
         <source>expected {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PathViewModel</name>
+    <message>
+        <source>failed: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was stopped before its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it did not measure would be missing in the calibration. Measure again on the Run page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run {0} {1}. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say who and what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace the residual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1204,6 +1365,49 @@
     </message>
 </context>
 <context>
+    <name>ScanCard</name>
+    <message>
+        <source>From here on this is the serial of the DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan is forgotten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The DUT is the one before again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned {0}. Is it the DUT from here on? Until now: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The DUT is {0}, in place of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>SidePanel</name>
     <message>
         <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
@@ -1228,10 +1432,6 @@
 </context>
 <context>
     <name>StartPage</name>
-    <message>
-        <source>▲ An interrupted run</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Last closing check</source>
         <translation type="unfinished"></translation>
@@ -1309,6 +1509,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>▲ Interrupted: to be gone on with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1358,6 +1562,18 @@
     </message>
     <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: each goes on after its last finished step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1427,9 +1643,48 @@
     </message>
 </context>
 <context>
+    <name>VerdictCard</name>
+    <message>
+        <source>DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pictures and every value with its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Window</name>
     <message>
+        <source>what is next for this DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>letters to be read from two metres, and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smaller F11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Larger F11</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1688,10 +1943,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>started (UTC)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>DUT</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1932,6 +2183,34 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no marks between thousands: 20000, not 20 000, 20,000 or 20.000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point stands before decimals here: 1.5, not 1,5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a blank after each comma, and a point before decimals: 20000, 50000.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Every point that is drawn to the clipboard, as columns x and y of each curve</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1993,6 +2272,114 @@
     </message>
     <message>
         <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is left over but noise. The calibration may be signed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The error has a cause: {0}. It is in the draft, which may be signed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} may be the cause, another one as well. Measure what tells them apart (4), then sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is wrong that nothing known explains. Do not sign: see 4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows that were set aside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate a DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every morning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test a DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cage and its reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: Fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within U of its limit: measure that part again, or Fit and see.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U is more than half the limit: measure longer, or with less noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at what was measured, mend the cause, and measure again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of it had a limit: look at what was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured is kept. To measure again: Close, then Start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: go on with it on the Start page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then measure again: Close, then Start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MARGINAL where the limit lies within ± U (k=2): {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CANNOT DECIDE where U (k=2) exceeds half the limit: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It did not come to its end, so it has no verdict, and gives no calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DONE</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -14,6 +14,7 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, QSettings, QTimer, Signal
 
+from labcal.bench import serials
 from labcal.bench.coils import state
 from labcal.files.atomic import absolute
 from labcal.files.home import file_at_home
@@ -23,7 +24,9 @@ from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
+from labcal.gui.viewmodels.path import Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
 
 R = TypeVar("R")
@@ -57,13 +60,16 @@ class AppState(QObject):
         self.quick_worker, self.bench_worker = Client(self), Client(self)
         self.fit_worker, self.off_worker = Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
-        self.study_vm = StudyViewModel(self.fit_worker)
+        self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker)
+        self.path = PathViewModel(self.lab, self.run, self.study_vm)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
         self.facts: Bench | None = None
         self.answered: dict[str, Greeting] = {}  # by instrument, when they were last asked
         self.bench = ""
+        self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with
         self.wanted: Wanted | None = None
+        self._said_of_dut = ""  # what the line below said last about the serial at the top
         self._asked_off = False  # of this bench, and no answer has come
         self.known: state.LabState | None = None  # the lab as a worker told it last, by the computer's monotonic clock
         self._told_s = 0.0  # and when it did
@@ -100,7 +106,8 @@ class AppState(QObject):
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
         self.run.links = {name: one.link for name, one in facts.instruments.items()}
         serial = self.lab.state.dut_serial or facts.dut.serial
-        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial)
+        refused = self.serial_objection(serial)
+        self.lab.update(bench=facts.name, simulated=facts.simulated, dut_serial=serial, dut_objection=refused)
         self._grow_old()
         self.bench_changed.emit()
 
@@ -135,25 +142,44 @@ class AppState(QObject):
         self.page_requested.emit("Fit")
         self.study_vm.open(run)
 
+    def go(self, to: Next) -> None:
+        """Open the page of what is next, with its run; Calibrate shows the preflight."""
+        if to.run:
+            self.study_vm.open(to.run)
+        if to.page == "Run" and not self.run.alive:
+            self.open_procedure("preflight")
+        self.page_requested.emit(to.page)
+
     def set_identity(self, *, dut: str | None = None, operator: str | None = None) -> None:
         """Take the DUT's serial or the operator's name."""
         if dut is not None:
-            scanned = self.lab.state.message == self._scanned(self.lab.state.dut_serial)
-            self.lab.update(dut_serial=dut.strip(), message="" if scanned else self.lab.state.message)
+            refused = self.serial_objection(dut.strip())
+            self.lab.update(dut_serial=dut.strip(), dut_objection=refused)
+            if refused or self.lab.state.message == self._said_of_dut:
+                self._say_of_dut(f"✕ {refused}" if refused else "")
         if operator is not None:
             self.lab.update(operator=operator.strip())
             self.settings.setValue("operator", operator.strip())
 
     def scan(self, serial: str) -> None:
-        """A scanner read this: the DUT's serial, unless a run goes on."""
+        """A scanner read this where no field waited for it: is it the DUT's serial? Never while a run goes on."""
         if self.run.alive:
             self.lab.update(message=self.tr("Scanned {0}; a run goes on, its DUT stays.").format(serial))
+        elif said := self.serial_objection(serial):
+            self._say_of_dut(self.tr("✕ Scanned, and not taken: {0}").format(said))
+        elif serial == self.lab.state.dut_serial:
+            self._say_of_dut(self.tr("Scanned {0}: it is the DUT at the top.").format(serial))
         else:
-            self.set_identity(dut=serial)
-            self.lab.update(message=self._scanned(serial))
+            self.scan_vm.ask(serial)
 
-    def _scanned(self, serial: str) -> str:
-        return self.tr("Scanned: DUT {0}").format(serial)
+    def _say_of_dut(self, words: str) -> None:
+        """In the line below, until another serial is stated."""
+        self._said_of_dut = words
+        self.lab.update(message=words)
+
+    def serial_objection(self, serial: str) -> str:
+        """Why this is no serial on this bench; "" where it is one."""
+        return serials.objection(serial, serials.USUAL if self.facts is None else self.facts.serial_pattern)
 
     def objection(self) -> str:
         """What is missing before a run may start; "" where nothing is."""
@@ -162,6 +188,8 @@ class AppState(QObject):
             return self.tr("Choose a bench on the Bench page first.")
         if not state.dut_serial:
             return self.tr("Scan or type the DUT's serial at the top.")
+        if said := self.serial_objection(state.dut_serial):
+            return said
         return "" if state.operator else self.tr("Type the operator's name at the top.")
 
     def start(self, procedure: str, given: dict[str, str]) -> None:

@@ -19,6 +19,7 @@ class LabState:
     """One instant of the lab; None is "not known", and is shown as such. `now` is made from the state that was told."""
 
     dut_serial: str = ""
+    dut_objection: str = ""  # why it is no serial
     operator: str = ""
     bench: str = ""
     simulated: bool = False

@@ -1,4 +1,7 @@
-"""Tells a barcode scanner from a person: more than 30 characters a second are a scan, and go to the serial field."""
+"""Tells a barcode scanner from a person: more than 30 characters a second are a scan.
+
+It goes into the field that has the focus where that `takes_scans`; anywhere else it is for whoever hears `scanned`.
+"""
 
 from __future__ import annotations
 
@@ -11,14 +14,15 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QWidget
 
 FASTEST_TYPIST_S = 1 / 30  # between two characters
 SHORTEST = 4  # characters of a scan
+TAKES_SCANS = "takes_scans"
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 class Scanner(QObject):
     """Handles all keys (see `Frame.key_handlers`): holds them back for the blink in which a burst shows itself.
 
-    A single key is handed on 40 ms later, exactly as it came; a burst is emitted whole as `scanned` and reaches
-    neither a field nor a button.
+    A single key is handed on 40 ms later, exactly as it came; a burst replaces what stands in a field that takes scans,
+    else it is emitted whole as `scanned` and reaches neither a field nor a button.
     """
 
     scanned = Signal(str)
@@ -61,6 +65,12 @@ class Scanner(QObject):
             return False
         return (event.text().isprintable() and bool(event.text())) or (event.key() in ENTER and bool(self._kept))
 
+    def _scan(self, into: QWidget, text: str) -> None:
+        if isinstance(into, QLineEdit) and into.property(TAKES_SCANS) and not into.isReadOnly():
+            into.selectAll()
+            return into.insert(text)  # as if it had been typed
+        return self.scanned.emit(text)
+
     def flush(self) -> None:
         """Decide about what is held: a scan, or keys of a person."""
         kept, self._kept = self._kept, []
@@ -68,14 +78,18 @@ class Scanner(QObject):
         struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
         text = "".join(event.text() for event in struck if event.key() not in ENTER)
         if len(text) >= SHORTEST:
-            self.scanned.emit(text.strip())
-            return
+            return self._scan(kept[0][0], text.strip())
         self._replaying = True
         try:
             for widget, event in kept:
                 QCoreApplication.sendEvent(widget, event)
         finally:
             self._replaying = False
+
+
+def takes_scans(field: QLineEdit) -> None:
+    """What is scanned while `field` has the focus is written into it: it is for a serial, or searches."""
+    field.setProperty(TAKES_SCANS, True)
 
 
 def _secret(watched: QWidget) -> bool:

@@ -70,6 +70,12 @@ def combo_box(tip: str, name: str = "", *, letters: int = 12) -> QComboBox:
     return widget
 
 
+def say_wanted(chooser: QComboBox, wanted: str) -> None:
+    """Say in an editable chooser what belongs there."""
+    if (line := chooser.lineEdit()) is not None:
+        line.setPlaceholderText(wanted)
+
+
 def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
     """A push button; `primary` is the one thing to do on a page."""
     widget = QPushButton(text)
@@ -200,8 +206,9 @@ class AutoSizeLabel(QLabel):
 
     styles_itself = True  # its font is its own: no style sheet is put on it
 
-    def __init__(self) -> None:
+    def __init__(self, largest_pt: int = LARGEST_PT) -> None:
         super().__init__()
+        self._largest_pt = largest_pt
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setWordWrap(True)
         self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -211,8 +218,9 @@ class AutoSizeLabel(QLabel):
 
     def set_text(self, text: str) -> None:
         """Write `text`."""
-        self.setText(text)
-        self._enlarge()
+        if text != self.text():
+            self.setText(text)
+            self._enlarge()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The place is another."""
@@ -220,7 +228,7 @@ class AutoSizeLabel(QLabel):
         self._enlarge()
 
     def _enlarge(self) -> None:
-        sizes = range(SMALLEST_PT + 1, LARGEST_PT + 1)
+        sizes = range(SMALLEST_PT + 1, self._largest_pt + 1)
         fitting = SMALLEST_PT + bisect_left(sizes, True, key=lambda pt: not self._fits(pt))
         if fitting != self._pt:
             self._pt = fitting

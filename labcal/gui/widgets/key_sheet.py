@@ -42,7 +42,6 @@ class KeySheet(QDialog):
             grid.addWidget(label(key), row, 0)
             grid.addWidget(label(words), row, 1)
         column.addLayout(grid)
-        column.addWidget(label(self.tr("Dark or light is as the system has it.")))
         close = button(self.tr("Close"), self.tr("Put this sheet away (Esc)"), primary=True)
         close.clicked.connect(self.close)
         column.addWidget(close, 0, Qt.AlignmentFlag.AlignRight)

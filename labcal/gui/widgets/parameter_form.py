@@ -14,6 +14,7 @@ from labcal.errors import InputError
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import named, set_state
+from labcal.gui.widgets.typed_number import NotClear, number_stated, numbers_stated
 
 SUFFIX = {"nT": "_nT", "deg": "_deg", "deg/s": "_deg_per_s", "s": "_s", "A": "_A", "Hz": "_Hz", "degC": "_C", "m": "_m"}
 
@@ -115,6 +116,10 @@ class ParameterForm(QWidget):
             return "yes" if field.isChecked() else "no"
         return field.currentText() if isinstance(field, QComboBox) else field.text()
 
+    def texts(self) -> dict[str, str]:
+        """What stands in every field, right or wrong."""
+        return {name: self.text(name) for name in self.fields}
+
     def set_text(self, name: str, text: str) -> None:
         """Write into the field `name`."""
         field = self.fields[name]
@@ -125,12 +130,22 @@ class ParameterForm(QWidget):
         else:
             field.setText(text)
 
+    def stated(self, spec: ParameterSpec) -> str:
+        """What stands in a field, as `--set` takes it: with a point. Raises NotClear."""
+        text = self.text(spec.name)
+        none = spec.optional and text.strip().lower() in ("", "none")
+        if spec.kind not in ("number", "integer") or none or text == self._default(spec):
+            return text
+        return numbers_stated(text) if spec.many else number_stated(text)
+
     def objection(self, spec: ParameterSpec) -> str:
         """Why a field is refused; "" where it is not."""
         try:
             if spec.required and not self.text(spec.name).strip():
                 return self.tr("needed")
-            spec.parse(self.text(spec.name))
+            spec.parse(self.stated(spec))
+        except NotClear as error:
+            return str(error)
         except InputError:
             return self.tr("expected {0}").format(spec.expected)
         return ""
@@ -140,9 +155,15 @@ class ParameterForm(QWidget):
         return not any(self.objection(spec) for spec in self._specs)
 
     def given(self) -> dict[str, str]:
-        """The settings that differ from the defaults, as text."""
-        said = {spec.name: self.text(spec.name) for spec in self._specs}
+        """The settings that differ from the defaults, as text; what is refused as it was typed."""
+        said = {spec.name: self._stated_or_typed(spec) for spec in self._specs}
         return {s.name: said[s.name] for s in self._specs if s.required or said[s.name] != self._default(s)}
+
+    def _stated_or_typed(self, spec: ParameterSpec) -> str:
+        try:
+            return self.stated(spec)
+        except NotClear:
+            return self.text(spec.name)
 
     def _default(self, spec: ParameterSpec) -> str:
         return "no" if spec.kind == "switch" and not spec.default else as_text(spec, spec.default)
@@ -152,5 +173,6 @@ class ParameterForm(QWidget):
             objection = self.objection(spec)
             about = "  ·  ".join(part for part in (spec.help, range_of(spec)) if part)
             self.complaints[spec.name].setText(f"✕ {objection}" if objection else about)
-            set_state(self.complaints[spec.name], "bad" if objection else "")
+            for part in (self.complaints[spec.name], self.fields[spec.name]):
+                set_state(part, "bad" if objection else "")
         self.changed.emit()

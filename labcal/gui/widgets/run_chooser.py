@@ -9,6 +9,7 @@ from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.common import button
 
 VISIBLE_CHARS = 10  # of a run's line are seen where there is no room for all
@@ -19,7 +20,7 @@ NO_RUNS = "No run yet: record one on the Run page, or import a bundle on the His
 
 def run_title(one: RunLine) -> str:
     """A run in one line: when, which DUT, what, how it ended."""
-    when = one.started_utc[:16].replace("T", " ")
+    when = f"{local_time(one.started_utc):%Y-%m-%d %H:%M}"
     return " · ".join((when, one.dut_serial, one.procedure or "bundle", one.status.partition(":")[0]))
 
 
@@ -57,6 +58,7 @@ class RunChooser(QComboBox):
         self.setCurrentIndex(self.findData(run))
 
     def _known(self, runs: tuple[RunLine, ...]) -> None:
+        self._app_state.path.take_runs(runs)
         kept = self._wanted or self.currentData()
         self.clear()
         for one in runs:

@@ -1,0 +1,25 @@
+"""What a serial number may look like on a bench: `serial_pattern` of its bench.toml, or what serials usually are."""
+
+from __future__ import annotations
+
+import re
+
+USUAL = r"\w([\w .:/+#()-]*[\w)])?"  # letters, digits, and what stands between them on labels
+
+
+def usable_pattern(pattern: str) -> str:
+    """`pattern` itself. Raises ValueError where it is no regular expression."""
+    try:
+        re.compile(pattern)
+    except re.error as error:
+        raise ValueError(f"is no regular expression: {error}") from None
+    return pattern
+
+
+def objection(serial: str, pattern: str) -> str:
+    """Why `serial` is none, in words; "" where it matches `pattern` as a whole, or is empty."""
+    if not serial or re.fullmatch(pattern, serial):
+        return ""
+    if pattern == USUAL:
+        return f"{serial!r} is no serial number: letters and digits, and . : / + # ( ) - or blanks between them"
+    return f"{serial!r} is no serial number of this bench: they match {pattern} (dut.serial_pattern)"

@@ -1,0 +1,35 @@
+"""The loop's verdict for whoever stands at the cage: what it means, and what is to be done. Figures stand elsewhere."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.ipc.answers import Loop
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.study import cause_name
+
+MEANS = {
+    "clean": QT_TRANSLATE_NOOP("Words", "Nothing is left over but noise. The calibration may be signed."),
+    "explained": QT_TRANSLATE_NOOP("Words", "The error has a cause: {0}. It is in the draft, which may be signed."),
+    "partly-explained": QT_TRANSLATE_NOOP(
+        "Words", "{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign."
+    ),
+    "ambiguous": QT_TRANSLATE_NOOP(
+        "Words", "{0} may be the cause, another one as well. Measure what tells them apart (4), then sign."
+    ),
+    "unexplained": QT_TRANSLATE_NOOP("Words", "Something is wrong that nothing known explains. Do not sign: see 4."),
+}
+TEXTS = (
+    QT_TRANSLATE_NOOP("Words", "{0} and {1}"),
+    QT_TRANSLATE_NOOP("Words", "rows that were set aside"),
+    *MEANS.values(),
+)
+
+
+def said_plainly(loop: Loop) -> str:
+    """One sentence or two for the technician, without a figure."""
+    names = [cause_name(effect.effect, effect.channels) for effect in loop.accepted]
+    named = names[0] if len(names) == 1 else translated("rows that were set aside")
+    if len(names) > 1:
+        named = translated("{0} and {1}").format(", ".join(names[:-1]), names[-1])
+    return translated(str(MEANS[loop.verdict])).format(named)

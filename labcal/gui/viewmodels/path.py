@@ -1,0 +1,137 @@
+"""The path of one DUT from bench to signature: how far it has come, and what is next. No widgets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from PySide6.QtCore import QObject, Signal
+
+from labcal.gui.ipc.answers import CalibrationFile, RunLine
+from labcal.gui.viewmodels.lab import LabViewModel
+from labcal.gui.viewmodels.procedure_groups import GROUPS
+from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.study import StudyViewModel
+
+Mark = Literal["done", "now", "doubt", "broken", "open"]
+SHAPES: dict[Mark, str] = {"done": "✓", "now": "●", "doubt": "▲", "broken": "✕", "open": "○"}
+CALIBRATES = GROUPS["Calibrate a DUT"]
+WHOLE = ("finished", "imported")  # runs that a calibration may be made of
+EXPLAINED = ("clean", "explained")
+
+
+@dataclass(frozen=True, slots=True)
+class Next:
+    """What is to be done, in words, and the page for it; with the run to be studied there."""
+
+    page: str
+    words: str
+    run: str = ""
+
+
+class PathViewModel(QObject):
+    """Marks of the pages Bench to Certificate for the DUT at the top, from what the pages have learned of the store."""
+
+    changed = Signal()
+
+    def __init__(self, lab: LabViewModel, run: RunViewModel, study: StudyViewModel) -> None:
+        super().__init__()
+        self._lab, self._run, self._study = lab, run, study
+        self.runs: tuple[RunLine, ...] = ()
+        self.files: tuple[CalibrationFile, ...] = ()
+        for source in (lab.changed, run.changed, study.changed):
+            source.connect(self.changed)
+
+    def take_runs(self, runs: tuple[RunLine, ...]) -> None:
+        """The runs of the store, the newest first."""
+        self.runs = runs
+        self.changed.emit()
+
+    def take_calibrations(self, files: tuple[CalibrationFile, ...]) -> None:
+        """The calibrations of the lab, the newest first."""
+        self.files = files
+        self.changed.emit()
+
+    def why_no_fit(self, run_id: str) -> str:
+        """Why a run gives no calibration; "" where it may, or is not known."""
+        status = next((one.status for one in self.runs if one.run_id == run_id), "finished")
+        if status in WHOLE:
+            return ""
+        failed = self.tr("failed: {0}").format(status.partition(": ")[2])
+        known = {
+            "stopped": self.tr("was stopped before its end"),
+            "interrupted": self.tr("was interrupted"),
+            "running": self.tr("still goes on"),
+        }
+        remedy = self.tr("What it did not measure would be missing in the calibration. Measure again on the Run page.")
+        return self.tr("Run {0} {1}. {2}").format(run_id, known.get(status, failed), remedy)
+
+    def last(self) -> RunLine | None:
+        """The newest run of this DUT that was to calibrate it."""
+        serial = self._lab.state.dut_serial
+        mine = (one for one in self.runs if one.dut_serial == serial)
+        return next((one for one in mine if one.procedure in CALIBRATES or one.status == "imported"), None)
+
+    def marks(self) -> dict[str, Mark]:
+        """How far this DUT is, by page."""
+        last = self.last()
+        whole = last is not None and last.status in WHOLE
+        return {
+            "Bench": "done" if self._lab.state.bench else "open",
+            "Run": self._of_the_run(last),
+            "Fit": self._of_the_fit(last) if last is not None and whole else "open",
+            "Loop": self._of_the_loop(last) if last is not None and whole else "open",
+            "Certificate": self._of_the_file(last) if last is not None and whole else "open",
+        }
+
+    def next(self) -> Next:
+        """The one thing to do now."""
+        state, last, marks = self._lab.state, self.last(), self.marks()
+        if not state.bench:
+            return Next("Start", self.tr("Open a bench"))
+        if self._run.alive:
+            return Next("Run", self.tr("See the run"))
+        if not state.dut_serial or state.dut_objection or not state.operator:
+            return Next("Start", self.tr("Say who and what"))
+        if last is not None and last.status == "interrupted":
+            return Next("Start", self.tr("Go on with the run"))
+        if last is None or marks["Run"] != "done":
+            return Next("Run", self.tr("Calibrate {0}").format(state.dut_serial))
+        if marks["Fit"] == "open":
+            return Next("Fit", self.tr("Fit the run"), last.run_id)
+        if marks["Loop"] == "open":
+            return Next("Loop", self.tr("Trace the residual"), last.run_id)
+        return Next("Certificate", self.tr("Hand it out") if marks["Certificate"] == "done" else self.tr("Sign"))
+
+    def _of_the_run(self, last: RunLine | None) -> Mark:
+        if self._run.alive:
+            return "now"
+        if last is None:
+            return "open"
+        broken: Mark = "doubt" if last.status in ("stopped", "interrupted", "running") else "broken"
+        return "done" if last.status in WHOLE else broken
+
+    def _of_the_fit(self, last: RunLine) -> Mark:
+        studied = self._study.run == last.run_id
+        if studied and self._study.busy:
+            return "now"
+        fitted = (studied and self._study.best() is not None) or self._file(last) is not None
+        return "done" if fitted else "open"
+
+    def _of_the_loop(self, last: RunLine) -> Mark:
+        loop = self._study.loop if self._study.run == last.run_id else None
+        verdict = loop.verdict if loop is not None else last.verdict
+        return "open" if not verdict else "done" if verdict in EXPLAINED else "doubt"
+
+    def _of_the_file(self, last: RunLine) -> Mark:
+        file = self._file(last)
+        if file is None or not file.standing.signatures:
+            return "open"
+        if not file.standing.valid:
+            return "broken"
+        return "doubt" if file.standing.provisional else "done"
+
+    def _file(self, last: RunLine) -> CalibrationFile | None:
+        """The calibration of a run: the signed one where there is one."""
+        mine = [one for one in self.files if one.run_id == last.run_id]
+        return next((one for one in mine if one.standing.signatures), mine[0] if mine else None)

@@ -1,0 +1,75 @@
+"""How a run came out, in one word, with the rule by which it was decided and what is to be done next."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.theming.theme import STATES
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.number_format import decimals_for, format_number, step_title
+from labcal.gui.viewmodels.run import WORST, RunViewModel
+from labcal.record.stream import Measurement
+
+ENDS = {"stopped": ("■", "warning"), "interrupted": ("▲", "warning"), "failed": ("✕", "bad")}
+NEXT = {
+    "PASS": QT_TRANSLATE_NOOP("Words", "Next: Fit."),
+    "MARGINAL": QT_TRANSLATE_NOOP("Words", "Within U of its limit: measure that part again, or Fit and see."),
+    "CANNOT DECIDE": QT_TRANSLATE_NOOP("Words", "U is more than half the limit: measure longer, or with less noise."),
+    "FAIL": QT_TRANSLATE_NOOP("Words", "Look at what was measured, mend the cause, and measure again."),
+    "": QT_TRANSLATE_NOOP("Words", "Nothing of it had a limit: look at what was measured."),
+    "stopped": QT_TRANSLATE_NOOP("Words", "What was measured is kept. To measure again: Close, then Start."),
+    "interrupted": QT_TRANSLATE_NOOP("Words", "Nothing that was measured is lost: go on with it on the Start page."),
+    "failed": QT_TRANSLATE_NOOP("Words", "Mend what is said above, then measure again: Close, then Start."),
+}
+TEXTS = (
+    QT_TRANSLATE_NOOP("Words", "PASS where |value| + U (k=2) is within the limit ({0} of {0})."),
+    QT_TRANSLATE_NOOP("Words", "FAIL where |value| − U (k=2) is beyond the limit: {0}."),
+    QT_TRANSLATE_NOOP("Words", "MARGINAL where the limit lies within ± U (k=2): {0}."),
+    QT_TRANSLATE_NOOP("Words", "CANNOT DECIDE where U (k=2) exceeds half the limit: {0}."),
+    QT_TRANSLATE_NOOP("Words", "It did not come to its end, so it has no verdict, and gives no calibration."),
+    QT_TRANSLATE_NOOP("Words", "DONE"),
+)
+RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
+
+
+@dataclass(frozen=True, slots=True)
+class RunVerdict:
+    """`state` colours the word: good, warning or bad."""
+
+    word: str
+    state: str
+    rule: str
+    next: str
+
+
+def run_verdict(run: RunViewModel) -> RunVerdict:
+    """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish."""
+    status = run.status.partition(":")[0]
+    if status != "finished":
+        shape, state = ENDS.get(status, ENDS["failed"])
+        return RunVerdict(f"{shape} {translated(status).upper()}", state, translated(str(TEXTS[4])), _next(status))
+    worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
+    if not worst:
+        return RunVerdict(f"✓ {translated('DONE')}", "", "", _next(""))
+    shape, state = STATES[worst]
+    about = [one for one in run.measurements.values() if one.verdict == worst]
+    said = str(len(about)) if worst == "PASS" else _listed(about)
+    return RunVerdict(f"{shape} {translated(worst)}", state, translated(RULES[worst]).format(said), _next(worst))
+
+
+def _next(key: str) -> str:
+    return translated(str(NEXT.get(key, NEXT["failed"])))
+
+
+def _listed(measured: Iterable[Measurement], most: int = 2) -> str:
+    """The first of them with value, U and limit; the others are counted."""
+    words = []
+    for one in measured:
+        decimals = decimals_for(2 * one.u, one.value)
+        value, U = format_number(one.value, decimals), format_number(2 * one.u, decimals, signed=False)
+        words.append(f"{step_title(one.name)} {value} ± {U} {one.unit} ({one.limit:g})")
+    more = f" (+ {len(words) - most})" if len(words) > most else ""
+    return "; ".join(words[:most]) + more

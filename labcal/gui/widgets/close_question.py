@@ -1,0 +1,63 @@
+"""What a person who closes the window in a run is asked: stop it, keep it running behind, or go on with it later."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QDialog, QGridLayout, QVBoxLayout, QWidget
+
+from labcal.gui.theming.theme import GRID
+from labcal.gui.widgets.common import button, label
+
+Way = Literal["stop", "behind", "later"]
+
+
+class CloseQuestion(QDialog):
+    """`chosen` carries the way out; Esc and Back leave all as it is. It holds up nothing: the run goes on meanwhile."""
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget, run: str, *, resumable: bool) -> None:
+        super().__init__(parent)
+        self.setModal(True)
+        self.setWindowTitle(self.tr("A run goes on"))
+        column, grid = QVBoxLayout(self), QGridLayout()
+        column.setContentsMargins(3 * GRID, 3 * GRID, 3 * GRID, 3 * GRID)
+        column.setSpacing(2 * GRID)
+        grid.setSpacing(2 * GRID)
+        column.addWidget(label(self.tr("A run goes on: {0}").format(run), "title", wrap=True))
+        self.coils = label("", wrap=True)
+        column.addWidget(self.coils)
+        self.ways = {
+            "stop": (self.tr("Stop"), self.tr("It ends in order, the coils go to zero; then the window closes.")),
+            "behind": (
+                self.tr("Keep running behind"),
+                self.tr("The window goes out of sight, and comes back when you are needed or the run has ended."),
+            ),
+            "later": (
+                self.tr("Resume later"),
+                self.tr("The coils go to zero, the window closes. What is measured is kept; the Start page goes on."),
+            ),
+        }
+        if not resumable:
+            del self.ways["later"]
+        self.buttons = {way: button(words, tip) for way, (words, tip) in self.ways.items()}
+        for row, (way, (_, tip)) in enumerate(self.ways.items()):
+            self.buttons[way].clicked.connect(lambda _=False, one=way: self._choose(one))
+            grid.addWidget(self.buttons[way], row, 0)
+            grid.addWidget(label(tip, wrap=True), row, 1)
+        grid.setColumnStretch(1, 1)
+        grid.setColumnMinimumWidth(1, 45 * GRID)
+        column.addLayout(grid)
+        self.back = button(self.tr("Back to the run"), self.tr("Close nothing (Esc)"), primary=True)
+        self.back.clicked.connect(self.reject)
+        column.addWidget(self.back)
+
+    def say_coils(self, words: str) -> None:
+        """How the coils are now."""
+        self.coils.setText(words)
+
+    def _choose(self, way: str) -> None:
+        self.accept()
+        self.chosen.emit(way)

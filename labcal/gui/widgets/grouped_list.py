@@ -1,0 +1,20 @@
+"""A list with headings that are not chosen: keys go past them, Home too."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QModelIndex, Qt
+from PySide6.QtWidgets import QAbstractItemView, QListWidget
+
+
+class GroupedList(QListWidget):
+    """As a QListWidget, which stays where it is when a key would lead it to a heading."""
+
+    def moveCursor(self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier) -> QModelIndex:
+        """Where a key leads to; from a heading on to what is below it."""
+        index = super().moveCursor(action, modifiers)
+        below = range(max(index.row(), 0), self.count())
+        return next((self.indexFromItem(self.item(row)) for row in below if self._may_be_chosen(row)), index)
+
+    def _may_be_chosen(self, row: int) -> bool:
+        item = self.item(row)
+        return bool(item.flags() & Qt.ItemFlag.ItemIsEnabled) and not item.isHidden()

@@ -1,0 +1,57 @@
+"""How a run came out, to be read from five metres: serial, verdict, the rule behind it, and what is next."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor, QPalette
+
+from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.viewmodels.run_verdict import RunVerdict
+from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label
+
+HUGE_PT = 150
+
+
+class VerdictCard(Card):
+    """`details_wanted`: what was measured is to be shown instead."""
+
+    details_wanted = Signal()
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme, self._state = theme, ""
+        self.serial, self.word = AutoSizeLabel(HUGE_PT), AutoSizeLabel(HUGE_PT)
+        self.serial.setAccessibleName(self.tr("DUT"))
+        self.word.setAccessibleName(self.tr("Verdict"))
+        self.rule, self.next = label("", wrap=True), label("", "title", wrap=True)
+        self.details = button(self.tr("What was measured"), self.tr("The pictures and every value with its limit"))
+        self.details.clicked.connect(self.details_wanted)
+        for part, share in ((self.serial, 2), (self.word, 3)):
+            part.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            part.setMinimumHeight(6 * GRID)
+            self.body.addWidget(part, share)
+        for words in (self.rule, self.next):
+            words.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            self.body.addWidget(words)
+        self.body.addWidget(self.details, 0, Qt.AlignmentFlag.AlignHCenter)
+
+    def show_verdict(self, serial: str, verdict: RunVerdict) -> None:
+        """Show how the run of `serial` came out."""
+        self._state = verdict.state
+        self.serial.set_text(serial)
+        self.word.set_text(verdict.word)
+        self.rule.setText(verdict.rule)
+        self.rule.setVisible(bool(verdict.rule))
+        self.next.setText(verdict.next)
+        self._colour()
+
+    def set_theme(self, theme: Theme) -> None:
+        """The word in the theme's colour of its state."""
+        self._theme = theme
+        self._colour()
+
+    def _colour(self) -> None:
+        palette = self.word.palette()
+        ink = getattr(self._theme, self._state or "text")
+        palette.setColor(QPalette.ColorRole.WindowText, QColor(ink))
+        self.word.setPalette(palette)

@@ -1,0 +1,92 @@
+"""What of a window cannot be read, found by geometry: texts that are cut, and parts that lie over each other."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtWidgets import QAbstractButton, QAbstractScrollArea, QComboBox, QLabel, QLineEdit, QWidget
+
+from labcal.gui.widgets.common import plain
+
+SLACK_PX = 1
+KINDS = (QLabel, QAbstractButton, QLineEdit, QComboBox)
+WRAP = int(Qt.TextFlag.TextWordWrap)
+
+
+def faults(window: QWidget) -> list[str]:
+    """Every text of `window` in sight that is cut, and every two that overlap, in words."""
+    parts = [one for one in window.findChildren(QWidget) if isinstance(one, KINDS) and _in_sight(one)]
+    found = [f"{_named(one)} {what}" for one in parts if (what := _cut(one))]
+    places = [(one, _place(one, window)) for one in parts]
+    for (one, place), (other, its) in combinations(places, 2):
+        lies = place.intersected(its).adjusted(SLACK_PX, SLACK_PX, -SLACK_PX, -SLACK_PX)
+        if lies.isValid() and not one.isAncestorOf(other) and not other.isAncestorOf(one):
+            found.append(f"{_named(one)} and {_named(other)} lie over each other by {lies.width()} x {lies.height()}")
+    return found
+
+
+def _in_sight(one: QWidget) -> bool:
+    text = _text(one)
+    own = isinstance(one, QLineEdit) and isinstance(one.parent(), QComboBox)  # its chooser says it
+    return bool(text) and one.isVisible() and not own and not one.visibleRegion().isEmpty()
+
+
+def _cut(one: QWidget) -> str:
+    """How a text is cut; "" where it is whole, or rolls into sight, or its whole is in its tip."""
+    if one.visibleRegion().boundingRect() != one.rect() and not _rolls(one):
+        return f"is cut by what holds it: {_size(one.visibleRegion().boundingRect())} of {_size(one.rect())} are seen"
+    room, needed = _room(one), _needed(one)
+    if needed.width() <= room.width() + SLACK_PX and needed.height() <= room.height() + SLACK_PX:
+        return ""
+    if _text(one) in one.toolTip() or plain(_text(one)) in one.toolTip():
+        return ""
+    return f"needs {_size(needed)} and has {_size(room)}"
+
+
+def _room(one: QWidget) -> QRect:
+    return one.contentsRect() if isinstance(one, QLabel) else one.rect()
+
+
+def _needed(one: QWidget) -> QRect:
+    """The place that its text needs, of a wrapped one at its width."""
+    if isinstance(one, QLabel):
+        if one.textFormat() != Qt.TextFormat.PlainText:
+            return QRect(QPoint(), one.minimumSizeHint())
+        width = one.contentsRect().width() if one.wordWrap() else 100_000
+        lines = one.fontMetrics().boundingRect(QRect(0, 0, width, 100_000), WRAP if one.wordWrap() else 0, one.text())
+        return QRect(0, 0, lines.width(), lines.height() - one.fontMetrics().leading())
+    if isinstance(one, QLineEdit):
+        frame = one.sizeHint().height() - one.fontMetrics().height()
+        return QRect(0, 0, one.fontMetrics().horizontalAdvance(_text(one)) + frame, one.minimumSizeHint().height())
+    if isinstance(one, QComboBox):
+        return QRect(0, 0, 0, one.minimumSizeHint().height())  # its list says the whole
+    return QRect(QPoint(), one.sizeHint())
+
+
+def _rolls(one: QWidget) -> bool:
+    """Whether it stands in what can be scrolled."""
+    holder = one.parentWidget()
+    while holder is not None and not isinstance(holder, QAbstractScrollArea):
+        holder = holder.parentWidget()
+    return holder is not None
+
+
+def _place(one: QWidget, window: QWidget) -> QRect:
+    seen = one.visibleRegion().boundingRect()
+    return QRect(one.mapTo(window, seen.topLeft()), seen.size())
+
+
+def _text(one: QWidget) -> str:
+    """What stands there, or what says what is wanted there."""
+    if isinstance(one, QComboBox):
+        return one.currentText()
+    return one.text() or (one.placeholderText() if isinstance(one, QLineEdit) else "")
+
+
+def _named(one: QWidget) -> str:
+    return f"{type(one).__name__} {_text(one)[:50]!r}"
+
+
+def _size(rect: QRect) -> str:
+    return f"{rect.width()} x {rect.height()}"

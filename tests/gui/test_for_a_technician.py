@@ -1,0 +1,63 @@
+"""What a technician reads and switches: the loop without figures, theme and size in the window, a key where none is."""
+
+import re
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from test_choose import told_by_the_loop
+from test_path import calibration
+
+from labcal.gui.ipc.messages import ListCalibrations, ListKeys, NewKey
+from labcal.gui.theming.theme import DARK, LIGHT
+from labcal.gui.viewmodels.loop_words import MEANS, said_plainly
+from labcal.gui.window import chosen_theme
+
+
+@pytest.mark.parametrize("verdict", MEANS)
+def test_the_loop_is_said_without_figures_and_names_the_cause_where_it_has_one(verdict):
+    loop = replace(told_by_the_loop("reverse"), verdict=verdict, summary="50 to 30 nT held out (p = 0.001)")
+    said = said_plainly(loop)
+    assert not re.search(r"\d+ (nT|nats)|p =|held out", said)
+    assert ("offset-current (i_eps)" in said) == (verdict not in ("clean", "unexplained"))
+
+
+def test_the_figures_of_the_loop_are_one_click_deeper(still, qtbot):
+    page = still.page("Loop")
+    assert page.summary.isHidden()
+    page.fold.click()
+    assert not page.summary.isHidden()
+    page.fold.click()
+
+
+def test_theme_and_size_are_switched_in_the_window_and_the_theme_is_kept(still, qtbot):
+    try:
+        qtbot.mouseClick(still.theme_switch, Qt.MouseButton.LeftButton)
+        assert (still.theme, chosen_theme(still.app_state), still.theme_switch.text()) == (DARK, DARK, "Light")
+        qtbot.mouseClick(still.theme_switch, Qt.MouseButton.LeftButton)
+        assert (still.theme, chosen_theme(still.app_state), still.theme_switch.text()) == (LIGHT, LIGHT, "Dark")
+        qtbot.mouseClick(still.size_switch, Qt.MouseButton.LeftButton)
+        assert (still.wall, still.size_switch.text()) == (True, "Smaller F11")
+    finally:
+        still.app_state.settings.remove("theme")
+        still.toggle_wall()
+        still.style_queue.finish()
+
+
+def test_where_nobody_has_a_key_one_is_made_first_and_no_passphrase_stays(still, qtbot):
+    still.open_page("Certificate")
+    page, worker = still.page("Certificate"), still.app_state.quick_worker
+    page.signer.setCurrentText("")
+    worker.answer(ListCalibrations, (calibration(signed=False),))
+    worker.answer(ListKeys, ())
+    assert (page.new_key.isVisible(), page.new_key.isEnabled(), page.sign.isVisible()) == (True, False, False)
+    assert "Nobody has a key here: write who signs" in page.next.text()
+    page.signer.setCurrentText("jdoe@lab")
+    for entry in (page.passphrase, page.again):
+        entry.setText("a long passphrase")
+    qtbot.mouseClick(page.new_key, Qt.MouseButton.LeftButton)
+    assert worker.commands(NewKey) == [NewKey("jdoe@lab", "a long passphrase")]
+    page.passphrase.setText("a long passphrase")
+    still.open_page("History")
+    assert (page.passphrase.text(), page.again.text()) == ("", "")
+    page.signer.setCurrentText("")

@@ -1,0 +1,225 @@
+"""Every page in its states at six sizes: no text is cut, and nothing lies over anything else, by geometry."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from geometry import faults
+from lab_states import told
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QVBoxLayout, QWidget
+from test_choose import told_by_the_loop
+from test_path import RUN, calibration
+
+from labcal.gui.ipc.answers import Checked, Ended, FitFigures, Fitted, Look
+from labcal.gui.ipc.messages import (
+    CloseLoop,
+    FitRun,
+    LastCageCheck,
+    LastClosingCheck,
+    ListCalibrations,
+    ListKeys,
+    ListRuns,
+    LookAt,
+    RunProcedure,
+)
+from labcal.gui.ipc.wire import Fault
+from labcal.record import Segment
+from labcal.record.stream import Block, Measurement, Prompt, SegmentOpened, Step
+
+SIZES = {
+    "1024 x 700": ((1024, 700), False),
+    "1366 x 768": ((1366, 768), False),
+    "1920 x 1080, and 4K at scale 2": ((1920, 1080), False),
+    "4K at scale 1": ((3840, 2160), False),
+    "1920 x 1080, F11": ((1920, 1080), True),
+    "4K, F11": ((3840, 2160), True),
+}
+STEPS = ("zero", "axes-check", "x+20uT-nominal", "x-50uT-full", "closing")
+MOUNT = "Mount the DUT with body Y up along the platform axis, body X towards the cage's X, at platform angle 0."
+TURNED = Prompt(1.0, "mount-y", MOUNT, ("done", "redo x"), True, {"body_from_cage": np.eye(3).tolist()})
+SILENT = Fault("instrument", "reference: no sample for 3.1 s.", "Look at its power and at its cable.", "trace")
+WORST = Measurement(9.0, "closure x", 12.0, 3.0, "nT", 500.0)
+
+
+def send(window, *items):
+    window.app_state.bench_worker.items.emit(items)
+
+
+def stored(window, *runs):
+    for page in ("Start", "History"):
+        window.open_page(page)
+    answer = window.app_state.quick_worker.answer
+    answer(ListRuns, runs)
+    answer(LastClosingCheck, Checked(RUN, WORST, "PASS"))
+    answer(LastCageCheck, Checked(RUN, WORST, "PASS"))
+
+
+def interrupted(window):
+    stored(window, *(replace(RUN, run_id=f"r{n}", status="interrupted") for n in range(5)))
+    return "Start"
+
+
+def history(window):
+    stored(window, RUN, replace(RUN, run_id="r2", status="failed: dut is silent", simulated=True, verdict="explained"))
+    window.page("History").table.selectRow(0)
+    return "History"
+
+
+def begun(window, *items):
+    window.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    told(window, (1.52, 0.0, -0.4))
+    send(window, Step(0.0, 3, 5, STEPS[2], 2460.0, STEPS, 20.0), WORST, *items)
+    window.page("Run").live.draw()
+    return "Run"
+
+
+def measuring(window):
+    t = np.arange(50.0)
+    samples = Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), t, np.outer(t, (1.0, 2.0, 3.0)))
+    return begun(window, SegmentOpened(0.5, Segment(STEPS[2], "rotation")), samples)
+
+
+def ended(window, status, fault=None, details=False):
+    begun(window)
+    window.app_state.bench_worker.answer(RunProcedure, Ended("r1", status, fault))
+    if details:
+        window.page("Run").live.verdict.details.click()
+    return "Run"
+
+
+def scanned(window):
+    window.app_state.scan("EM-19")
+    return "Run"
+
+
+def refused(window):
+    window.open_page("Run")
+    form = window.page("Run").choose.form
+    for name in ("inclination_deg", "magnitudes_nT"):
+        form.set_text(name, "20 000")
+    window.app_state.set_identity(dut="EM 07/!?<b>")
+    return "Run"
+
+
+def broken(window):
+    window.app_state.fault.emit(SILENT)
+    return "Bench"
+
+
+def studied(window, page, *methods):
+    window.open_page(page)
+    stored(window, RUN)
+    study, worker = window.app_state.study_vm, window.app_state.fit_worker
+    study.open("r1")
+    worker.answer(LookAt, Look("r1", "EM-07", 50, np.ones((50, 3)), {"time  s": np.arange(50.0)}))
+    study.fit(*methods)
+    K, k_nT = ((1.0, 0.001, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), (120.0, -30.0, 5.0)
+    done = FitFigures(True, None, K, k_nT, tuple(map(tuple, np.eye(12).tolist())), True, 12.3, (0.1, 0.2), 0.5)
+    worker.answer(FitRun, Fitted(done, 20.0, np.zeros(50), np.ones((50, 3))))
+    return page
+
+
+def fitted(window):
+    return studied(window, "Fit", "ml", "twostep", "ekf")
+
+
+def traced(window):
+    studied(window, "Loop")
+    window.app_state.study_vm.close_loop()
+    window.app_state.fit_worker.answer(CloseLoop, told_by_the_loop("reverse"))
+    return "Loop"
+
+
+def certificate(window, keys=("jdoe@lab",), **standing):
+    window.open_page("Certificate")
+    window.app_state.quick_worker.answer(ListCalibrations, (calibration(**standing),))
+    window.app_state.quick_worker.answer(ListKeys, keys)
+    return "Certificate"
+
+
+STATES = {
+    "Start": lambda window: (stored(window, RUN), "Start")[1],
+    "Start, interrupted runs": interrupted,
+    "Bench": lambda window: "Bench",
+    "Bench, a fault": broken,
+    "Run, to choose": lambda window: "Run",
+    "Run, a scan": scanned,
+    "Run, refused settings": refused,
+    "Run, a question": lambda window: begun(window, TURNED),
+    "Run, measuring": measuring,
+    "Run, finished": lambda window: ended(window, "finished"),
+    "Run, finished, details": lambda window: ended(window, "finished", details=True),
+    "Run, stopped": lambda window: ended(window, "stopped", Fault("stopped", "stopped by the operator")),
+    "Run, failed": lambda window: ended(window, "failed: reference is silent", SILENT),
+    "Fit, empty": lambda window: "Fit",
+    "Fit": fitted,
+    "Loop, empty": lambda window: "Loop",
+    "Loop": traced,
+    "Certificate, empty": lambda window: "Certificate",
+    "Certificate, a draft": lambda window: certificate(window, signed=False),
+    "Certificate, no key": lambda window: certificate(window, (), signed=False),
+    "Certificate, signed": lambda window: certificate(window),
+    "History": history,
+}
+
+
+@pytest.fixture
+def sized(still):
+    """The window, to be brought to a size; afterwards as it was."""
+    before = still.size()
+
+    def bring(size, wall):
+        if still.wall != wall:
+            still.toggle_wall()
+        still.style_queue.finish()
+        still.resize(*size)
+
+    yield bring
+    bring((before.width(), before.height()), False)
+    still.app_state.path.take_runs(())
+    still.app_state.path.take_calibrations(())
+
+
+def settle(window):
+    """Layouts and what is put off to idle moments are done."""
+    for _ in range(6):
+        QApplication.processEvents()
+        window.style_queue.finish()
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_no_text_is_cut_and_nothing_lies_over_anything_else(still, sized, state):
+    for page in still.lazy_pages:
+        still.page(page)
+    page, found = STATES[state](still), []
+    still.open_page(page)
+    for words, (size, wall) in SIZES.items():
+        for _ in range(2):  # a narrow window has a narrow frame, and then room for less
+            sized(size, wall)
+            settle(still)
+        if still.lazy_pages[page].area.horizontalScrollBar().isVisible():
+            found.append(f"{words}: the page is wider than its place: {still.page(page).minimumSizeHint()}")
+        if (still.width(), still.height()) != size:
+            found.append(f"{words}: the window needs {still.width()} x {still.height()}")
+        found += [f"{words}: {what}" for what in faults(still)]
+    assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
+def test_what_is_cut_and_what_overlaps_is_found(qtbot):
+    holder = QWidget()
+    qtbot.addWidget(holder)
+    QVBoxLayout(holder)
+    whole, cut, over = QLabel("whole"), QLabel("a text that is cut"), QPushButton("over it")
+    for n, one in enumerate((whole, cut, over)):
+        one.setParent(holder)
+        one.setGeometry(10, 10 + 60 * n, 200, 40)
+    holder.resize(300, 300)
+    holder.show()
+    assert faults(holder) == []
+    cut.setFixedWidth(20)
+    assert [one.split(" needs ")[0] for one in faults(holder)] == ["QLabel 'a text that is cut'"]
+    cut.setFixedWidth(200)
+    over.move(100, 20)
+    assert ["lie over each other" in one for one in faults(holder)] == [True]
+    over.move(250, 200)
+    assert ["is cut by what holds it" in one for one in faults(holder)] == [True]

@@ -1,0 +1,154 @@
+"""The path of a DUT: its state at the pages, what is next in one place, and what a run that failed does not offer."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+
+from labcal.gui.ipc.answers import CalibrationFile, Ended, FitFigures, Fitted, RunLine, Signature, Standing
+from labcal.gui.ipc.messages import FitRun, ListRuns, RunProcedure
+from labcal.gui.viewmodels.run_verdict import run_verdict
+from labcal.record import Dut
+from labcal.record.stream import Measurement, Step
+
+RUN = RunLine("r1", "2026-01-05T07:00:00Z", "finished", "EM-07", "J. Doe", "preflight")
+ANOTHER = replace(RUN, run_id="r0", dut_serial="EM-08", verdict="clean")
+SIGNATURE = Signature("c.sshsig", "jdoe@lab", None)
+
+
+def calibration(*, valid=True, provisional=False, signed=True):
+    signatures = (SIGNATURE,) if signed else ()
+    standing = Standing("c.json", valid, provisional, ("jdoe@lab",), signatures, ())
+    K, k_nT = ((1.0,) * 3,) * 3, (0.0,) * 3
+    return CalibrationFile("c.json", "r1", Dut("EM-07"), K, k_nT, "", None, (), (), (), "J. Doe", (), standing)
+
+
+DONE = replace(RUN, verdict="explained")
+HOW_FAR = {  # runs, calibrations: the marks of Run, Fit, Loop and Certificate, and what is next
+    "nothing yet": ((ANOTHER,), (), "○○○○", "Calibrate EM-07", "Run"),
+    "another procedure": ((replace(RUN, procedure="axes-check"),), (), "○○○○", "Calibrate EM-07", "Run"),
+    "measured": ((RUN, ANOTHER), (), "✓○○○", "Fit the run", "Fit"),
+    "stopped": ((replace(RUN, status="stopped"),), (), "▲○○○", "Calibrate EM-07", "Run"),
+    "failed": ((replace(RUN, status="failed: dut is silent"),), (), "✕○○○", "Calibrate EM-07", "Run"),
+    "interrupted": ((replace(RUN, status="interrupted"),), (), "▲○○○", "Go on with the run", "Start"),
+    "drafted": ((RUN,), (calibration(signed=False),), "✓✓○○", "Trace the residual", "Loop"),
+    "traced": ((DONE,), (calibration(signed=False),), "✓✓✓○", "Sign", "Certificate"),
+    "unexplained": ((replace(RUN, verdict="ambiguous"),), (calibration(signed=False),), "✓✓▲○", "Sign", "Certificate"),
+    "provisional": ((DONE,), (calibration(provisional=True),), "✓✓✓▲", "Sign", "Certificate"),
+    "not valid": ((DONE,), (calibration(valid=False),), "✓✓✓✕", "Sign", "Certificate"),
+    "signed": ((DONE,), (calibration(),), "✓✓✓✓", "Hand it out", "Certificate"),
+}
+
+
+@pytest.fixture
+def path(still):
+    yield still.app_state.path
+    still.app_state.path.take_runs(())
+    still.app_state.path.take_calibrations(())
+
+
+def marks(window):
+    texts = [one.text() for one in window._sidebar_buttons.buttons()]
+    return "".join(text[0] for text in texts[2:6])
+
+
+@pytest.mark.parametrize("how_far", HOW_FAR)
+def test_the_sidebar_says_how_far_this_dut_is_and_next_leads_on(still, path, qtbot, how_far):
+    runs, files, shown, words, page = HOW_FAR[how_far]
+    path.take_runs(runs)
+    path.take_calibrations(files)
+    assert marks(still) == shown
+    assert still.next.text() == f"Next: {words}"
+    still.open_page("History")
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert still.stack.currentWidget() is still.lazy_pages[page]
+
+
+def test_another_dut_has_a_path_of_its_own(still, path):
+    path.take_runs((ANOTHER, RUN))
+    still.app_state.set_identity(dut="EM-08")
+    assert marks(still) == "✓○✓○"
+    still.app_state.set_identity(dut="")
+    assert still.next.text() == "Next: Say who and what"
+
+
+def test_a_run_that_goes_on_is_now(still, path):
+    path.take_runs((RUN,))
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    assert (marks(still), still.next.text()) == ("●○○○", "Next: See the run")
+
+
+@pytest.mark.parametrize(
+    ("status", "why"),
+    [("stopped", "was stopped before its end"), ("failed: dut is silent", "failed: dut is silent")],
+)
+@pytest.mark.parametrize("name", ["Fit", "Loop"])
+def test_a_run_that_did_not_come_to_its_end_gives_no_calibration_and_it_is_said_why(still, path, name, status, why):
+    still.open_page(name)
+    page, study = still.page(name), still.app_state.study_vm
+    study.open("r1")
+    study.waiting, study.methods = [], ("ml",)
+    buttons = (page.fit, page.all, page.trace) if name == "Fit" else (page.close_loop,)
+    page.chooser.refresh()
+    still.app_state.quick_worker.answer(ListRuns, (RUN,))
+    assert all(one.isEnabled() for one in buttons)
+    page.chooser.refresh()
+    still.app_state.quick_worker.answer(ListRuns, (replace(RUN, status=status),))
+    assert not any(one.isEnabled() for one in buttons)
+    assert why in page.empty.text()
+    assert "Measure again" in page.empty.text()
+
+
+def test_a_method_that_was_fitted_marks_fit(still, path):
+    path.take_runs((RUN,))
+    study = still.app_state.study_vm
+    study.open("r1")
+    study.waiting = []
+    study.fit("ml")
+    assert marks(still)[1] == "●"
+    still.app_state.fit_worker.answer(FitRun, Fitted(FitFigures(True)))
+    assert marks(still)[1] == "✓"
+
+
+MEASURED = {
+    "PASS": (20.0, 1.0, 30.0),
+    "MARGINAL": (30.0, 1.0, 30.0),
+    "FAIL": (40.0, 1.0, 30.0),
+    "CANNOT DECIDE": (1.0, 20.0, 30.0),
+}
+
+
+@pytest.mark.parametrize("verdict", MEASURED)
+def test_the_end_of_a_run_fills_the_page_with_its_verdict(still, qtbot, verdict):
+    live, worker = still.page("Run").live, still.app_state.bench_worker
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    worker.items.emit((Step(0.0, 1, 1, "zero", 60.0, ("zero",)),))
+    worker.items.emit((Measurement(1.0, "closure x", *MEASURED["PASS"][:2], "nT", 30.0),))
+    value, u, limit = MEASURED[verdict]
+    worker.items.emit((Measurement(1.5, "noise", value, u, "nT", limit),))
+    worker.answer(RunProcedure, Ended("r1", "finished"))
+    card = live.verdict
+    assert live.middle.currentWidget() is card
+    assert (card.serial.text(), card.word.text().split(" ", 1)[1]) == ("EM-07", verdict)
+    assert verdict in card.rule.text()
+    assert verdict == "PASS" or "noise" in card.rule.text()
+    assert card.next.text()
+    assert not live.below.isVisible()
+    qtbot.mouseClick(card.details, Qt.MouseButton.LeftButton)
+    assert live.below.isVisible()
+    assert live.middle.currentWidget() is not card
+
+
+@pytest.mark.parametrize(
+    ("status", "word"),
+    [("stopped", "■ STOPPED"), ("failed: dut is silent", "✕ FAILED"), ("interrupted", "▲ INTERRUPTED")],
+)
+def test_a_run_that_did_not_come_to_its_end_has_no_verdict(still, status, word):
+    run, live = still.app_state.run, still.page("Run").live
+    run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.bench_worker.items.emit((Step(0.0, 1, 1, "zero", 60.0, ("zero",)),))
+    still.app_state.bench_worker.items.emit((Measurement(1.0, "closure x", 1.0, 1.0, "nT", 30.0),))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", status))
+    assert run_verdict(run).word == word == live.verdict.word.text()
+    assert "no verdict" in live.verdict.rule.text()
+    assert not live.fit.isVisible()
