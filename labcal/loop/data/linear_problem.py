@@ -85,18 +85,19 @@ class LinearProblem:
 
     def columns(self, candidate: Term) -> Array:
         """An effect's whitened columns (n, q, p), of the rig's in directions that are credible."""
-        made = self._columns(candidate)
+        made = self.all_columns(candidate)
         if self.scene.rig is None or not is_of_the_rig(candidate):
             return made
         whole = self.whole or self
         share = min_new_share([candidate], without_wild_rows(whole.residual_nT), whole.scene.field_nT)
         return credible(made, self.T, share)
 
-    def _columns(self, candidate: Term) -> Array:
+    def all_columns(self, candidate: Term) -> Array:
+        """An effect's whitened columns (n, q, p) in every direction."""
         if self.bins is not None and self.whole is not None:
             if not self.whole.whiten.strides[0]:  # one W for all rows commutes with the mean
                 return np.asarray(self.whole.whiten[0] @ self.bins.averaged(candidate.columns(self.whole.scene)))
-            return self.bins.averaged(self.whole._columns(candidate))
+            return self.bins.averaged(self.whole.all_columns(candidate))
         return np.asarray(self.whiten @ candidate.columns(self.scene))
 
     def length_nT(self, residual_nT: Array) -> Array:

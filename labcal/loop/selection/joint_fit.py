@@ -56,7 +56,7 @@ class JointFit:
             return linearise(p.run, p.observations, p.noise, p.base, p.parameterisation, p.theta, p.phase)
         effects = self.effects(p.scene)
         here = linearise(p.run, p.observations, p.noise, p.base, p.parameterisation, p.theta, p.phase, effects)
-        y = sum((here.columns(term) @ b for term, b in zip(self.terms, self.beta, strict=True)), here.y)
+        y = sum((here.all_columns(term) @ b for term, b in zip(self.terms, self.beta, strict=True)), here.y)
         return replace(here, y=np.asarray(y), residual_nT=here.residual_nT + effects)
 
     def parameters(self, covariance: Array | None = None) -> tuple[tuple[Parameter, ...], ...]:
@@ -90,7 +90,7 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
     here, terms = problem, tuple(terms)
     beta = tuple(np.zeros(len(term.parameters)) for term in terms)
     for _ in range(STEPS):
-        A = np.concatenate([here.T, *(-here.columns(term) for term in terms)], axis=2)[used]
+        A = np.concatenate([here.T, *(-here.all_columns(term) for term in terms)], axis=2)[used]
         known, off = as_data(terms, beta, here.T.shape[2], A.shape[1])
         data = np.concatenate([A, known]), np.concatenate([here.y[used], off])
         step = -ols_with_nuisance(*data, here.T.shape[2], _min_new_share(here, terms, beta, used))
@@ -228,7 +228,7 @@ def derivatives(found: JointFit) -> tuple[Array, Array]:
 def _derivatives(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> Array:
     """The whitened residual's derivatives (n, q, p) on the rows used: base, phases, betas, searched parameters."""
     shapes = [_nonlinear_slopes(term, b, here) for term, b in zip(terms, beta, strict=True)]
-    columns = [-here.columns(term) for term in terms]
+    columns = [-here.all_columns(term) for term in terms]
     return np.concatenate([here.T, *columns, *(-s for s in shapes if s.shape[2])], axis=2)[used]
 
 
