@@ -21,6 +21,7 @@ from labcal.certificate import sshsig
 from labcal.certificate.allowed_signers import Signer
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
 from labcal.errors import InputError
+from labcal.files.home import for_children
 
 ASKED_S = 30.0  # an agent that stands still longer answers nobody
 TOUCHED_S = 120.0  # for somebody to touch their security key, or to agree
@@ -80,7 +81,7 @@ def _asked(program: str, *words: str, given: bytes = b"", within: float) -> byte
     if (found := shutil.which(program)) is None:
         return None
     try:
-        done = subprocess.run([found, *words], input=given, capture_output=True, timeout=within, check=False)
+        done = subprocess.run([found, *words], env=for_children(), input=given, capture_output=True, timeout=within)
     except (OSError, subprocess.TimeoutExpired):
         return None
     return done.stdout if done.returncode == 0 else None

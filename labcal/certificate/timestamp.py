@@ -15,6 +15,7 @@ from tempfile import TemporaryDirectory
 
 from labcal.certificate.calibration_file import read_limited
 from labcal.errors import InputError
+from labcal.files.home import for_children
 
 LARGEST_BYTES = 2**17
 WITHIN_S = 60.0
@@ -58,7 +59,7 @@ def _time(told: str) -> datetime | None:
 
 def _asked(*words: str) -> str | None:
     try:
-        done = subprocess.run(words, capture_output=True, timeout=WITHIN_S, check=False, stdin=subprocess.DEVNULL)
+        done = subprocess.run(words, env=for_children(), capture_output=True, timeout=WITHIN_S)
     except (OSError, subprocess.TimeoutExpired):
         return None
     return done.stdout.decode(errors="replace") if done.returncode == 0 else None
