@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.loop.assemble import assemble
-from labcal.loop.empirical.domain import domain_of
 from labcal.loop.empirical.proof import with_smooth
 from labcal.loop.empirical.splines import table
 from labcal.loop.empirical.words import experiment, looks_like
@@ -15,7 +14,9 @@ from labcal.loop.result import ClosedLoop
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence
 from labcal.model import EffectRecord
-from labcal.model.effects import Term
+from labcal.model.effects import Scene, Term
+from labcal.model.effects.inputs import values
+from labcal.model.smooth import Domain, convex_hull
 from labcal.record import Run
 
 OPEN = ("unexplained", "partly-explained")
@@ -31,7 +32,7 @@ def with_empirical(
     term = after.terms[-1]
     built = assemble(run, more, before, after, aside)
     chance = min(1.0, float(np.exp(-more.equivalents[-1][0].scored.evidence)))  # Markov's bound on a Bayes factor
-    seen = domain_of(after.problem.scene.select(found.pool.valid), term)
+    seen = _domain(after.problem.scene.select(found.pool.valid), term)
     record = replace(_described(built, term), p_value=chance, domain=(seen,))
     assert record.basis is not None
     left = after.problem.residual_nT
@@ -60,3 +61,11 @@ def _described(built: ClosedLoop, term: Term) -> EffectRecord:
         covariance=table(built.covariance[np.ix_(place, place)]),
     )
     return replace(record, inputs=term.inputs, basis=basis)
+
+
+def _domain(scene: Scene, term: Term) -> Domain:
+    """Where the run has been: the ends of one input, the joint hull of two."""
+    x = values(term.inputs, scene)
+    if x.shape[1] == 1:
+        return Domain(term.inputs, ((float(x.min()),), (float(x.max()),)))
+    return Domain(term.inputs, table(convex_hull(x)))

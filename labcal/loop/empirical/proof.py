@@ -11,7 +11,6 @@ from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.empirical.build import Search, best_smooth, shortlist
-from labcal.loop.empirical.domain import domain_of, used_inside
 from labcal.loop.selection.crossval import HeldOutErrors, cross_validate
 from labcal.loop.selection.equivalents import Equivalent
 from labcal.loop.selection.heldout_rules import improves
@@ -41,14 +40,8 @@ def with_smooth(found: Evidence) -> Evidence | None:
 
 
 def _built(part: CandidateSet, accepted: Sequence[Candidate], search: Search) -> list[Candidate]:
-    """The function that these rows show, used where they have been: elsewhere `apply` would leave it out."""
     scored = best_smooth(part, accepted, search)
-    if scored is None:
-        return []
-    bins, whole = part.problem.bins, part.whole
-    seen = part.valid & (part.rows if bins is None else bins.spread(part.rows))
-    term = scored.candidate.term
-    return [replace(scored.candidate, term=used_inside(term, domain_of(whole.scene.select(seen), term)))]
+    return [] if scored is None else [scored.candidate]
 
 
 def _is_worth_it(own: HeldOutErrors, found: Evidence) -> bool:
