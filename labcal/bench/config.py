@@ -18,7 +18,7 @@ from labcal.files.toml_file import read_toml
 from labcal.record.physical import LARGEST_CURRENT_A, LARGEST_FIELD_nT
 
 AXES = ("x", "y", "z")
-SERVED_AT = ("emulated://", "//127.0.0.1:", "///dev/pts/", "///dev/ttys")
+SERVED_AT = ("emulated://", "//127.0.0.1:", "//localhost:", "//localhost.:", "///dev/pts/", "///dev/ttys")
 RUNTIME_LONGEST = 60  # of the 107 bytes that the name of a socket may have
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
 Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
@@ -78,6 +78,11 @@ Three_nT = tuple[PerAmpere, PerAmpere, PerAmpere]
 Text = Annotated[str, AfterValidator(_for_people)]
 Day = Annotated[str, BeforeValidator(_day)]
 Unit = Annotated[Vector, AfterValidator(_of_length_one)]
+
+
+def _is_served(link: str) -> bool:
+    """Whether emulated instruments may stand there: nowhere, or at a port of this computer."""
+    return any(place in link.lower() for place in SERVED_AT)
 
 
 class _Table(BaseModel):
@@ -279,7 +284,7 @@ class BenchConfig(_Table):
             raise ValueError(f"no instrument has the role {', '.join(missing)}")
         if self.twin and not self.simulated:
             raise ValueError("the table [twin] is for benches whose links are all emulated://")
-        elsewhere = [i.link for i in self.instruments.values() if not any(place in i.link for place in SERVED_AT)]
+        elsewhere = [i.link for i in self.instruments.values() if not _is_served(i.link)]
         if self.served and elsewhere:
             raise ValueError(f"served: {elsewhere[0]} is no port of this computer that emulated instruments stand at")
         return self

@@ -70,7 +70,12 @@ class Output:
         self.remember()
 
     def remember(self) -> None:
-        """Keep that `command` wrote these bytes here. Where labcal's folder takes nothing, --force will be needed."""
+        """Keep that `command` wrote these bytes here. Where labcal's folder takes nothing, --force will be needed.
+
+        What it could have written and did not is passed over.
+        """
+        if not self.path.exists():
+            return
         said = {"path": str(_real(self.path)), "command": self.command, "sha256": _sha256(self.path)}
         with suppress(OSError):
             record = _record(self.path)

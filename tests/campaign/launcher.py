@@ -65,7 +65,7 @@ def serve(orders: socket.socket) -> None:
             continue
         words, handles, _, _ = socket.recv_fds(orders, 65536, 1)
         if not words:
-            os._exit(0)
+            sys.exit(0)
         order = json.loads(words)
         if (child := os.fork()) == 0:
             orders.close()

@@ -40,6 +40,7 @@ def each(**values: float) -> dict[str, float]:
     return {f"{name}_{axis}": value for name, value in values.items() for axis in "xyz"}
 
 
+REFUSED = {"empirical"}  # its splines have no form in C yet: refused by name, as a plugin's effect without one
 FORMS = {
     "map": (),
     "current": (("offset-current", *CURRENT, C),),
@@ -74,6 +75,7 @@ FORMS = {
         ("offset-drift", *NONE, {"c1_x": 0.4, "c1_y": 0.2, "c1_z": -0.1, "t_ref_s": 10.0}),
         ("offset-current", *CURRENT, C),
         ("offset-step", *NONE, {**C, "t_step_s": 100.0}),
+        ("gain-step", *NONE, {"g_x": 1e-4, "g_y": 2e-4, "g_z": -1e-4, "t_step_s": 100.0}),
         ("periodic", *NONE, {f"{w}_{a}": 8.0 for w in ("cos", "sin") for a in "xyz"} | {"f_Hz": 0.4}),
     ),
 }  # fmt: skip
@@ -140,7 +142,7 @@ def test_each_form_gives_in_c_what_apply_gives(form: str, run: Run, tmp_path: Pa
 def test_every_effect_that_ships_is_tried_in_one_of_its_forms() -> None:
     tried = {effect[0] for effects in FORMS.values() for effect in effects}
     ours = {f.id for f in families() if f.belongs_to == "sensor" and f.kernel.__module__.startswith("labcal.")}
-    assert tried == ours
+    assert tried == (ours := ours - REFUSED)
     assert all(f.bound_to_run or f.in_c is not None for f in families() if f.id in ours)
 
 

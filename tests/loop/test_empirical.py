@@ -16,7 +16,7 @@ from labcal.errors import InputError
 from labcal.fit import draft_calibration
 from labcal.loop import ClosedLoop, close_loop
 from labcal.loop.empirical.marginal import RATIOS, Reduced
-from labcal.loop.empirical.words import POINTS, _of_one
+from labcal.loop.empirical.words import POINTS, of_one
 from labcal.loop.noise.bands import bands_of
 from labcal.loop.noise.coloured import NullModel
 from labcal.model import Calibration
@@ -177,7 +177,7 @@ def test_shapes_of_two_inputs_and_of_motion_are_carried_to_fresh_rows(shape: str
     ],
 )
 def test_a_curve_is_told_in_words(kind: str, shape: Callable[[np.ndarray], np.ndarray]) -> None:
-    assert _of_one(shape(np.linspace(-1, 1, POINTS)))[0] == kind
+    assert of_one(shape(np.linspace(-1, 1, POINTS)))[0] == kind
 
 
 def test_the_proposal_says_what_it_looks_like_and_what_to_measure(run: Run, shipped: ClosedLoop) -> None:

@@ -72,7 +72,7 @@ def shape_of(basis: Basis, hull: Array, inputs: tuple[str, ...]) -> Looks:
     if len(inputs) == 2:
         return Looks(_of_two(basis, hull))
     x = np.linspace(hull.min(), hull.max(), POINTS)
-    kind, place = _of_one(_main(curve(basis, x[:, None])[0]))
+    kind, place = of_one(_main(curve(basis, x[:, None])[0]))
     return Looks(kind, None if place is None else float(x[place]))
 
 
@@ -82,7 +82,7 @@ def _main(f: Array) -> Array:
     return np.asarray(f @ np.linalg.svd(f, full_matrices=False)[2][0])
 
 
-def _of_one(y: Array) -> tuple[str, int | None]:
+def of_one(y: Array) -> tuple[str, int | None]:
     """The kind, and the point that it is about."""
     x, power = np.linspace(-1, 1, len(y)), float(y @ y)
     for degree, kind in ((1, "straight"), (2, "quadratic")):
