@@ -11,6 +11,7 @@ from labcal.gui.ipc.bench_commands import procedures, rehearse
 from labcal.gui.ipc.messages import CloseLoop, JoinRuns, ListProcedures, LookAt, Rehearse, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.widgets.parameter_form import ParameterForm
 from labcal.gui.widgets.typed_number import NotClear, number_stated
 from labcal.model.calibration import EffectRecord, Rival
 
@@ -48,6 +49,12 @@ def test_what_was_typed_is_there_again_after_another_procedure(choose):
     assert choose.form.text("inclination_deg") == "80"
     assert choose.form.given() == {"inclination_deg": "80", "rate_deg_per_s": "12"}
     assert not choose.start.isEnabled()
+
+
+def test_a_form_that_was_never_shown_stays_nowhere(qtbot, choose):
+    for row in procedure_rows(choose)[:4]:  # quicker than forms are put in their place
+        choose.list.setCurrentRow(row)
+    qtbot.waitUntil(lambda: choose.findChildren(ParameterForm) == [choose.form], timeout=15_000)
 
 
 def test_a_refused_setting_is_red_with_its_reason(choose):

@@ -212,6 +212,9 @@ class Choose(QWidget):
         self.heading.setText(procedure_title(name))
         self.title.setText(one.title)
         self.needs.setText(needs_text(one))
+        if self.form is not None and self.form is not self._area.widget():
+            self.form.hide()  # it never came to be shown, and nothing else would take it away
+            self.form.deleteLater()
         self.form = ParameterForm(one.parameters)
         self._shown = name
         for key, text in self._typed.get(name, {}).items():
