@@ -28,8 +28,23 @@ from pydantic import (
     model_validator,
 )
 
+from labcal.certificate.file_fields import (
+    Covariance,
+    JointCovariance,
+    Name,
+    Names,
+    Plain,
+    Row,
+    Sha256,
+    Span,
+    Table,
+    Text,
+    Uncertainty,
+    checked_map,
+    checked_square,
+    positive,
+)
 from labcal.errors import InputError
-from labcal.files.text_safety import checked_text
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.model.calibration import Rival
@@ -37,71 +52,7 @@ from labcal.model.smooth import Basis, Domain
 from labcal.record import Dut
 
 LARGEST_BYTES = 4 * 2**20  # a thousand times a usual file
-WORST_CONDITION = 1e8  # of K; beyond it readings cannot be told from each other
 NEW_OF_EFFECTS = frozenset({"group", "inputs", "basis", "domain"})
-ROUNDING = 1e-6  # of a covariance scaled to unit variances
-
-
-def _range(pair: tuple[float, float]) -> tuple[float, float]:
-    if pair[0] > pair[1]:
-        raise ValueError(f"from {pair[0]:g} to {pair[1]:g} runs backward")
-    return pair
-
-
-def _invertible(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
-    K = np.array(rows)
-    if not np.any(K) or np.linalg.cond(K) > WORST_CONDITION:
-        raise ValueError("is not invertible: it would map different readings to one field")
-    return rows
-
-
-def _covariance(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
-    C = np.array(rows)
-    u = np.sqrt(np.maximum(np.diag(C), 0.0))
-    scaled = C / np.outer(unit := np.where(u > 0, u, 1.0), unit)
-    if np.any(np.diag(C) < 0):
-        raise ValueError("has a negative variance on its diagonal")
-    if np.max(np.abs(scaled - scaled.T)) > ROUNDING:
-        raise ValueError("is not symmetric")
-    if np.linalg.eigvalsh((scaled + scaled.T) / 2).min() < -ROUNDING:
-        raise ValueError("is not positive semi-definite")
-    return rows
-
-
-def _square(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
-    if {len(row) for row in rows} != {len(rows)}:
-        raise ValueError("is not square")
-    return rows
-
-
-def _even(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
-    if len({len(row) for row in rows}) > 1:
-        raise ValueError("has rows of unlike length")
-    return rows
-
-
-def _distinct(names: tuple[str, ...]) -> tuple[str, ...]:
-    if len(set(names)) < len(names):
-        raise ValueError("names one thing twice")
-    return names
-
-
-Text = Annotated[str, Field(max_length=10_000), AfterValidator(checked_text)]
-Name = Annotated[Text, Field(min_length=1)]
-Names = Annotated[tuple[Name, ...], AfterValidator(_distinct)]
-Span = Annotated[tuple[float, float], AfterValidator(_range)]
-Row = tuple[float, float, float]
-CovarianceRow = Annotated[tuple[float, ...], Field(min_length=12, max_length=12)]
-Covariance = Annotated[tuple[CovarianceRow, ...], Field(min_length=12, max_length=12), AfterValidator(_covariance)]
-JointCovariance = Annotated[
-    tuple[tuple[float, ...], ...], Field(min_length=12), AfterValidator(_square), AfterValidator(_covariance)
-]
-Table = Annotated[
-    tuple[Annotated[tuple[float, ...], Field(min_length=1)], ...], Field(min_length=1), AfterValidator(_even)
-]
-Plain = dict[Name, float | Text | bool | None]
-Sha256 = Annotated[str, Field(pattern=r"\A[0-9a-f]{64}\z")]
-Uncertainty = Annotated[float, Field(ge=0, le=1e100)]  # its square is a number too
 
 
 class _Part(BaseModel):
@@ -136,7 +87,7 @@ class _Basis(_Part):
     projection: Table
     prior_nT: Uncertainty
     coefficients: Table
-    covariance: Annotated[Table, AfterValidator(_square), AfterValidator(_covariance)]
+    covariance: Annotated[Table, AfterValidator(checked_square), AfterValidator(positive)]
 
 
 class _Domain(_Part):
@@ -247,7 +198,7 @@ class _File(_Part):
     run_id: Name
     simulated: bool
     dut: _Dut
-    K: Annotated[tuple[Row, Row, Row], AfterValidator(_invertible)]
+    K: Annotated[tuple[Row, Row, Row], AfterValidator(checked_map)]
     k_nT: Row
     covariance: Covariance | None
     frame_known: bool

@@ -13,7 +13,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from labcal import certificate, loop
 from labcal.bench.clock import Clock
@@ -28,13 +28,14 @@ from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import home
 from labcal.files.outputs import claim, writing
-from labcal.fit import Fit, draft_calibration, fit, fit_all
+from labcal.fit import Fit, draft_calibration, fit
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.session.audited import note_file, note_run, read_audit
+from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import Asked, Taken, import_foreign
 from labcal.session.instruments import approve_cage, coils_off, find_instruments, greetings, look_again, serve_bench
@@ -62,9 +63,6 @@ from labcal.session.trust import (
 from labcal.session.working_out import Progress, keep, made_by, recomputed
 from labcal.store import Store
 from labcal.uncertainty.conformity import Changes, assess
-
-if TYPE_CHECKING:
-    from labcal.fit.filters.history import History
 
 __all__ = [
     "FOREIGN_CALIBRATIONS",
@@ -214,19 +212,6 @@ def verify(
     certificate.keep_superseding(found, home() / SUPERSEDING)
     folders = [home() / SUPERSEDING, home() / CALIBRATIONS]
     return replace(found, superseded_by=certificate.superseded_by(found, folders, signatures))
-
-
-def fit_run(run: str, method: str = "ml", channels: tuple[str, ...] | None = None) -> tuple[Run, list[Fit]]:
-    """Estimate a calibration by one method, or by "all"; `channels` limits what `telemetry` may use."""
-    measured = load_run(run, channels)
-    return measured, fit_all(measured) if method == "all" else [fit(measured, method)]
-
-
-def filter_history(run: str, method: str) -> History:
-    """How the estimate of a live filter grew with the readings of `run`."""
-    from labcal.fit.filters import history
-
-    return history.filter_history(load_run(run), method)
 
 
 def draft(
