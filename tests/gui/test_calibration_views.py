@@ -131,7 +131,7 @@ def test_below_the_parameters_stands_what_makes_most_of_each_uncertainty_and_all
     assert len(rows) == 12 + 2
     assert [row[0] for row in rows[:4]] == ["k x", "k y", "k z", "K xx"]
     assert rows[12:] == [
-        ["|b| · 50 µT along x", "reference: zero 84.0 %", "7.4", "nT"],
+        ["|b| · 50 µT along x: reference: zero 84.0 %", "–", "7.4", "nT"],
         ["angle xy", "–", "0.015", "deg"],
     ]
     assert views.table.item(12, 0).toolTip().split("\n") == [

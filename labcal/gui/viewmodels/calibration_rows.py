@@ -53,9 +53,10 @@ def _budgeted(line: BudgetLine) -> list[Cell]:
     shares = [f"{source} {100 * share:.1f} %" for source, share in line.sources]
     tip = "\n".join([f"{line.quantity} {line.at}".rstrip(), f"k = {line.k:.2f}", *shares])
     U = format_number(line.U, decimals_for(line.U, line.U), signed=False)
+    name = f"{line.quantity} · {line.at}" if line.at else line.quantity
     return [
-        Cell(f"{line.quantity} · {line.at}" if line.at else line.quantity, tip=tip),
-        Cell(shares[0] if shares else "–", right=True, tip=tip),
+        Cell(f"{name}: {shares[0]}" if shares else name, tip=tip),  # here, where the column is as wide as there is room
+        Cell("–", right=True, tip=tip),
         Cell(U, right=True, tip=tip),
         Cell(line.unit),
     ]
