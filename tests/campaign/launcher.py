@@ -73,7 +73,8 @@ def serve(orders: socket.socket) -> None:
             for number in range(3):
                 os.dup2(handles[0], number)
             os.close(handles[0])
-            sys.stdin, sys.stdout, sys.stderr = open(0), open(1, "w", buffering=1), open(2, "w", buffering=1)  # noqa: SIM115
+            out, err = open(1, "w", buffering=1), open(2, "w", buffering=1)  # noqa: SIM115  # open until the process ends
+            sys.stdin, sys.stdout, sys.stderr = open(0), out, err  # noqa: SIM115  # as these are
             os.environ.clear()
             os.environ.update(order["env"])
             tempfile.tempdir = None
