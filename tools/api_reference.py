@@ -5,9 +5,9 @@ python tools/api_reference.py docs/api.md
 
 from __future__ import annotations
 
+import argparse
 import inspect
 import re
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -84,4 +84,6 @@ def section(title: str, body: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    write_text(Path(sys.argv[1]), page())
+    asked = argparse.ArgumentParser(description=__doc__)
+    asked.add_argument("out", type=Path)
+    write_text(asked.parse_args().out, page())
