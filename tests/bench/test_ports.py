@@ -22,6 +22,7 @@ from drivers.metrolab import Settings as MetrolabSettings
 from labcal.bench.clock import RealClock
 from labcal.bench.links import Link, open_link
 from labcal.bench.links.modbus import ModbusLink
+from labcal.bench.links.usbtmc import UsbtmcPort
 from labcal.errors import InputError, InstrumentError
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
@@ -176,6 +177,19 @@ def test_an_instrument_on_usb_that_does_not_answer_is_silent() -> None:
     with usbtmc([b""], patience_s=0.1) as (link, _, _), pytest.raises(InstrumentError) as caught:
         link.ask(b"*IDN?\n", end=b"\n", timeout_s=0.1)
     assert caught.value.fault == "silent"
+
+
+def test_an_instrument_on_usb_that_announces_its_replies_delays_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    status = [0x10]
+    monkeypatch.setattr(UsbtmcPort, "status_byte", lambda _: status[0])
+    with usbtmc([b"RIGOL\n"]) as (link, clock, _):
+        assert link.ask(b"*IDN?\n", end=b"\n", timeout_s=LONG_S) == b"RIGOL\n"
+        status[0] = 0
+        began_s = clock.now()
+        with pytest.raises(InstrumentError) as caught:
+            link.ask(b":CURR?\n", end=b"\n", timeout_s=0.1)
+    assert caught.value.fault == "silent"
+    assert clock.now() - began_s < 10.0, "it waited in a read that nobody can end"
 
 
 def test_the_deny_list_binds_an_instrument_on_usb() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from drivers.scpi_table import Settings, TableSupply
 from labcal.bench.clock import RealClock
-from labcal.bench.links import open_link, ports, urls, visa
+from labcal.bench.links import messages, open_link, ports, urls, visa
 from labcal.errors import InputError, InstrumentError
 
 PATIENCE_S = 60.0
@@ -62,17 +62,28 @@ class VisaIOError(Exception):
 
 
 class Resource:
-    """An instrument behind pyvisa's face: it answers one message after another; a text is an error of VISA."""
+    """An instrument behind pyvisa's face: it answers one message after another; a text is an error of VISA.
+
+    A reply is announced, as 488.2 has it, where `announces`; where that is None, the bus has no status byte.
+    """
 
     timeout = 0.0
+    announces: bool | None = None
 
     def __init__(self, *replies: bytes | str) -> None:
         self._replies, self.heard, self.cleared = list(replies), list[bytes](), 0
+        self.read = 0
 
     def write_raw(self, data: bytes) -> None:
         self.heard.append(data)
 
+    def read_stb(self) -> int:
+        if self.announces is None:
+            raise VisaIOError("VI_ERROR_NSUP_OPER")
+        return 0x10 if self.announces and self._replies and self._replies[0] != "VI_ERROR_TMO" else 0
+
     def read_raw(self) -> bytes:
+        self.read += 1
         reply = self._replies.pop(0)
         if isinstance(reply, str):
             raise VisaIOError(reply)
@@ -128,6 +139,37 @@ def test_silence_and_a_lost_instrument_are_told_apart(monkeypatch: pytest.Monkey
         link.ask(b"*IDN?\n", end=b"\n", timeout_s=0.2)
     assert caught.value.fault == fault
     assert resource.cleared == (fault == "silent"), "what comes later must not answer the next question"
+
+
+def test_who_announces_replies_is_not_read_before_one_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    resource = behind(monkeypatch, b"6632B\n", "VI_ERROR_TMO")
+    resource.announces = True
+    clock = RealClock()
+    with closing(open_link("visa://GPIB0::5", clock)) as link:
+        assert link.ask(b"*IDN?\n", end=b"\n", timeout_s=PATIENCE_S) == b"6632B\n"
+        with pytest.raises(InstrumentError) as caught:
+            link.ask(b"CURR?\n", end=b"\n", timeout_s=0.2)
+        assert (caught.value.fault, resource.read) == ("silent", 1), "a read waits for two seconds and cannot be ended"
+        link.send(b"CURR 0.0\n")
+        assert resource.heard[-1] == b"CURR 0.0\n"
+        asked_s = clock.now()
+        link.send(b"CURR?\n")
+        while not resource.cleared:
+            assert link.receive(clock.now() + 0.01) == []
+        assert clock.now() - asked_s >= messages.TIMEOUT_S, "a reply that comes later answers no other question"
+
+
+@pytest.mark.parametrize("announces", [None, False])
+def test_who_announces_nothing_is_read_all_the_same(monkeypatch: pytest.MonkeyPatch, announces: bool | None) -> None:
+    resource = behind(monkeypatch, b"6032A\n", b"1.5\n")
+    resource.announces = announces
+    clock = RealClock()
+    with closing(open_link("visa://GPIB0::5", clock)) as link:
+        asked_s = clock.now()
+        assert link.ask(b"ID?\n", end=b"\n", timeout_s=PATIENCE_S) == b"6032A\n"
+        assert (clock.now() - asked_s >= messages.UNANNOUNCED_S) is (announces is False)
+        resource.announces = True
+        assert link.ask(b"IOUT?\n", end=b"\n", timeout_s=PATIENCE_S) == b"1.5\n"
 
 
 def test_an_instrument_that_is_not_there_is_a_lost_link(monkeypatch: pytest.MonkeyPatch) -> None:

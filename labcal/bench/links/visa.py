@@ -8,9 +8,10 @@ from contextlib import suppress
 from importlib import import_module
 from typing import Any
 
+from labcal.bench.links.messages import TIMEOUT_S, Replies
 from labcal.errors import InputError
 
-TIMEOUT_S, OPEN_S = 2.0, 5.0
+OPEN_S, STATUS_S = 5.0, 0.1
 KINDS = ("GPIB", "TCPIP", "USB", "VXI")
 HOW = "visa:// needs pyvisa; install it: pip install 'labcal[visa]' (GPIB and USBTMC: docs/bench.md)"
 GONE = ("VI_ERROR_CONN_LOST", "VI_ERROR_RSRC_NFOUND", "VI_ERROR_INV_OBJECT", "VI_ERROR_NLISTENERS")
@@ -36,15 +37,12 @@ def canonical(address: str) -> str:
 
 
 class VisaPort:
-    """Messages, not bytes: one write is one message, and a reply is read only after a message that asks for it.
-
-    The read waits for the reply, at most `TIMEOUT_S`, and nothing else is done meanwhile.
-    """
+    """Messages, not bytes: one write is one message, and a reply is read only after a message that asks for it."""
 
     byte_s = 0.0
 
     def __init__(self, address: str, options: dict[str, str]) -> None:
-        resource, self._asked = canonical(address), False
+        resource, self._replies = canonical(address), Replies(self)
         try:
             self._visa: Any = import_module("pyvisa")
             manager = self._visa.ResourceManager(f"@{options.get('backend', 'py')}")
@@ -54,18 +52,8 @@ class VisaPort:
         self._port.timeout = 1000 * TIMEOUT_S
 
     def read(self) -> bytes:
-        """The reply that was asked for. Raises OSError when the instrument is gone."""
-        if not self._asked:
-            return b""
-        self._asked = False
-        try:
-            return bytes(self._port.read_raw())
-        except self._visa.errors.VisaIOError as error:
-            if error.abbreviation != "VI_ERROR_TMO":
-                raise _as_os_error(error) from error
-        with suppress(self._visa.errors.VisaIOError):
-            self._port.clear()  # a reply that comes later must not answer the next question
-        return b""
+        """The reply that was asked for, once it is there. Raises OSError when the instrument is gone."""
+        return self._replies.look()
 
     def write(self, data: bytes) -> None:
         """One message, which asks for a reply where it has a question mark."""
@@ -73,7 +61,35 @@ class VisaPort:
             self._port.write_raw(data)
         except self._visa.errors.VisaIOError as error:
             raise _as_os_error(error) from error
-        self._asked = b"?" in data
+        self._replies.written(data)
+
+    def status_byte(self) -> int | None:
+        """By serial poll, or as the bus does it; None where it cannot, and where the instrument does not answer."""
+        self._port.timeout = 1000 * STATUS_S
+        try:
+            return int(self._port.read_stb())
+        except self._visa.errors.VisaIOError as error:
+            if error.abbreviation in GONE:
+                raise _as_os_error(error) from error
+            return None
+        except (NotImplementedError, AttributeError):  # how backends say that they lack it
+            return None
+        finally:
+            self._port.timeout = 1000 * TIMEOUT_S
+
+    def read_message(self) -> bytes:
+        """One reply; b"" where none came in time."""
+        try:
+            return bytes(self._port.read_raw())
+        except self._visa.errors.VisaIOError as error:
+            if error.abbreviation != "VI_ERROR_TMO":
+                raise _as_os_error(error) from error
+            return b""
+
+    def drop_reply(self) -> None:
+        """A device clear."""
+        with suppress(self._visa.errors.VisaIOError):
+            self._port.clear()
 
     def there(self) -> bool:
         """It is, unless an error says otherwise."""
