@@ -20,17 +20,19 @@ def main() -> int:
         return 2
     from PySide6.QtCore import QLocale
 
+    from labcal.gui.reopened import Shown
     from labcal.gui.translations.translate import install_translator
+    from labcal.gui.viewmodels.app_state import window_settings
     from labcal.gui.window import open_window
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("labcal")
-    QLocale.setDefault(QLocale(QLocale.Language.English))
-    install_translator(application, QLocale.system())
-    window = open_window(given.bench)
-    sys.excepthook = window.app_state.handle_exception
+    chosen = str(window_settings().value("language", "") or "")
+    install_translator(application, QLocale(chosen) if chosen else QLocale.system())
+    shown = Shown(open_window(given.bench))
+    sys.excepthook = shown.window.app_state.handle_exception
     code = application.exec()
-    window.app_state.close()
+    shown.window.app_state.close()
     return code
 
 

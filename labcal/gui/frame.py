@@ -262,7 +262,9 @@ class Frame(QMainWindow):
         self.theme_switch, self.size_switch = named(QPushButton(), "rail"), named(QPushButton(), "rail")
         self.theme_switch.setToolTip(self.tr("Dark or light; until then as the system has it"))
         self.size_switch.setToolTip(self.tr("Letters to be read from two metres, and back (F11)"))
-        for widget in (self.theme_switch, self.size_switch, self.help):
+        self.language_switch = named(QPushButton(), "rail")
+        self.language_switch.setToolTip(self.tr("The window in this language; not while a run goes on"))
+        for widget in (self.language_switch, self.theme_switch, self.size_switch, self.help):
             column.addWidget(widget)
         self._sidebar_buttons.idClicked.connect(self.stack.setCurrentIndex)
         return sidebar
@@ -291,6 +293,10 @@ class Frame(QMainWindow):
         index = self._names.index(name)
         self._sidebar_buttons.button(index).setChecked(True)
         self.stack.setCurrentIndex(index)
+
+    def page_shown(self) -> str:
+        """The name of the page that is in sight."""
+        return self._names[self.stack.currentIndex()]
 
     def keys(self) -> list[tuple[str, str]]:
         """Every key with what it does: those that are heard before any other, then the shortcuts that there are."""

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from threading import Thread
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QGuiApplication, QKeySequence, QPalette, QShortcut
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
@@ -21,6 +21,7 @@ from labcal.gui.pages.lazy_page import LazyPage
 from labcal.gui.pages.registry import pages
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, WALL_SCALE, Theme, style_sheet
+from labcal.gui.translations.translate import following, languages, spoken
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.widgets import hold_button
@@ -64,7 +65,9 @@ def chosen_theme(app_state: AppState) -> Theme | None:
 
 
 class Window(Frame):
-    """Everything together. `theme` overrides what the system says."""
+    """Everything together. `theme` overrides what the system says; `language_wanted`: to be made anew in another."""
+
+    language_wanted = Signal(str)
 
     def __init__(self, app_state: AppState, theme: Theme | None = None) -> None:
         self.app_state = app_state
@@ -105,6 +108,7 @@ class Window(Frame):
         app_state.page_requested.connect(self.open_page)
         self.theme_switch.clicked.connect(self._other_theme)
         self.size_switch.clicked.connect(self.toggle_wall)
+        self.language_switch.clicked.connect(lambda: self.language_wanted.emit(following(spoken())))
         self.next.clicked.connect(lambda: app_state.go(app_state.path.next()))
         described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
@@ -168,6 +172,7 @@ class Window(Frame):
         """What a click on them would give."""
         self.theme_switch.setText(self.tr("Dark") if self.theme is LIGHT else self.tr("Light"))
         self.size_switch.setText(self.tr("Smaller F11") if self.wall else self.tr("Larger F11"))
+        self.language_switch.setText(languages()[following(spoken())])
 
     def set_theme(self, theme: Theme) -> None:
         """Show everything in `theme`, what is in sight first."""
@@ -214,6 +219,7 @@ class Window(Frame):
         """Who and what stand fixed while a run goes on."""
         for entry in (self.top.dut, self.top.operator):
             entry.setReadOnly(self.app_state.run.alive)
+        self.language_switch.setDisabled(self.app_state.run.alive)
         if self.app_state.run.alive:
             self.app_state.scan_vm.put_away()
 

@@ -87,6 +87,12 @@ def new_window(tmp_path, qapp):
         yield at_rest(window)
 
 
+@pytest.fixture
+def rest():
+    """What brings a window back to nothing asked, said or begun."""
+    return at_rest
+
+
 def at_rest(window):
     """Nothing asked, said or begun, on a known bench; forms and cards as they were at first."""
     from labcal.gui.ipc.bench_commands import read_bench

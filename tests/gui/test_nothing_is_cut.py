@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from geometry import faults
 from lab_states import told
+from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QVBoxLayout, QWidget
 from test_choose import told_by_the_loop
 from test_path import RUN, calibration
@@ -23,6 +24,7 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
 )
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations import translate
 from labcal.record import Segment
 from labcal.record.stream import Block, Measurement, Prompt, SegmentOpened, Step
 
@@ -187,21 +189,49 @@ def settle(window):
         window.style_queue.finish()
 
 
+def faults_at(window, bring, page, words):
+    """What is wrong with this page at the size that is called so."""
+    size, wall = SIZES[words]
+    for _ in range(2):  # a narrow window has a narrow frame, and then room for less
+        bring(size, wall)
+        settle(window)
+    if window.lazy_pages[page].area.horizontalScrollBar().isVisible():
+        yield f"{words}: the page is wider than its place: {window.page(page).minimumSizeHint()}"
+    if (window.width(), window.height()) != size:
+        yield f"{words}: the window needs {window.width()} x {window.height()}"
+    yield from (f"{words}: {what}" for what in faults(window))
+
+
+def shown(window, state):
+    """The page of this state, which the window then shows."""
+    for page in window.lazy_pages:
+        window.page(page)
+    page = STATES[state](window)
+    window.open_page(page)
+    return page
+
+
 @pytest.mark.parametrize("state", STATES)
 def test_no_text_is_cut_and_nothing_lies_over_anything_else(still, sized, state):
-    for page in still.lazy_pages:
-        still.page(page)
-    page, found = STATES[state](still), []
-    still.open_page(page)
-    for words, (size, wall) in SIZES.items():
-        for _ in range(2):  # a narrow window has a narrow frame, and then room for less
-            sized(size, wall)
-            settle(still)
-        if still.lazy_pages[page].area.horizontalScrollBar().isVisible():
-            found.append(f"{words}: the page is wider than its place: {still.page(page).minimumSizeHint()}")
-        if (still.width(), still.height()) != size:
-            found.append(f"{words}: the window needs {still.width()} x {still.height()}")
-        found += [f"{words}: {what}" for what in faults(still)]
+    page = shown(still, state)
+    found = [fault for words in SIZES for fault in faults_at(still, sized, page, words)]
+    assert not found, f"{len(found)} faults:\n" + "\n".join(found)
+
+
+@pytest.fixture
+def other_language(qapp, request):
+    translate.install_translator(qapp, QLocale(request.param))
+    yield request.param
+    translate.install_translator(qapp, QLocale("en"))
+
+
+@pytest.mark.parametrize("other_language", ["de", "fr"], indirect=True)
+def test_longer_words_of_another_language_are_not_cut_where_room_is_least(other_language, new_window, rest):
+    found = list[str]()
+    for state in STATES:
+        page = shown(rest(new_window), state)
+        faulty = faults_at(new_window, lambda size, wall: new_window.resize(*size), page, next(iter(SIZES)))
+        found += [f"{state}, {fault}" for fault in faulty]
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
 
 

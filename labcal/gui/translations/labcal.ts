@@ -744,6 +744,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The window in this language; not while a run goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Next: {0}</source>
         <translation type="unfinished"></translation>
     </message>

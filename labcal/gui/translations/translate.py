@@ -10,6 +10,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale, QTransl
 from labcal.files.home import home
 
 FOLDER = Path(__file__).parent
+OWN = "labcal"  # the name of our translator among the children of the application
 MORNING, MORNING_CHECKS = "Morning check", ("morning-check", "axes-check")  # the first that is installed
 TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Start"),
@@ -170,11 +171,36 @@ def procedure_title(name: str) -> str:
 def install_translator(application: QCoreApplication, locale: QLocale, folders: Iterable[Path] | None = None) -> bool:
     """Have the window speak the language of `locale`, from the first labcal_xx.qm of it; says whether there is one.
 
-    Looked for in the `translations` of the lab's own folder, then in those that are shipped.
+    Looked for in the `translations` of the lab's own folder, then in those that are shipped. What it spoke before is
+    taken away; without such a file it speaks English.
     """
+    for former in application.findChildren(QTranslator, OWN):
+        application.removeTranslator(former)
+        former.deleteLater()
+    QLocale.setDefault(QLocale(QLocale.Language.English))
     for folder in folders or (home() / "translations", FOLDER):
         translator = QTranslator(application)
+        translator.setObjectName(OWN)
         if translator.load(locale, "labcal", "_", str(folder), ".qm"):
-            QLocale.setDefault(locale)  # days and months follow the words
+            QLocale.setDefault(locale)  # days, months and decimal marks follow the words
             return application.installTranslator(translator)
     return False
+
+
+def languages() -> dict[str, str]:
+    """What the window can speak, by code, each called as who speaks it calls it: de is Deutsch."""
+    files = sorted(path for folder in (FOLDER, home() / "translations") for path in folder.glob("labcal_*.qm"))
+    codes = ["en", *(path.stem.removeprefix("labcal_") for path in files)]
+    return {code: QLocale(code).nativeLanguageName().capitalize() if code != "en" else "English" for code in codes}
+
+
+def spoken() -> str:
+    """The code of the language that the window speaks now."""
+    here = QLocale()
+    return next((code for code in languages() if QLocale(code).language() == here.language()), "en")
+
+
+def following(code: str) -> str:
+    """The language after this one, the first after the last."""
+    codes = list(languages())
+    return codes[(codes.index(code) + 1) % len(codes)] if code in codes else "en"

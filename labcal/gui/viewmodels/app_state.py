@@ -42,6 +42,11 @@ class Wanted:
     plan: bool = False
 
 
+def window_settings() -> QSettings:
+    """What the window remembers between two days."""
+    return QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
+
+
 class AppState(QObject):
     """Workers: `quick` for what is short, `bench` for the run, `fit` for fits and the loop, `off` for Coils off."""
 
@@ -56,7 +61,7 @@ class AppState(QObject):
 
     def __init__(self, settings: QSettings | None = None) -> None:
         super().__init__()
-        self.settings = settings or QSettings(str(file_at_home("window.ini")), QSettings.Format.IniFormat)
+        self.settings = settings or window_settings()
         self.quick_worker, self.bench_worker = Client(self), Client(self)
         self.fit_worker, self.off_worker = Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)

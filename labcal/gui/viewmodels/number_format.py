@@ -6,6 +6,8 @@ import re
 from math import floor, isfinite, log10
 from typing import Literal
 
+from PySide6.QtCore import QLocale
+
 FieldUnit = Literal["nT", "µT", "mG"]
 PER_NT: dict[FieldUnit, float] = {"nT": 1.0, "µT": 1e-3, "mG": 1e-2}
 DECIMALS: dict[FieldUnit, int] = {"nT": 1, "µT": 4, "mG": 3}
@@ -14,10 +16,10 @@ TURN = re.compile(r"\b([xyz])([+-])(\d+(?:\.\d+)?)uT(?:-(\w+))?")
 
 
 def format_number(value: float, decimals: int = 1, *, signed: bool = True) -> str:
-    """`value` with a true minus sign and groups of three: +19 998.7 or −3.2."""
+    """`value` with a true minus sign, groups of three and the language's decimal mark: +19 998.7 or −3,2."""
     value = round(value, decimals) + 0.0  # no negative zero
     text = f"{value:+,.{decimals}f}" if signed else f"{value:,.{decimals}f}"
-    return text.replace(",", NARROW_SPACE).replace("-", MINUS)
+    return text.replace(",", NARROW_SPACE).replace("-", MINUS).replace(".", QLocale().decimalPoint())
 
 
 def format_field(value_nT: float, unit: FieldUnit = "nT", *, signed: bool = True) -> str:

@@ -1,0 +1,2390 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>AppState</name>
+    <message>
+        <source>A run goes on; open another bench after it.</source>
+        <translation>Eine Messung läuft; einen anderen Messplatz danach öffnen.</translation>
+    </message>
+    <message>
+        <source>Scanned {0}; a run goes on, its DUT stays.</source>
+        <translation>{0} gescannt; eine Messung läuft, ihr Prüfling bleibt.</translation>
+    </message>
+    <message>
+        <source>✕ Scanned, and not taken: {0}</source>
+        <translation>✕ Gescannt und nicht übernommen: {0}</translation>
+    </message>
+    <message>
+        <source>Scanned {0}: it is the DUT at the top.</source>
+        <translation>{0} gescannt: Das ist der Prüfling oben.</translation>
+    </message>
+    <message>
+        <source>Choose a bench on the Bench page first.</source>
+        <translation>Zuerst auf der Seite Messplatz einen Messplatz wählen.</translation>
+    </message>
+    <message>
+        <source>Scan or type the DUT&apos;s serial at the top.</source>
+        <translation>Oben die Seriennummer des Prüflings scannen oder eingeben.</translation>
+    </message>
+    <message>
+        <source>Type the operator&apos;s name at the top.</source>
+        <translation>Oben den Namen des Bedieners eingeben.</translation>
+    </message>
+    <message>
+        <source>Coils off: no bench is open, this window drives no coil.</source>
+        <translation>Spulen aus: Kein Messplatz ist offen, dieses Fenster treibt keine Spule.</translation>
+    </message>
+    <message>
+        <source>Coils off: reading them back …</source>
+        <translation>Spulen aus: werden zurückgelesen …</translation>
+    </message>
+    <message>
+        <source>Read back: {0}</source>
+        <translation>Zurückgelesen: {0}</translation>
+    </message>
+    <message>
+        <source>Switch the supplies off at their mains switches.</source>
+        <translation>Die Netzgeräte an ihren Netzschaltern ausschalten.</translation>
+    </message>
+    <message>
+        <source>your turn</source>
+        <translation>Sie sind dran</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>pausiert</translation>
+    </message>
+    <message>
+        <source>hands off, measuring</source>
+        <translation>Hände weg, es wird gemessen</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>BenchPage</name>
+    <message>
+        <source>Instruments</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Check all</source>
+        <translation>Alle prüfen</translation>
+    </message>
+    <message>
+        <source>Ask every instrument who it is. Nothing is energised or moved.</source>
+        <translation>Jedes Gerät fragen, wer es ist. Nichts wird bestromt oder bewegt.</translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation>Neu verbinden</translation>
+    </message>
+    <message>
+        <source>Let go of every link, read the bench file again and ask every instrument who it is</source>
+        <translation>Alle Verbindungen lösen, die Messplatzdatei neu lesen und jedes Gerät fragen, wer es ist</translation>
+    </message>
+    <message>
+        <source>Open a bench file …</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>A bench.toml: what stands in the lab, on which lines</source>
+        <translation>Eine bench.toml: was im Labor steht, an welchen Leitungen</translation>
+    </message>
+    <message>
+        <source>Simulated lab</source>
+        <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>A whole lab without hardware</source>
+        <translation>Ein ganzes Labor ohne Geräte</translation>
+    </message>
+    <message>
+        <source>Open a bench file, or take the simulated lab.</source>
+        <translation>Eine Messplatzdatei öffnen oder das simulierte Labor nehmen.</translation>
+    </message>
+    <message>
+        <source>The cage</source>
+        <translation>Der Käfig</translation>
+    </message>
+    <message>
+        <source>Open a bench file</source>
+        <translation>Messplatzdatei öffnen</translation>
+    </message>
+    <message>
+        <source>A run goes on and holds the instruments; check them after it.</source>
+        <translation>Eine Messung läuft und hält die Geräte; danach prüfen.</translation>
+    </message>
+    <message>
+        <source>Asking …</source>
+        <translation>Wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
+        <translation>Wer dafür einsteht, sagt es im Terminal: labcal bench check {0} --clear-as NAME</translation>
+    </message>
+    <message>
+        <source>Instruments of {0}</source>
+        <translation>Geräte von {0}</translation>
+    </message>
+    <message>
+        <source>{0}, simulated</source>
+        <translation>{0}, simuliert</translation>
+    </message>
+    <message>
+        <source>all arrows to one scale</source>
+        <translation>alle Pfeile in einem Maßstab</translation>
+    </message>
+    <message>
+        <source>as recorded last, not now; all arrows to one scale</source>
+        <translation>wie zuletzt aufgezeichnet, nicht jetzt; alle Pfeile in einem Maßstab</translation>
+    </message>
+    <message>
+        <source>applied</source>
+        <translation>angelegt</translation>
+    </message>
+    <message>
+        <source>ambient</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;&lt;br&gt;at most {0} A a coil&lt;br&gt;at most {1} nT</source>
+        <translation>&lt;br&gt;&lt;br&gt;höchstens {0} A je Spule&lt;br&gt;höchstens {1} nT</translation>
+    </message>
+</context>
+<context>
+    <name>CageView</name>
+    <message>
+        <source>The cage with its field vectors</source>
+        <translation>Der Käfig mit seinen Feldvektoren</translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys, to look from another side</source>
+        <translation>Ziehen oder Pfeiltasten: von einer anderen Seite ansehen</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationViews</name>
+    <message>
+        <source>What of the calibration is shown</source>
+        <translation>Was von der Kalibrierung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>As found, as left</source>
+        <translation>Vorgefunden, hinterlassen</translation>
+    </message>
+</context>
+<context>
+    <name>CertificatePage</name>
+    <message>
+        <source>Calibrations</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Calibrations, the newest first</source>
+        <translation>Kalibrierungen, die neueste zuerst</translation>
+    </message>
+    <message>
+        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
+        <translation>Noch keine. Eine Messung anpassen, dann ihren Rest erklären: das schreibt einen Entwurf.</translation>
+    </message>
+    <message>
+        <source>Go to Fit</source>
+        <translation>Zum Fit</translation>
+    </message>
+    <message>
+        <source>Estimate a calibration</source>
+        <translation>Eine Kalibrierung schätzen</translation>
+    </message>
+    <message>
+        <source>Chosen calibration</source>
+        <translation>Gewählte Kalibrierung</translation>
+    </message>
+    <message>
+        <source>U: k=2</source>
+        <translation>U: k=2</translation>
+    </message>
+    <message>
+        <source>Approver: their key&apos;s name</source>
+        <translation>Genehmigt: Name des Schlüssels</translation>
+    </message>
+    <message>
+        <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
+        <translation>Eine andere Person als der Bediener, mit dem Namen, unter dem sie unterschreibt; vor der ersten Unterschrift</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Genehmigen</translation>
+    </message>
+    <message>
+        <source>Write this name into the draft. After the first signature nobody can be added.</source>
+        <translation>Diesen Namen in den Entwurf schreiben. Nach der ersten Unterschrift kommt niemand mehr dazu.</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Who signs</source>
+        <translation>Wer unterschreibt</translation>
+    </message>
+    <message>
+        <source>Whose key; a name without a key here can be given a new one</source>
+        <translation>Wessen Schlüssel; ein Name ohne Schlüssel kann hier einen neuen bekommen</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>Kennwort</translation>
+    </message>
+    <message>
+        <source>Asked each time, never kept</source>
+        <translation>Kennwort: jedes Mal gefragt, nie gespeichert</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Nochmal</translation>
+    </message>
+    <message>
+        <source>A new key&apos;s passphrase is typed twice: nothing can bring it back</source>
+        <translation>Das Kennwort eines neuen Schlüssels wird zweimal getippt: nichts bringt es zurück</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signieren</translation>
+    </message>
+    <message>
+        <source>Sign these exact bytes. A signed file can no longer be changed.</source>
+        <translation>Genau diese Bytes unterschreiben. Eine unterschriebene Datei ist nicht mehr zu ändern.</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Make a key for this name under this passphrase, and trust it in this lab</source>
+        <translation>Für diesen Namen einen Schlüssel mit diesem Kennwort machen und ihm in diesem Labor vertrauen</translation>
+    </message>
+    <message>
+        <source>2</source>
+        <translation>2</translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
+        <translation>Für Menschen als .html oder .pdf, für Maschinen als DCC (.xml, Schema der PTB)</translation>
+    </message>
+    <message>
+        <source>Hand out …</source>
+        <translation>Ausgeben …</translation>
+    </message>
+    <message>
+        <source>Copy the file, its signatures and the public keys to a folder</source>
+        <translation>Datei, Unterschriften und öffentliche Schlüssel in einen Ordner kopieren</translation>
+    </message>
+    <message>
+        <source>Apply to readings …</source>
+        <translation>Anwenden …</translation>
+    </message>
+    <message>
+        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
+        <translation>Einer .csv mit Messwerten das Feld, seine Unsicherheit und Kennzeichen zufügen</translation>
+    </message>
+    <message>
+        <source>○ draft</source>
+        <translation>○ Entwurf</translation>
+    </message>
+    <message>
+        <source>✕ not valid</source>
+        <translation>✕ ungültig</translation>
+    </message>
+    <message>
+        <source>▲ provisional</source>
+        <translation>▲ vorläufig</translation>
+    </message>
+    <message>
+        <source>✓ signed</source>
+        <translation>✓ unterschrieben</translation>
+    </message>
+    <message>
+        <source>nobody yet</source>
+        <translation>niemand</translation>
+    </message>
+    <message>
+        <source>Draft: not signed.</source>
+        <translation>Entwurf: nicht unterschrieben.</translation>
+    </message>
+    <message>
+        <source>Operator {0}; approved by {1}.</source>
+        <translation>Bediener {0}; genehmigt von {1}.</translation>
+    </message>
+    <message>
+        <source>The two passphrases differ.</source>
+        <translation>Die beiden Kennwörter sind verschieden.</translation>
+    </message>
+    <message>
+        <source>{0} Nobody has a key here: write who signs, a passphrase twice, then New key.</source>
+        <translation>{0} Hier hat niemand einen Schlüssel: Namen schreiben, zweimal ein Kennwort, dann „Neu“.</translation>
+    </message>
+    <message>
+        <source>{0} has no key here: type a passphrase twice, and New key makes one under it.</source>
+        <translation>{0} hat hier keinen Schlüssel: zweimal ein Kennwort tippen, „Neu“ macht einen damit.</translation>
+    </message>
+    <message>
+        <source>{0} To sign as {1}, type the passphrase.</source>
+        <translation>{0} Um als {1} zu unterschreiben, das Kennwort eingeben.</translation>
+    </message>
+    <message>
+        <source>{0} has a key now, under this passphrase.</source>
+        <translation>{0} hat jetzt einen Schlüssel mit diesem Kennwort.</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Written: {0}</source>
+        <translation>Geschrieben: {0}</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Bericht wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Copy the calibration to</source>
+        <translation>Kalibrierung kopieren nach</translation>
+    </message>
+    <message>
+        <source>Copied to {0}</source>
+        <translation>Kopiert nach {0}</translation>
+    </message>
+    <message>
+        <source>Readings of this DUT</source>
+        <translation>Messwerte dieses Prüflings</translation>
+    </message>
+    <message>
+        <source>Where the field goes</source>
+        <translation>Wohin das Feld geschrieben wird</translation>
+    </message>
+</context>
+<context>
+    <name>Choose</name>
+    <message>
+        <source>Procedures</source>
+        <translation>Prozeduren</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>By name, by what it does, or by what it needs</source>
+        <translation>Nach Namen, nach Zweck oder nach Bedarf</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>The plan</source>
+        <translation>Der Plan</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Simulierte Zeit</translation>
+    </message>
+    <message>
+        <source>How fast simulated time passes: as in the lab, faster, or as fast as the computer goes</source>
+        <translation>Wie schnell die simulierte Zeit vergeht: wie im Labor, schneller oder so schnell der Rechner kann</translation>
+    </message>
+    <message>
+        <source>Asks every instrument who it is, then begins. Nothing is energised before you are asked.</source>
+        <translation>Fragt jedes Gerät, wer es ist, und beginnt. Nichts wird bestromt, bevor Sie gefragt werden.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Rehearse this on the simulated lab: field, rate, angles, temperature, time, and what you are asked</source>
+        <translation>Am simulierten Labor proben: Feld, Drehrate, Winkel, Temperatur, Zeit und was Sie gefragt werden</translation>
+    </message>
+    <message>
+        <source>Rehearsing on the simulated lab …</source>
+        <translation>Probe am simulierten Labor …</translation>
+    </message>
+    <message>
+        <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
+        <translation>Was dies misst, kommt zur Messung {0}; danach wird die Ursache von selbst neu entschieden.</translation>
+    </message>
+    <message>
+        <source>A setting is not accepted: see above.</source>
+        <translation>Eine Einstellung wird nicht angenommen: siehe oben.</translation>
+    </message>
+</context>
+<context>
+    <name>Client</name>
+    <message>
+        <source>The work was ended by this window.</source>
+        <translation>Die Arbeit wurde von diesem Fenster beendet.</translation>
+    </message>
+    <message>
+        <source>The work said what this window cannot read, and was ended by it.</source>
+        <translation>Die Arbeit sagte, was dieses Fenster nicht lesen kann, und wurde von ihm beendet.</translation>
+    </message>
+    <message>
+        <source>The work ended by itself (exit {0}).</source>
+        <translation>Die Arbeit endete von selbst (Code {0}).</translation>
+    </message>
+    <message>
+        <source>The work crashed (code {0}).</source>
+        <translation>Die Arbeit ist abgestürzt (Code {0}).</translation>
+    </message>
+    <message>
+        <source>The work was killed (signal {0}).</source>
+        <translation>Die Arbeit wurde abgebrochen (Signal {0}).</translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation>Der Arbeitsprozess war nicht zu starten.</translation>
+    </message>
+</context>
+<context>
+    <name>CloseQuestion</name>
+    <message>
+        <source>A run goes on</source>
+        <translation>Eine Messung läuft</translation>
+    </message>
+    <message>
+        <source>A run goes on: {0}</source>
+        <translation>Eine Messung läuft: {0}</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>It ends in order, the coils go to zero; then the window closes.</source>
+        <translation>Sie endet geordnet, die Spulen gehen auf null; dann schließt das Fenster.</translation>
+    </message>
+    <message>
+        <source>Keep running behind</source>
+        <translation>Im Hintergrund weiter</translation>
+    </message>
+    <message>
+        <source>The window goes out of sight, and comes back when you are needed or the run has ended.</source>
+        <translation>Das Fenster verschwindet und kommt wieder, wenn Sie gebraucht werden oder die Messung zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>Resume later</source>
+        <translation>Später fortsetzen</translation>
+    </message>
+    <message>
+        <source>The coils go to zero, the window closes. What is measured is kept; the Start page goes on.</source>
+        <translation>Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt; auf der Seite Start geht es weiter.</translation>
+    </message>
+    <message>
+        <source>Back to the run</source>
+        <translation>Zurück zur Messung</translation>
+    </message>
+    <message>
+        <source>Close nothing (Esc)</source>
+        <translation>Nichts schließen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>Drop</name>
+    <message>
+        <source>Drop a calibration file here to verify it</source>
+        <translation>Eine Kalibrierdatei hier ablegen, um sie zu prüfen</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>A calibration .json with its .sshsig beside it</source>
+        <translation>Eine Kalibrierung .json mit ihrer .sshsig daneben</translation>
+    </message>
+    <message>
+        <source>Verify a calibration</source>
+        <translation>Eine Kalibrierung prüfen</translation>
+    </message>
+</context>
+<context>
+    <name>FaultCard</name>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Show what labcal itself says about it</source>
+        <translation>Zeigen, was labcal selbst dazu sagt</translation>
+    </message>
+    <message>
+        <source>Save a problem report …</source>
+        <translation>Problembericht sichern …</translation>
+    </message>
+    <message>
+        <source>A .zip with the details, settings and versions, no keys</source>
+        <translation>Eine .zip mit Einzelheiten, Einstellungen und Versionen, ohne Schlüssel</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zu</translation>
+    </message>
+    <message>
+        <source>Put this card away</source>
+        <translation>Diese Karte weglegen</translation>
+    </message>
+</context>
+<context>
+    <name>FitPage</name>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
+    </message>
+    <message>
+        <source>Estimate by maximum likelihood, the default method</source>
+        <translation>Mit Maximum Likelihood schätzen, dem Standardverfahren</translation>
+    </message>
+    <message>
+        <source>All methods</source>
+        <translation>Alle Verfahren</translation>
+    </message>
+    <message>
+        <source>Estimate by every method, to see whether they agree</source>
+        <translation>Mit jedem Verfahren schätzen, um zu sehen, ob sie übereinstimmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>End what is being computed; what is done stays</source>
+        <translation>Beenden, was gerechnet wird; Fertiges bleibt</translation>
+    </message>
+    <message>
+        <source>Make a draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Write a draft calibration from the selected method</source>
+        <translation>Aus dem gewählten Verfahren einen Kalibrierentwurf schreiben</translation>
+    </message>
+    <message>
+        <source>Trace the residual</source>
+        <translation>Rest erklären</translation>
+    </message>
+    <message>
+        <source>Find what causes what is left over: the Loop page</source>
+        <translation>Finden, woher der Rest kommt: Seite Ursachen</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Verfahren nebeneinander</translation>
+    </message>
+    <message>
+        <source>value ± U, k=2; choose a column to see its pictures</source>
+        <translation>Wert ± U, k=2; eine Spalte wählen zeigt ihre Bilder</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>computing: {0}</source>
+        <translation>rechnet: {0}</translation>
+    </message>
+    <message>
+        <source>Fit estimates K and k; All methods compares eleven ways.</source>
+        <translation>Fit schätzt K und k; Alle Verfahren vergleicht elf Wege.</translation>
+    </message>
+    <message>
+        <source>The first method takes some seconds.</source>
+        <translation>Das erste Verfahren braucht einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Choose a run above, then Fit.</source>
+        <translation>Oben eine Messung wählen, dann Fit.</translation>
+    </message>
+</context>
+<context>
+    <name>FitViews</name>
+    <message>
+        <source>The figures of the papers that the methods are from</source>
+        <translation>Die Bilder der Arbeiten, aus denen die Verfahren sind</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>What the residual is drawn against</source>
+        <translation>Wogegen der Rest gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>Gegen</translation>
+    </message>
+    <message>
+        <source>residual of |b|  nT</source>
+        <translation>Rest von |b|  nT</translation>
+    </message>
+    <message>
+        <source>|b|  nT</source>
+        <translation>|b|  nT</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>bias of the reading  nT</source>
+        <translation>Nullpunkt des Messwerts  nT</translation>
+    </message>
+    <message>
+        <source>Loci on the sphere (Riwanto 2017, figs. 5, 7)</source>
+        <translation>Bahnen auf der Kugel (Riwanto 2017, Bilder 5, 7)</translation>
+    </message>
+    <message>
+        <source>Residual of the magnitude (Crassidis 2003, fig. 3)</source>
+        <translation>Rest des Betrags (Crassidis 2003, Bild 3)</translation>
+    </message>
+    <message>
+        <source>Magnitude and reference (Springmann 2011, figs. 2, 4)</source>
+        <translation>Betrag und Referenz (Springmann 2011, Bilder 2, 4)</translation>
+    </message>
+    <message>
+        <source>Histogram of the residual (Springmann 2011, fig. 7)</source>
+        <translation>Histogramm des Rests (Springmann 2011, Bild 7)</translation>
+    </message>
+    <message>
+        <source>Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)</source>
+        <translation>Nullpunkt und 3σ, wie Messwerte kommen (Crassidis 2003, Bilder 1, 2)</translation>
+    </message>
+    <message>
+        <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
+        <translation>orange: wie gelesen   blau: kalibriert   blass: hinter der Kugel</translation>
+    </message>
+    <message>
+        <source>band: the noise this method states, k=2</source>
+        <translation>Band: das Rauschen, das dieses Verfahren angibt, k=2</translation>
+    </message>
+    <message>
+        <source>line: the noise this method states</source>
+        <translation>Linie: das Rauschen, das dieses Verfahren angibt</translation>
+    </message>
+    <message>
+        <source>the ekf, or the filter that is chosen above</source>
+        <translation>das EKF oder das oben gewählte Filter</translation>
+    </message>
+    <message>
+        <source>as read</source>
+        <translation>wie gelesen</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>kalibriert</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <translation>Mittel {0:+.1f} nT, rms {1:.1f} nT</translation>
+    </message>
+</context>
+<context>
+    <name>Frame</name>
+    <message>
+        <source>What is next for this DUT, whichever page is open (Ctrl+N)</source>
+        <translation>Was für diesen Prüfling als Nächstes kommt, auf jeder Seite (Ctrl+N)</translation>
+    </message>
+    <message>
+        <source>{0} (Ctrl+{1})</source>
+        <translation>{0} (Strg+{1})</translation>
+    </message>
+    <message>
+        <source>the page {0}</source>
+        <translation>die Seite {0}</translation>
+    </message>
+    <message>
+        <source>Keys   F1</source>
+        <translation>Tasten   F1</translation>
+    </message>
+    <message>
+        <source>Which keys there are, and what each does</source>
+        <translation>Welche Tasten es gibt und was jede tut</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>dieses Blatt</translation>
+    </message>
+    <message>
+        <source>Dark or light; until then as the system has it</source>
+        <translation>Dunkel oder hell; bis dahin wie das System</translation>
+    </message>
+    <message>
+        <source>Letters to be read from two metres, and back (F11)</source>
+        <translation>Schrift, die man aus zwei Metern liest, und zurück (F11)</translation>
+    </message>
+    <message>
+        <source>The window in this language; not while a run goes on</source>
+        <translation>Das Fenster in dieser Sprache; nicht während einer Messung</translation>
+    </message>
+    <message>
+        <source>Next: {0}</source>
+        <translation>Weiter: {0}</translation>
+    </message>
+    <message>
+        <source>coils off, at any moment</source>
+        <translation>Spulen aus, jederzeit</translation>
+    </message>
+    <message>
+        <source>held for {0:g} s: the answer on the button of this key</source>
+        <translation>{0:g} s gehalten: die Antwort auf dem Knopf dieser Taste</translation>
+    </message>
+    <message>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
+        <translation>zum nächsten Feld oder Knopf; Umschalt und Tab geht zurück, Leertaste drückt oder wählt</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPage</name>
+    <message>
+        <source>Runs</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Search: DUT, day …</source>
+        <translation>Prüfling, Tag …</translation>
+    </message>
+    <message>
+        <source>Several words narrow it down: EM-07 yesterday explained; or 22.11.2026</source>
+        <translation>Mehrere Wörter engen ein: EM-07 gestern explained; oder 22.11.2026</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Look at this run on the Fit page; nothing recorded is ever changed</source>
+        <translation>Diese Messung auf der Seite Fit ansehen; Aufgezeichnetes ändert sich nie</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Export …</translation>
+    </message>
+    <message>
+        <source>As bundle, CSV, HDF5 or MATLAB file</source>
+        <translation>Als Bündel, CSV-, HDF5- oder MATLAB-Datei</translation>
+    </message>
+    <message>
+        <source>Correct serial …</source>
+        <translation>Nummer ändern …</translation>
+    </message>
+    <message>
+        <source>The DUT was another one: an event of the record, until a calibration of the run is signed</source>
+        <translation>Der Prüfling war ein anderer: ein Ereignis der Aufzeichnung, bis eine Kalibrierung der Messung unterschrieben ist</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Import …</translation>
+    </message>
+    <message>
+        <source>Take a run bundle (.zip) into the store, byte for byte</source>
+        <translation>Ein Messbündel (.zip) Byte für Byte in den Speicher nehmen</translation>
+    </message>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
+    </message>
+    <message>
+        <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
+        <translation>Keine solche Messung. Eine Messung der Seite Messen oder ein importiertes Bündel erscheint hier.</translation>
+    </message>
+    <message>
+        <source>Calibrations over time</source>
+        <translation>Kalibrierungen über die Zeit</translation>
+    </message>
+    <message>
+        <source>bars: U, k=2</source>
+        <translation>Balken: U, k=2</translation>
+    </message>
+    <message>
+        <source>k: offsets in nT; gain: the diagonal of K, ppm from the first calibration</source>
+        <translation>k: Nullpunkte in nT; Verstärkung: Diagonale von K, ppm gegen die erste Kalibrierung</translation>
+    </message>
+    <message>
+        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
+        <translation>Noch keine Kalibrierung dieses Prüflings: Parameter und U erscheinen hier, ein Punkt je Tag.</translation>
+    </message>
+    <message>
+        <source>{0} UTC</source>
+        <translation>{0} UTC</translation>
+    </message>
+    <message>
+        <source>Correct the serial</source>
+        <translation>Seriennummer berichtigen</translation>
+    </message>
+    <message>
+        <source>Serial of the DUT of run {0}:</source>
+        <translation>Seriennummer des Prüflings der Messung {0}:</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Run {0}: DUT {1}</source>
+        <translation>Messung {0}: Prüfling {1}</translation>
+    </message>
+    <message>
+        <source>Export the run</source>
+        <translation>Messung exportieren</translation>
+    </message>
+    <message>
+        <source>Exported: {0}</source>
+        <translation>Exportiert: {0}</translation>
+    </message>
+    <message>
+        <source>Import a run bundle</source>
+        <translation>Messbündel importieren</translation>
+    </message>
+    <message>
+        <source>Calibrations of {0}</source>
+        <translation>Kalibrierungen von {0}</translation>
+    </message>
+</context>
+<context>
+    <name>KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zu</translation>
+    </message>
+    <message>
+        <source>Put this sheet away (Esc)</source>
+        <translation>Dieses Blatt weglegen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>LazyPage</name>
+    <message>
+        <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
+        <translation>Alle anderen Seiten gehen. Das Paket dieser Seite richten oder entfernen.</translation>
+    </message>
+</context>
+<context>
+    <name>Leaving</name>
+    <message>
+        <source>Show the run</source>
+        <translation>Messung zeigen</translation>
+    </message>
+    <message>
+        <source>COILS OFF</source>
+        <translation>SPULEN AUS</translation>
+    </message>
+</context>
+<context>
+    <name>Live</name>
+    <message>
+        <source>Whose run this is</source>
+        <translation>Wessen Messung das ist</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Put a remark with its time into the record, and Enter: &quot;lift moved&quot;</source>
+        <translation>Eine Bemerkung mit Uhrzeit in die Aufzeichnung, dann Eingabe: „Aufzug fuhr“</translation>
+    </message>
+    <message>
+        <source>Photo …</source>
+        <translation>Foto …</translation>
+    </message>
+    <message>
+        <source>Put a photograph into the record, with the note as its words</source>
+        <translation>Ein Foto in die Aufzeichnung legen, die Notiz als Text</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Wait where the next step begins, with the coils at zero</source>
+        <translation>Am Beginn des nächsten Schritts warten, Spulen auf null</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>End this run now, in order. The coils go to zero; what was measured is kept.</source>
+        <translation>Diese Messung jetzt geordnet beenden. Die Spulen gehen auf null; Gemessenes bleibt.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zu</translation>
+    </message>
+    <message>
+        <source>Back to the procedures; the run is in the History</source>
+        <translation>Zurück zu den Prozeduren; die Messung steht im Verlauf</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
+    </message>
+    <message>
+        <source>Estimate the calibration from this run</source>
+        <translation>Die Kalibrierung aus dieser Messung schätzen</translation>
+    </message>
+    <message>
+        <source>What happens now</source>
+        <translation>Was jetzt geschieht</translation>
+    </message>
+    <message>
+        <source>How much of the turn this segment has seen, in sectors of 15°</source>
+        <translation>Wie viel der Drehung dieser Abschnitt gesehen hat, in Sektoren von 15°</translation>
+    </message>
+    <message>
+        <source>A photograph for the record</source>
+        <translation>Ein Foto für die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
+        <translation>Gemessenes bleibt im Verlauf. Neu messen: Zu, dann Start.</translation>
+    </message>
+    <message>
+        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
+        <translation>{0}. SPULEN AUS (F12) drücken oder die Netzgeräte am Netz ausschalten.</translation>
+    </message>
+    <message>
+        <source>{0} % of the circle</source>
+        <translation>{0} % des Kreises</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Endet</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pausiert</translation>
+    </message>
+    <message>
+        <source>Hands off</source>
+        <translation>Hände weg</translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} left</source>
+        <translation>Schritt {0} von {1} · noch {2}</translation>
+    </message>
+</context>
+<context>
+    <name>LoopPage</name>
+    <message>
+        <source>Trace the residual</source>
+        <translation>Rest erklären</translation>
+    </message>
+    <message>
+        <source>Find what causes what is left over</source>
+        <translation>Finden, woher der Rest kommt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>End what is being computed; what is done stays</source>
+        <translation>Beenden, was gerechnet wird; Fertiges bleibt</translation>
+    </message>
+    <message>
+        <source>To the certificate</source>
+        <translation>Zum Zertifikat</translation>
+    </message>
+    <message>
+        <source>The draft with the accepted effects: approve and sign it</source>
+        <translation>Der Entwurf mit den angenommenen Effekten: genehmigen und unterschreiben</translation>
+    </message>
+    <message>
+        <source>In figures</source>
+        <translation>In Zahlen</translation>
+    </message>
+    <message>
+        <source>The loop&apos;s own words: held-out rms, tests, rows set aside</source>
+        <translation>In Worten des Verfahrens: zurückgehaltene rms, Tests, weggelegte Zeilen</translation>
+    </message>
+    <message>
+        <source>1  What is left over</source>
+        <translation>1  Was übrig bleibt</translation>
+    </message>
+    <message>
+        <source>noise k=2</source>
+        <translation>Rauschen k=2</translation>
+    </message>
+    <message>
+        <source>2  Who could it be</source>
+        <translation>2  Was könnte es sein</translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation>Kandidaten; einen wählen zeigt, was er allein ändern würde</translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change</source>
+        <translation>Einen wählen zeigt, was er allein ändern würde</translation>
+    </message>
+    <message>
+        <source>3  What it changes</source>
+        <translation>3  Was es ändert</translation>
+    </message>
+    <message>
+        <source>What the residual is drawn against; the named cause first</source>
+        <translation>Wogegen der Rest gezeichnet ist; die benannte Ursache zuerst</translation>
+    </message>
+    <message>
+        <source>4  Still not known</source>
+        <translation>4  Noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Its plan is shown on the Run page before anything moves; Start is pressed there</source>
+        <translation>Sein Plan steht auf der Seite Messen, bevor sich etwas bewegt; dort wird Start gedrückt</translation>
+    </message>
+    <message>
+        <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
+        <translation>Diese Messung ist von {0}; der Prüfling oben ist {1}. {0} auf den Messplatz stellen und scannen.</translation>
+    </message>
+    <message>
+        <source>Choose a run above, then let its residual be traced to a cause.</source>
+        <translation>Oben eine Messung wählen, dann ihren Rest auf eine Ursache zurückführen lassen.</translation>
+    </message>
+    <message>
+        <source>Looking at the residual; a whole preflight takes about a minute.</source>
+        <translation>Der Rest wird untersucht; ein ganzer Preflight dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Trace the residual of this run to its cause.</source>
+        <translation>Den Rest dieser Messung auf seine Ursache zurückführen.</translation>
+    </message>
+    <message>
+        <source>tracing … {0}</source>
+        <translation>sucht … {0}</translation>
+    </message>
+    <message>
+        <source>held-out rms; noise alone: {0} nT, {1}</source>
+        <translation>zurückgehaltene rms; Rauschen allein: {0} nT, {1}</translation>
+    </message>
+    <message>
+        <source>as calibrated</source>
+        <translation>wie kalibriert</translation>
+    </message>
+    <message>
+        <source>or {0}</source>
+        <translation>oder {0}</translation>
+    </message>
+    <message>
+        <source>✓ {0}: named</source>
+        <translation>✓ {0}: benannt</translation>
+    </message>
+    <message>
+        <source>? {0}: a rival</source>
+        <translation>? {0}: ein Rivale</translation>
+    </message>
+    <message>
+        <source>– {0}: not named</source>
+        <translation>– {0}: nicht benannt</translation>
+    </message>
+    <message>
+        <source>Added to it: {0}.</source>
+        <translation>Hinzugefügt: {0}.</translation>
+    </message>
+    <message>
+        <source>Rows set aside: {0} {1}</source>
+        <translation>Weggelegte Zeilen: {0} {1}</translation>
+    </message>
+    <message>
+        <source>{0} explains it about as well as {1}.</source>
+        <translation>{0} erklärt es etwa so gut wie {1}.</translation>
+    </message>
+    <message>
+        <source>Measured by the procedure {0}.</source>
+        <translation>Gemessen mit der Prozedur {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing that this run could show.</source>
+        <translation>Nichts, was diese Messung zeigen könnte.</translation>
+    </message>
+    <message>
+        <source>Measure what would tell them apart</source>
+        <translation>Messen, was sie unterscheidet</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>rechnet …</translation>
+    </message>
+    <message>
+        <source>all rows {0} nT</source>
+        <translation>alle Zeilen {0} nT</translation>
+    </message>
+    <message>
+        <source>Rms over all rows, before and after; the figures at the top are of rows that the fit did not see</source>
+        <translation>Rms über alle Zeilen, vorher und nachher; die Zahlen oben sind von Zeilen, die die Anpassung nicht sah</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+</context>
+<context>
+    <name>Mounting</name>
+    <message>
+        <source>Drawing: body {0} up</source>
+        <translation>Zeichnung: Körperachse {0} oben</translation>
+    </message>
+    <message>
+        <source>Drawing of a dial</source>
+        <translation>Zeichnung einer Skale</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterForm</name>
+    <message>
+        <source>needed</source>
+        <translation>nötig</translation>
+    </message>
+    <message>
+        <source>expected {0}</source>
+        <translation>erwartet {0}</translation>
+    </message>
+</context>
+<context>
+    <name>PathViewModel</name>
+    <message>
+        <source>failed: {0}</source>
+        <translation>gescheitert: {0}</translation>
+    </message>
+    <message>
+        <source>was stopped before its end</source>
+        <translation>wurde vor ihrem Ende gestoppt</translation>
+    </message>
+    <message>
+        <source>was interrupted</source>
+        <translation>wurde unterbrochen</translation>
+    </message>
+    <message>
+        <source>still goes on</source>
+        <translation>läuft noch</translation>
+    </message>
+    <message>
+        <source>What it did not measure would be missing in the calibration. Measure again on the Run page.</source>
+        <translation>Was sie nicht gemessen hat, würde der Kalibrierung fehlen. Auf der Seite Messen neu messen.</translation>
+    </message>
+    <message>
+        <source>Run {0} {1}. {2}</source>
+        <translation>Messung {0} {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Open a bench</source>
+        <translation>Messplatz öffnen</translation>
+    </message>
+    <message>
+        <source>See the run</source>
+        <translation>Messung ansehen</translation>
+    </message>
+    <message>
+        <source>Say who and what</source>
+        <translation>Sagen, wer und was</translation>
+    </message>
+    <message>
+        <source>Go on with the run</source>
+        <translation>Messung fortsetzen</translation>
+    </message>
+    <message>
+        <source>Calibrate {0}</source>
+        <translation>{0} kalibrieren</translation>
+    </message>
+    <message>
+        <source>Fit the run</source>
+        <translation>Messung anpassen</translation>
+    </message>
+    <message>
+        <source>Trace the residual</source>
+        <translation>Rest erklären</translation>
+    </message>
+    <message>
+        <source>Hand it out</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signieren</translation>
+    </message>
+</context>
+<context>
+    <name>PromptCard</name>
+    <message>
+        <source>Question to you</source>
+        <translation>Frage an Sie</translation>
+    </message>
+    <message>
+        <source>YOUR TURN</source>
+        <translation>SIE SIND DRAN</translation>
+    </message>
+    <message>
+        <source>How the coils are</source>
+        <translation>Wie es um die Spulen steht</translation>
+    </message>
+    <message>
+        <source>Write it here</source>
+        <translation>Hier schreiben</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Write the path of a file into the answer</source>
+        <translation>Den Pfad einer Datei in die Antwort schreiben</translation>
+    </message>
+    <message>
+        <source>Click, or hold the key for a moment. Enter does nothing here.</source>
+        <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Go on without a file; the record says so</source>
+        <translation>Ohne Datei weiter; die Aufzeichnung sagt es</translation>
+    </message>
+    <message>
+        <source>Answer: {0}</source>
+        <translation>Antwort: {0}</translation>
+    </message>
+    <message>
+        <source>Click, or hold {0} for 0.7 s</source>
+        <translation>Klicken oder {0} 0,7 s halten</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early. {0}.</source>
+        <translation>▲ Zu früh losgelassen. {0}.</translation>
+    </message>
+    <message>
+        <source>A file for the record</source>
+        <translation>Eine Datei für die Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>RunChooser</name>
+    <message>
+        <source>Run</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>The run to look at, the newest first</source>
+        <translation>Die Messung zum Ansehen, die neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Choose a run</source>
+        <translation>Messung wählen</translation>
+    </message>
+</context>
+<context>
+    <name>RunViewModel</name>
+    <message>
+        <source>Asking every instrument who it is …</source>
+        <translation>Jedes Gerät wird gefragt, wer es ist …</translation>
+    </message>
+    <message>
+        <source>Hands off: it goes on.</source>
+        <translation>Hände weg: Es geht weiter.</translation>
+    </message>
+    <message>
+        <source>Pauses where the next step begins.</source>
+        <translation>Pausiert am Beginn des nächsten Schritts.</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird beendet …</translation>
+    </message>
+    <message>
+        <source>Coils off: the run ends …</source>
+        <translation>Spulen aus: Die Messung endet …</translation>
+    </message>
+    <message>
+        <source>{0}: measuring, hands off</source>
+        <translation>{0}: misst, Hände weg</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pausiert</translation>
+    </message>
+    <message>
+        <source>Goes on</source>
+        <translation>Geht weiter</translation>
+    </message>
+    <message>
+        <source>Run {0}: {1}</source>
+        <translation>Messung {0}: {1}</translation>
+    </message>
+</context>
+<context>
+    <name>ScanCard</name>
+    <message>
+        <source>From here on this is the serial of the DUT</source>
+        <translation>Ab hier ist das die Seriennummer des Prüflings</translation>
+    </message>
+    <message>
+        <source>The scan is forgotten</source>
+        <translation>Der Scan wird vergessen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The DUT is the one before again</source>
+        <translation>Der Prüfling ist wieder der vorige</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Scanned {0}. Is it the DUT from here on? Until now: {1}.</source>
+        <translation>{0} gescannt. Ist das ab hier der Prüfling? Bisher: {1}.</translation>
+    </message>
+    <message>
+        <source>The DUT is {0}, in place of {1}.</source>
+        <translation>Der Prüfling ist {0}, statt {1}.</translation>
+    </message>
+    <message>
+        <source>Take {0}</source>
+        <translation>{0} nehmen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zu</translation>
+    </message>
+    <message>
+        <source>Leave {0}</source>
+        <translation>{0} lassen</translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
+        <translation>Einheit der Anzeige wechseln: nT, µT, mG. Eingabefelder behalten ihre.</translation>
+    </message>
+    <message>
+        <source>FIELD</source>
+        <translation>FELD</translation>
+    </message>
+    <message>
+        <source>COILS   A</source>
+        <translation>SPULEN   A</translation>
+    </message>
+    <message>
+        <source>INSTRUMENTS</source>
+        <translation>GERÄTE</translation>
+    </message>
+    <message>
+        <source>No bench is open.</source>
+        <translation>Kein Messplatz ist offen.</translation>
+    </message>
+</context>
+<context>
+    <name>StartPage</name>
+    <message>
+        <source>▲ Interrupted: to be gone on with</source>
+        <translation>▲ Unterbrochen: fortzusetzen</translation>
+    </message>
+    <message>
+        <source>Last closing check</source>
+        <translation>Letzte Schlussprüfung</translation>
+    </message>
+    <message>
+        <source>Reference sensor</source>
+        <translation>Referenzsensor</translation>
+    </message>
+    <message>
+        <source>Cage calibration</source>
+        <translation>Käfigkalibrierung</translation>
+    </message>
+    <message>
+        <source>Last runs</source>
+        <translation>Letzte Messungen</translation>
+    </message>
+    <message>
+        <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
+        <translation>Vorzeichen und Achsen, Prozedur axes-check: 1 Minute Messzeit, 3 mit Ihrer Zeit</translation>
+    </message>
+    <message>
+        <source>Calibrate a DUT</source>
+        <translation>Prüfling kalibrieren</translation>
+    </message>
+    <message>
+        <source>The preflight on the Run page</source>
+        <translation>Der Preflight auf der Seite Messen</translation>
+    </message>
+    <message>
+        <source>Simulated lab</source>
+        <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>A whole lab without hardware, to learn on</source>
+        <translation>Ein ganzes Labor ohne Geräte, zum Lernen</translation>
+    </message>
+    <message>
+        <source>Open a bench …</source>
+        <translation>Messplatz öffnen …</translation>
+    </message>
+    <message>
+        <source>What stands in this lab: the Bench page</source>
+        <translation>Was in diesem Labor steht: Seite Messplatz</translation>
+    </message>
+    <message>
+        <source>Looking into the store.</source>
+        <translation>Der Speicher wird gelesen.</translation>
+    </message>
+    <message>
+        <source>A run goes on: {0}, DUT {1}. See the Run page.</source>
+        <translation>Eine Messung läuft: {0}, Prüfling {1}. Siehe Seite Messen.</translation>
+    </message>
+    <message>
+        <source>Ready. {0} stands on {1}.</source>
+        <translation>Bereit. {0} steht auf {1}.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>No bench is open.</source>
+        <translation>Kein Messplatz ist offen.</translation>
+    </message>
+    <message>
+        <source>The bench file states no calibration of the reference with a date.</source>
+        <translation>Die Messplatzdatei nennt keine Kalibrierung der Referenz mit Datum.</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>Calibrated {0}, {1} days ago.</source>
+        <translation>Kalibriert {0}, vor {1} Tagen.</translation>
+    </message>
+    <message>
+        <source>▲ due</source>
+        <translation>▲ fällig</translation>
+    </message>
+    <message>
+        <source>✓ in date</source>
+        <translation>✓ gültig</translation>
+    </message>
+    <message>
+        <source>The bench file states coil constants only; run cage-calibration to measure the matrix.</source>
+        <translation>Die Messplatzdatei nennt nur Spulenkonstanten; cage-calibration misst die Matrix.</translation>
+    </message>
+    <message>
+        <source>▲ not measured</source>
+        <translation>▲ nicht gemessen</translation>
+    </message>
+    <message>
+        <source>The matrix is that of the approved cage calibration {0}.</source>
+        <translation>Die Matrix ist die der genehmigten Käfigkalibrierung {0}.</translation>
+    </message>
+    <message>
+        <source>✓ approved</source>
+        <translation>✓ genehmigt</translation>
+    </message>
+    <message>
+        <source>The bench file states a matrix without a date: run cage-calibration to see whether it holds.</source>
+        <translation>Die Messplatzdatei nennt eine Matrix ohne Datum: cage-calibration zeigt, ob sie noch stimmt.</translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation>? nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Checked {0}, {1} days ago.</source>
+        <translation>Geprüft {0}, vor {1} Tagen.</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>No finished run in the store has a closing check.</source>
+        <translation>Keine fertige Messung im Speicher hat eine Schlussprüfung.</translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation>{0} im Speicher</translation>
+    </message>
+    <message>
+        <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
+        <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: each goes on after its last finished step.</source>
+        <translation>Nichts Gemessenes ist verloren: Jede geht nach ihrem letzten fertigen Schritt weiter.</translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation>{0} weitere auf der Seite Verlauf.</translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation>Zuerst einen Messplatz öffnen.</translation>
+    </message>
+    <message>
+        <source>Go on with  {0}</source>
+        <translation>Fortsetzen:  {0}</translation>
+    </message>
+    <message>
+        <source>After its last finished step; you are asked whether the mounting stands</source>
+        <translation>Nach ihrem letzten fertigen Schritt; Sie werden gefragt, ob die Aufspannung noch steht</translation>
+    </message>
+</context>
+<context>
+    <name>StudyViewModel</name>
+    <message>
+        <source>history of {0}</source>
+        <translation>Verlauf von {0}</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>aufgegeben</translation>
+    </message>
+</context>
+<context>
+    <name>Table</name>
+    <message>
+        <source>in a table: its chosen rows to the clipboard, or all</source>
+        <translation>in einer Tabelle: ihre gewählten Zeilen in die Zwischenablage, oder alle</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Serial number of the device under test: type it, or scan it at any moment</source>
+        <translation>Seriennummer des Prüflings: eintippen oder jederzeit scannen</translation>
+    </message>
+    <message>
+        <source>Who works here now; stands in the record and in the calibration</source>
+        <translation>Wer hier jetzt arbeitet; steht in Aufzeichnung und Kalibrierung</translation>
+    </message>
+    <message>
+        <source>DUT</source>
+        <translation>Prüfling</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>nötig</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Messplatz</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>COILS OFF   F12</source>
+        <translation>SPULEN AUS   F12</translation>
+    </message>
+    <message>
+        <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
+        <translation>Jede Spule jetzt auf null (F12). Geht in jedem Zustand und fragt nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictCard</name>
+    <message>
+        <source>DUT</source>
+        <translation>Prüfling</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>The pictures and every value with its limit</source>
+        <translation>Die Bilder und jeder Wert mit seiner Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>Window</name>
+    <message>
+        <source>what is next for this DUT</source>
+        <translation>was für diesen Prüfling als Nächstes kommt</translation>
+    </message>
+    <message>
+        <source>letters to be read from two metres, and back</source>
+        <translation>Schrift, die man aus zwei Metern liest, und zurück</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Smaller F11</source>
+        <translation>Kleiner F11</translation>
+    </message>
+    <message>
+        <source>Larger F11</source>
+        <translation>Größer F11</translation>
+    </message>
+    <message>
+        <source>Save a problem report</source>
+        <translation>Problembericht sichern</translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Messplatz</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Ursachen</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>COILS OFF   F12</source>
+        <translation>SPULEN AUS   F12</translation>
+    </message>
+    <message>
+        <source>not complete</source>
+        <translation>unvollständig</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Mounted</source>
+        <translation>Montiert</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>Hingestellt</translation>
+    </message>
+    <message>
+        <source>Taken away</source>
+        <translation>Weggenommen</translation>
+    </message>
+    <message>
+        <source>Leads swapped</source>
+        <translation>Anschlüsse getauscht</translation>
+    </message>
+    <message>
+        <source>Switched</source>
+        <translation>Umgeschaltet</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Switched on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Warmed</source>
+        <translation>Erwärmt</translation>
+    </message>
+    <message>
+        <source>Hands off: begin</source>
+        <translation>Hände weg: beginnen</translation>
+    </message>
+    <message>
+        <source>Redo axis {0}</source>
+        <translation>Achse {0} neu</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>antwortet</translation>
+    </message>
+    <message>
+        <source>not heard yet</source>
+        <translation>noch nicht gehört</translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation>nicht gefragt</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Show in the file manager what was just written</source>
+        <translation>Im Dateimanager zeigen, was eben geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Go to Run</source>
+        <translation>Zum Messen</translation>
+    </message>
+    <message>
+        <source>Record a run, or import one on the History page</source>
+        <translation>Eine Messung aufnehmen oder im Verlauf importieren</translation>
+    </message>
+    <message>
+        <source>No run yet: record one on the Run page, or import a bundle on the History page.</source>
+        <translation>Noch keine Messung: auf der Seite Messen aufnehmen oder im Verlauf ein Bündel importieren.</translation>
+    </message>
+    <message>
+        <source>Morning check</source>
+        <translation>Morgenprüfung</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Stop the run</source>
+        <translation>Messung stoppen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Skip this step</source>
+        <translation>Schritt auslassen</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>✕ This cannot be done as asked</source>
+        <translation>✕ So ist das nicht zu machen</translation>
+    </message>
+    <message>
+        <source>✕ An instrument failed</source>
+        <translation>✕ Ein Gerät hat versagt</translation>
+    </message>
+    <message>
+        <source>✕ A limit is not met</source>
+        <translation>✕ Eine Grenze ist nicht eingehalten</translation>
+    </message>
+    <message>
+        <source>■ Stopped</source>
+        <translation>■ Gestoppt</translation>
+    </message>
+    <message>
+        <source>✕ This page cannot be shown</source>
+        <translation>✕ Diese Seite ist nicht zu zeigen</translation>
+    </message>
+    <message>
+        <source>✕ Something in labcal broke</source>
+        <translation>✕ In labcal ist etwas kaputtgegangen</translation>
+    </message>
+    <message>
+        <source>✕ The work broke off</source>
+        <translation>✕ Die Arbeit brach ab</translation>
+    </message>
+    <message>
+        <source>✓ CLEAN</source>
+        <translation>✓ SAUBER</translation>
+    </message>
+    <message>
+        <source>✓ EXPLAINED</source>
+        <translation>✓ ERKLÄRT</translation>
+    </message>
+    <message>
+        <source>▲ PARTLY EXPLAINED</source>
+        <translation>▲ TEILS ERKLÄRT</translation>
+    </message>
+    <message>
+        <source>? AMBIGUOUS</source>
+        <translation>? MEHRDEUTIG</translation>
+    </message>
+    <message>
+        <source>✕ UNEXPLAINED</source>
+        <translation>✕ UNERKLÄRT</translation>
+    </message>
+    <message>
+        <source>coverage</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>Polung</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzug</translation>
+    </message>
+    <message>
+        <source>closure</source>
+        <translation>Schluss</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>von der Seite</translation>
+    </message>
+    <message>
+        <source>cage X</source>
+        <translation>Käfig X</translation>
+    </message>
+    <message>
+        <source>cage Y</source>
+        <translation>Käfig Y</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>instrument</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>who answered</source>
+        <translation>wer antwortete</translation>
+    </message>
+    <message>
+        <source>last reading</source>
+        <translation>letzter Messwert</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>begonnen</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>heute</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>gestern</translation>
+    </message>
+    <message>
+        <source>no marks between thousands: 20000, not 20 000, 20,000 or 20.000</source>
+        <translation>keine Zeichen zwischen Tausendern: 20000, nicht 20 000, 20,000 oder 20.000</translation>
+    </message>
+    <message>
+        <source>a point stands before decimals here: 1.5, not 1,5</source>
+        <translation>hier steht ein Punkt vor Dezimalen: 1.5, nicht 1,5</translation>
+    </message>
+    <message>
+        <source>a blank after each comma, and a point before decimals: 20000, 50000.5</source>
+        <translation>ein Leerzeichen nach jedem Komma und ein Punkt vor Dezimalen: 20000, 50000.5</translation>
+    </message>
+    <message>
+        <source>DUT</source>
+        <translation>Prüfling</translation>
+    </message>
+    <message>
+        <source>procedure</source>
+        <translation>Prozedur</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>U (k=2)</source>
+        <translation>U (k=2)</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>limit ±</source>
+        <translation>Grenze ±</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>risk</source>
+        <translation>Risiko</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>vorgefunden</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>hinterlassen</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>{0} changed</source>
+        <translation>{0} geändert</translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation>BESTANDEN</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>NICHT BESTANDEN</translation>
+    </message>
+    <message>
+        <source>conditional pass</source>
+        <translation>bedingt bestanden</translation>
+    </message>
+    <message>
+        <source>conditional fail</source>
+        <translation>bedingt nicht bestanden</translation>
+    </message>
+    <message>
+        <source>In specification?</source>
+        <translation>In der Spezifikation?</translation>
+    </message>
+    <message>
+        <source>In specification</source>
+        <translation>In der Spezifikation</translation>
+    </message>
+    <message>
+        <source>In specification, conditionally</source>
+        <translation>In der Spezifikation, bedingt</translation>
+    </message>
+    <message>
+        <source>Not in specification, conditionally</source>
+        <translation>Nicht in der Spezifikation, bedingt</translation>
+    </message>
+    <message>
+        <source>Not in specification</source>
+        <translation>Nicht in der Spezifikation</translation>
+    </message>
+    <message>
+        <source>Risk: how probably the true value is beyond its limit.</source>
+        <translation>Risiko: wie wahrscheinlich der wahre Wert jenseits seiner Grenze liegt.</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>gesetzt</translation>
+    </message>
+    <message>
+        <source>held-out |b|  nT</source>
+        <translation>zurückgehalten |b|  nT</translation>
+    </message>
+    <message>
+        <source>axis error, worst  deg</source>
+        <translation>Achsfehler, größter  Grad</translation>
+    </message>
+    <message>
+        <source>time  s</source>
+        <translation>Zeit  s</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bezugssystem</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>several, with commas</source>
+        <translation>mehrere, mit Kommas</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>20 times</source>
+        <translation>20-fach</translation>
+    </message>
+    <message>
+        <source>100 times</source>
+        <translation>100-fach</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>nT</source>
+        <translation>nT</translation>
+    </message>
+    <message>
+        <source>ppm from the first</source>
+        <translation>ppm gegen die erste</translation>
+    </message>
+    <message>
+        <source>DUT  nT</source>
+        <translation>Prüfling  nT</translation>
+    </message>
+    <message>
+        <source>residual  nT</source>
+        <translation>Rest  nT</translation>
+    </message>
+    <message>
+        <source>held-out rms  nT</source>
+        <translation>zurückgehaltene rms  nT</translation>
+    </message>
+    <message>
+        <source>noise alone</source>
+        <translation>Rauschen allein</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild sichern</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>Sichern …</translation>
+    </message>
+    <message>
+        <source>Write this picture to a .png file, as it is shown</source>
+        <translation>Dieses Bild als .png schreiben, wie es zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Every point that is drawn to the clipboard, as columns x and y of each curve</source>
+        <translation>Jeder gezeichnete Punkt in die Zwischenablage, als Spalten x und y jeder Kurve</translation>
+    </message>
+    <message>
+        <source>Needs: {0}</source>
+        <translation>Braucht: {0}</translation>
+    </message>
+    <message>
+        <source>About {0:g} min of measuring, and your own time beside it</source>
+        <translation>Etwa {0:g} min Messzeit, dazu Ihre eigene</translation>
+    </message>
+    <message>
+        <source>does about as well as {0}</source>
+        <translation>tut es etwa so gut wie {0}</translation>
+    </message>
+    <message>
+        <source>Do not use it: make a new draft on the Fit page.</source>
+        <translation>Nicht verwenden: auf der Seite Fit einen neuen Entwurf machen.</translation>
+    </message>
+    <message>
+        <source>Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <translation>Eine andere Person als {0} genehmigt, dann unterschreiben beide. Niemand da? Allein unterschreiben: dann VORLÄUFIG.</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>der Bediener</translation>
+    </message>
+    <message>
+        <source>Approved by {0}. Now both sign, each under their own name.</source>
+        <translation>Genehmigt von {0}. Jetzt unterschreiben beide, jeder unter eigenem Namen.</translation>
+    </message>
+    <message>
+        <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
+        <translation>Als VORLÄUFIG brauchbar; {0} muss noch unterschreiben.</translation>
+    </message>
+    <message>
+        <source>Good to use as PROVISIONAL: nobody approved it before it was signed.</source>
+        <translation>Als VORLÄUFIG brauchbar: Niemand hat es vor der Unterschrift genehmigt.</translation>
+    </message>
+    <message>
+        <source>Done: hand it out.</source>
+        <translation>Fertig: ausgeben.</translation>
+    </message>
+    <message>
+        <source>heard before</source>
+        <translation>früher gehört</translation>
+    </message>
+    <message>
+        <source>{0} s ago</source>
+        <translation>vor {0} s</translation>
+    </message>
+    <message>
+        <source>{0} min ago</source>
+        <translation>vor {0} min</translation>
+    </message>
+    <message>
+        <source>{0} h ago</source>
+        <translation>vor {0} h</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>Nothing is left over but noise. The calibration may be signed.</source>
+        <translation>Nur Rauschen bleibt übrig. Die Kalibrierung darf unterschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The error has a cause: {0}. It is in the draft, which may be signed.</source>
+        <translation>Der Fehler hat eine Ursache: {0}. Sie steht im Entwurf, der unterschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign.</source>
+        <translation>{0} ist ein Teil des Fehlers und steht im Entwurf; etwas anderes bleibt übrig: vor der Unterschrift 4 ansehen.</translation>
+    </message>
+    <message>
+        <source>{0} may be the cause, another one as well. Measure what tells them apart (4), then sign.</source>
+        <translation>{0} kann die Ursache sein, eine andere auch. Messen, was sie unterscheidet (4), dann unterschreiben.</translation>
+    </message>
+    <message>
+        <source>Something is wrong that nothing known explains. Do not sign: see 4.</source>
+        <translation>Etwas stimmt nicht, was nichts Bekanntes erklärt. Nicht unterschreiben: siehe 4.</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>rows that were set aside</source>
+        <translation>weggelegte Zeilen</translation>
+    </message>
+    <message>
+        <source>Calibrate a DUT</source>
+        <translation>Prüfling kalibrieren</translation>
+    </message>
+    <message>
+        <source>Every morning</source>
+        <translation>Jeden Morgen</translation>
+    </message>
+    <message>
+        <source>Test a DUT</source>
+        <translation>Prüfling testen</translation>
+    </message>
+    <message>
+        <source>The cage and its reference</source>
+        <translation>Der Käfig und seine Referenz</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Next: Fit.</source>
+        <translation>Weiter: Fit.</translation>
+    </message>
+    <message>
+        <source>Within U of its limit: measure that part again, or Fit and see.</source>
+        <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder anpassen und sehen.</translation>
+    </message>
+    <message>
+        <source>U is more than half the limit: measure longer, or with less noise.</source>
+        <translation>U ist mehr als die halbe Grenze: länger messen oder mit weniger Rauschen.</translation>
+    </message>
+    <message>
+        <source>Look at what was measured, mend the cause, and measure again.</source>
+        <translation>Gemessenes ansehen, Ursache beheben, neu messen.</translation>
+    </message>
+    <message>
+        <source>Nothing of it had a limit: look at what was measured.</source>
+        <translation>Nichts davon hatte eine Grenze: Gemessenes ansehen.</translation>
+    </message>
+    <message>
+        <source>What was measured is kept. To measure again: Close, then Start.</source>
+        <translation>Gemessenes bleibt. Neu messen: Zu, dann Start.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: go on with it on the Start page.</source>
+        <translation>Nichts Gemessenes ist verloren: auf der Seite Start fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then measure again: Close, then Start.</source>
+        <translation>Oben Genanntes beheben, dann neu messen: Zu, dann Start.</translation>
+    </message>
+    <message>
+        <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
+        <translation>BESTANDEN, wo |Wert| + U (k=2) in der Grenze liegt ({0} von {0}).</translation>
+    </message>
+    <message>
+        <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
+        <translation>NICHT BESTANDEN, wo |Wert| − U (k=2) jenseits der Grenze liegt: {0}.</translation>
+    </message>
+    <message>
+        <source>MARGINAL where the limit lies within ± U (k=2): {0}.</source>
+        <translation>GRENZFALL, wo die Grenze innerhalb ± U (k=2) liegt: {0}.</translation>
+    </message>
+    <message>
+        <source>CANNOT DECIDE where U (k=2) exceeds half the limit: {0}.</source>
+        <translation>NICHT ENTSCHEIDBAR, wo U (k=2) die halbe Grenze übersteigt: {0}.</translation>
+    </message>
+    <message>
+        <source>It did not come to its end, so it has no verdict, and gives no calibration.</source>
+        <translation>Sie kam nicht zu ihrem Ende, hat also kein Urteil und gibt keine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>DONE</source>
+        <translation>FERTIG</translation>
+    </message>
+</context>
+</TS>

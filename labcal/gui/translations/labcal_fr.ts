@@ -1,0 +1,2390 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>AppState</name>
+    <message>
+        <source>A run goes on; open another bench after it.</source>
+        <translation>Une mesure est en cours ; ouvrez un autre banc après elle.</translation>
+    </message>
+    <message>
+        <source>Scanned {0}; a run goes on, its DUT stays.</source>
+        <translation>{0} lu ; une mesure est en cours, son DUT reste.</translation>
+    </message>
+    <message>
+        <source>✕ Scanned, and not taken: {0}</source>
+        <translation>✕ Lu, et non retenu : {0}</translation>
+    </message>
+    <message>
+        <source>Scanned {0}: it is the DUT at the top.</source>
+        <translation>{0} lu : c&apos;est le DUT indiqué en haut.</translation>
+    </message>
+    <message>
+        <source>Choose a bench on the Bench page first.</source>
+        <translation>Choisissez d&apos;abord un banc à la page Banc.</translation>
+    </message>
+    <message>
+        <source>Scan or type the DUT&apos;s serial at the top.</source>
+        <translation>Lisez ou tapez en haut le numéro de série du DUT.</translation>
+    </message>
+    <message>
+        <source>Type the operator&apos;s name at the top.</source>
+        <translation>Tapez en haut le nom de l&apos;opérateur.</translation>
+    </message>
+    <message>
+        <source>Coils off: no bench is open, this window drives no coil.</source>
+        <translation>Bobines à zéro : aucun banc n&apos;est ouvert, cette fenêtre ne pilote aucune bobine.</translation>
+    </message>
+    <message>
+        <source>Coils off: reading them back …</source>
+        <translation>Bobines à zéro : relecture …</translation>
+    </message>
+    <message>
+        <source>Read back: {0}</source>
+        <translation>Relu : {0}</translation>
+    </message>
+    <message>
+        <source>Switch the supplies off at their mains switches.</source>
+        <translation>Coupez les alimentations à leur interrupteur secteur.</translation>
+    </message>
+    <message>
+        <source>your turn</source>
+        <translation>à vous</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>en pause</translation>
+    </message>
+    <message>
+        <source>hands off, measuring</source>
+        <translation>mains éloignées, mesure en cours</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+</context>
+<context>
+    <name>BenchPage</name>
+    <message>
+        <source>Instruments</source>
+        <translation>Instruments</translation>
+    </message>
+    <message>
+        <source>Check all</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Ask every instrument who it is. Nothing is energised or moved.</source>
+        <translation>Demander à chaque instrument qui il est. Rien n&apos;est alimenté ni déplacé.</translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation>Reconnecter</translation>
+    </message>
+    <message>
+        <source>Let go of every link, read the bench file again and ask every instrument who it is</source>
+        <translation>Lâcher toutes les liaisons, relire le fichier du banc et demander à chaque instrument qui il est</translation>
+    </message>
+    <message>
+        <source>Open a bench file …</source>
+        <translation>Ouvrir un fichier …</translation>
+    </message>
+    <message>
+        <source>A bench.toml: what stands in the lab, on which lines</source>
+        <translation>Un bench.toml : ce qui se trouve au laboratoire, sur quelles lignes</translation>
+    </message>
+    <message>
+        <source>Simulated lab</source>
+        <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>A whole lab without hardware</source>
+        <translation>Un laboratoire entier sans matériel</translation>
+    </message>
+    <message>
+        <source>Open a bench file, or take the simulated lab.</source>
+        <translation>Ouvrez un fichier de banc, ou prenez le laboratoire simulé.</translation>
+    </message>
+    <message>
+        <source>The cage</source>
+        <translation>La cage</translation>
+    </message>
+    <message>
+        <source>Open a bench file</source>
+        <translation>Ouvrir un fichier de banc</translation>
+    </message>
+    <message>
+        <source>A run goes on and holds the instruments; check them after it.</source>
+        <translation>Une mesure est en cours et tient les instruments ; vérifiez-les après.</translation>
+    </message>
+    <message>
+        <source>Asking …</source>
+        <translation>Interrogation …</translation>
+    </message>
+    <message>
+        <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
+        <translation>Qui en répond le dit au terminal : labcal bench check {0} --clear-as NAME</translation>
+    </message>
+    <message>
+        <source>Instruments of {0}</source>
+        <translation>Instruments de {0}</translation>
+    </message>
+    <message>
+        <source>{0}, simulated</source>
+        <translation>{0}, simulé</translation>
+    </message>
+    <message>
+        <source>all arrows to one scale</source>
+        <translation>toutes les flèches à la même échelle</translation>
+    </message>
+    <message>
+        <source>as recorded last, not now; all arrows to one scale</source>
+        <translation>tel qu&apos;enregistré en dernier, pas maintenant ; toutes les flèches à la même échelle</translation>
+    </message>
+    <message>
+        <source>applied</source>
+        <translation>appliqué</translation>
+    </message>
+    <message>
+        <source>ambient</source>
+        <translation>ambiant</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;&lt;br&gt;at most {0} A a coil&lt;br&gt;at most {1} nT</source>
+        <translation>&lt;br&gt;&lt;br&gt;au plus {0} A par bobine&lt;br&gt;au plus {1} nT</translation>
+    </message>
+</context>
+<context>
+    <name>CageView</name>
+    <message>
+        <source>The cage with its field vectors</source>
+        <translation>La cage et ses vecteurs de champ</translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys, to look from another side</source>
+        <translation>Glissez, ou touches fléchées, pour regarder d&apos;un autre côté</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationViews</name>
+    <message>
+        <source>What of the calibration is shown</source>
+        <translation>Ce qui est montré de l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>As found, as left</source>
+        <translation>Avant, après</translation>
+    </message>
+</context>
+<context>
+    <name>CertificatePage</name>
+    <message>
+        <source>Calibrations</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Calibrations, the newest first</source>
+        <translation>Étalonnages, le plus récent d&apos;abord</translation>
+    </message>
+    <message>
+        <source>None yet. Fit a run, then trace its residual: that writes a draft.</source>
+        <translation>Aucun. Ajustez une mesure, puis expliquez son résidu : cela écrit un projet.</translation>
+    </message>
+    <message>
+        <source>Go to Fit</source>
+        <translation>Aller à Ajuster</translation>
+    </message>
+    <message>
+        <source>Estimate a calibration</source>
+        <translation>Estimer un étalonnage</translation>
+    </message>
+    <message>
+        <source>Chosen calibration</source>
+        <translation>Étalonnage choisi</translation>
+    </message>
+    <message>
+        <source>U: k=2</source>
+        <translation>U : k=2</translation>
+    </message>
+    <message>
+        <source>Approver: their key&apos;s name</source>
+        <translation>Approbateur : nom de sa clé</translation>
+    </message>
+    <message>
+        <source>Another person than the operator, by the name that they sign under; written before anybody signs</source>
+        <translation>Une autre personne que l&apos;opérateur, sous le nom qu&apos;elle signe ; écrit avant toute signature</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Approuver</translation>
+    </message>
+    <message>
+        <source>Write this name into the draft. After the first signature nobody can be added.</source>
+        <translation>Écrire ce nom dans le projet. Après la première signature, personne ne peut être ajouté.</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Who signs</source>
+        <translation>Qui signe</translation>
+    </message>
+    <message>
+        <source>Whose key; a name without a key here can be given a new one</source>
+        <translation>À qui est la clé ; un nom sans clé ici peut en recevoir une</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>Phrase</translation>
+    </message>
+    <message>
+        <source>Asked each time, never kept</source>
+        <translation>Phrase de passe : demandée chaque fois, jamais gardée</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Encore une fois</translation>
+    </message>
+    <message>
+        <source>A new key&apos;s passphrase is typed twice: nothing can bring it back</source>
+        <translation>La phrase d&apos;une nouvelle clé se tape deux fois : rien ne peut la retrouver</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signer</translation>
+    </message>
+    <message>
+        <source>Sign these exact bytes. A signed file can no longer be changed.</source>
+        <translation>Signer exactement ces octets. Un fichier signé ne peut plus être changé.</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Créer clé</translation>
+    </message>
+    <message>
+        <source>Make a key for this name under this passphrase, and trust it in this lab</source>
+        <translation>Créer une clé à ce nom sous cette phrase, et lui faire confiance dans ce laboratoire</translation>
+    </message>
+    <message>
+        <source>2</source>
+        <translation>2</translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation>Rapport …</translation>
+    </message>
+    <message>
+        <source>For people as .html or .pdf, for machines as a DCC (.xml, PTB&apos;s schema)</source>
+        <translation>Pour les personnes en .html ou .pdf, pour les machines en DCC (.xml, schéma de la PTB)</translation>
+    </message>
+    <message>
+        <source>Hand out …</source>
+        <translation>Remettre …</translation>
+    </message>
+    <message>
+        <source>Copy the file, its signatures and the public keys to a folder</source>
+        <translation>Copier le fichier, ses signatures et les clés publiques dans un dossier</translation>
+    </message>
+    <message>
+        <source>Apply to readings …</source>
+        <translation>Appliquer …</translation>
+    </message>
+    <message>
+        <source>Add the field, its uncertainty and flags to a .csv of readings</source>
+        <translation>Ajouter le champ, son incertitude et ses repères à un .csv de lectures</translation>
+    </message>
+    <message>
+        <source>○ draft</source>
+        <translation>○ projet</translation>
+    </message>
+    <message>
+        <source>✕ not valid</source>
+        <translation>✕ non valable</translation>
+    </message>
+    <message>
+        <source>▲ provisional</source>
+        <translation>▲ provisoire</translation>
+    </message>
+    <message>
+        <source>✓ signed</source>
+        <translation>✓ signé</translation>
+    </message>
+    <message>
+        <source>nobody yet</source>
+        <translation>personne encore</translation>
+    </message>
+    <message>
+        <source>Draft: not signed.</source>
+        <translation>Projet : non signé.</translation>
+    </message>
+    <message>
+        <source>Operator {0}; approved by {1}.</source>
+        <translation>Opérateur {0} ; approuvé par {1}.</translation>
+    </message>
+    <message>
+        <source>The two passphrases differ.</source>
+        <translation>Les deux phrases de passe diffèrent.</translation>
+    </message>
+    <message>
+        <source>{0} Nobody has a key here: write who signs, a passphrase twice, then New key.</source>
+        <translation>{0} Personne n&apos;a de clé ici : écrivez qui signe, deux fois une phrase de passe, puis Créer clé.</translation>
+    </message>
+    <message>
+        <source>{0} has no key here: type a passphrase twice, and New key makes one under it.</source>
+        <translation>{0} n&apos;a pas de clé ici : tapez deux fois une phrase de passe, Créer clé en fait une.</translation>
+    </message>
+    <message>
+        <source>{0} To sign as {1}, type the passphrase.</source>
+        <translation>{0} Pour signer comme {1}, tapez la phrase de passe.</translation>
+    </message>
+    <message>
+        <source>{0} has a key now, under this passphrase.</source>
+        <translation>{0} a maintenant une clé, sous cette phrase de passe.</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>Written: {0}</source>
+        <translation>Écrit : {0}</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Écriture du rapport …</translation>
+    </message>
+    <message>
+        <source>Copy the calibration to</source>
+        <translation>Copier l&apos;étalonnage vers</translation>
+    </message>
+    <message>
+        <source>Copied to {0}</source>
+        <translation>Copié vers {0}</translation>
+    </message>
+    <message>
+        <source>Readings of this DUT</source>
+        <translation>Lectures de ce DUT</translation>
+    </message>
+    <message>
+        <source>Where the field goes</source>
+        <translation>Où écrire le champ</translation>
+    </message>
+</context>
+<context>
+    <name>Choose</name>
+    <message>
+        <source>Procedures</source>
+        <translation>Procédures</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>By name, by what it does, or by what it needs</source>
+        <translation>Par nom, par but, ou par besoin</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>The plan</source>
+        <translation>Le plan</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Temps simulé</translation>
+    </message>
+    <message>
+        <source>How fast simulated time passes: as in the lab, faster, or as fast as the computer goes</source>
+        <translation>Vitesse du temps simulé : comme au laboratoire, plus vite, ou aussi vite que l&apos;ordinateur</translation>
+    </message>
+    <message>
+        <source>Asks every instrument who it is, then begins. Nothing is energised before you are asked.</source>
+        <translation>Demande à chaque instrument qui il est, puis commence. Rien n&apos;est alimenté avant qu&apos;on vous le demande.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Rehearse this on the simulated lab: field, rate, angles, temperature, time, and what you are asked</source>
+        <translation>Répéter sur le laboratoire simulé : champ, vitesse, angles, température, durée, et ce qu&apos;on vous demande</translation>
+    </message>
+    <message>
+        <source>Rehearsing on the simulated lab …</source>
+        <translation>Répétition sur le laboratoire simulé …</translation>
+    </message>
+    <message>
+        <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
+        <translation>Ce que cela mesure s&apos;ajoute à la mesure {0} ; puis la cause est de nouveau décidée, d&apos;elle-même.</translation>
+    </message>
+    <message>
+        <source>A setting is not accepted: see above.</source>
+        <translation>Un réglage n&apos;est pas accepté : voir plus haut.</translation>
+    </message>
+</context>
+<context>
+    <name>Client</name>
+    <message>
+        <source>The work was ended by this window.</source>
+        <translation>Le travail a été arrêté par cette fenêtre.</translation>
+    </message>
+    <message>
+        <source>The work said what this window cannot read, and was ended by it.</source>
+        <translation>Le travail a dit ce que cette fenêtre ne peut lire, et elle l&apos;a arrêté.</translation>
+    </message>
+    <message>
+        <source>The work ended by itself (exit {0}).</source>
+        <translation>Le travail s&apos;est arrêté de lui-même (code {0}).</translation>
+    </message>
+    <message>
+        <source>The work crashed (code {0}).</source>
+        <translation>Le travail s&apos;est planté (code {0}).</translation>
+    </message>
+    <message>
+        <source>The work was killed (signal {0}).</source>
+        <translation>Le travail a été tué (signal {0}).</translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation>Le processus de travail n&apos;a pas pu démarrer.</translation>
+    </message>
+</context>
+<context>
+    <name>CloseQuestion</name>
+    <message>
+        <source>A run goes on</source>
+        <translation>Une mesure est en cours</translation>
+    </message>
+    <message>
+        <source>A run goes on: {0}</source>
+        <translation>Une mesure est en cours : {0}</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>It ends in order, the coils go to zero; then the window closes.</source>
+        <translation>Elle se termine en ordre, les bobines vont à zéro ; puis la fenêtre se ferme.</translation>
+    </message>
+    <message>
+        <source>Keep running behind</source>
+        <translation>Continuer en arrière-plan</translation>
+    </message>
+    <message>
+        <source>The window goes out of sight, and comes back when you are needed or the run has ended.</source>
+        <translation>La fenêtre disparaît, et revient quand on a besoin de vous ou que la mesure est finie.</translation>
+    </message>
+    <message>
+        <source>Resume later</source>
+        <translation>Reprendre plus tard</translation>
+    </message>
+    <message>
+        <source>The coils go to zero, the window closes. What is measured is kept; the Start page goes on.</source>
+        <translation>Les bobines vont à zéro, la fenêtre se ferme. Le mesuré est gardé ; la page Accueil reprend.</translation>
+    </message>
+    <message>
+        <source>Back to the run</source>
+        <translation>Retour à la mesure</translation>
+    </message>
+    <message>
+        <source>Close nothing (Esc)</source>
+        <translation>Ne rien fermer (Échap)</translation>
+    </message>
+</context>
+<context>
+    <name>Drop</name>
+    <message>
+        <source>Drop a calibration file here to verify it</source>
+        <translation>Déposez ici un fichier d&apos;étalonnage pour le vérifier</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Choisir un fichier …</translation>
+    </message>
+    <message>
+        <source>A calibration .json with its .sshsig beside it</source>
+        <translation>Un étalonnage .json avec son .sshsig à côté</translation>
+    </message>
+    <message>
+        <source>Verify a calibration</source>
+        <translation>Vérifier un étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>FaultCard</name>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
+        <source>Show what labcal itself says about it</source>
+        <translation>Montrer ce que labcal lui-même en dit</translation>
+    </message>
+    <message>
+        <source>Save a problem report …</source>
+        <translation>Enregistrer un rapport de problème …</translation>
+    </message>
+    <message>
+        <source>A .zip with the details, settings and versions, no keys</source>
+        <translation>Un .zip avec détails, réglages et versions, sans clés</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Put this card away</source>
+        <translation>Ranger cette carte</translation>
+    </message>
+</context>
+<context>
+    <name>FitPage</name>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Estimate by maximum likelihood, the default method</source>
+        <translation>Estimer par maximum de vraisemblance, la méthode par défaut</translation>
+    </message>
+    <message>
+        <source>All methods</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>Estimate by every method, to see whether they agree</source>
+        <translation>Estimer par chaque méthode, pour voir si elles s&apos;accordent</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>End what is being computed; what is done stays</source>
+        <translation>Arrêter ce qui se calcule ; ce qui est fait reste</translation>
+    </message>
+    <message>
+        <source>Make a draft</source>
+        <translation>Projet</translation>
+    </message>
+    <message>
+        <source>Write a draft calibration from the selected method</source>
+        <translation>Écrire un projet d&apos;étalonnage avec la méthode choisie</translation>
+    </message>
+    <message>
+        <source>Trace the residual</source>
+        <translation>Expliquer le résidu</translation>
+    </message>
+    <message>
+        <source>Find what causes what is left over: the Loop page</source>
+        <translation>Trouver d&apos;où vient ce qui reste : page Causes</translation>
+    </message>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Méthodes côte à côte</translation>
+    </message>
+    <message>
+        <source>value ± U, k=2; choose a column to see its pictures</source>
+        <translation>valeur ± U, k=2 ; choisissez une colonne pour voir ses images</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>paramètre</translation>
+    </message>
+    <message>
+        <source>computing: {0}</source>
+        <translation>calcul : {0}</translation>
+    </message>
+    <message>
+        <source>Fit estimates K and k; All methods compares eleven ways.</source>
+        <translation>Ajuster estime K et k ; Toutes compare onze voies.</translation>
+    </message>
+    <message>
+        <source>The first method takes some seconds.</source>
+        <translation>La première méthode prend quelques secondes.</translation>
+    </message>
+    <message>
+        <source>Choose a run above, then Fit.</source>
+        <translation>Choisissez une mesure ci-dessus, puis Ajuster.</translation>
+    </message>
+</context>
+<context>
+    <name>FitViews</name>
+    <message>
+        <source>The figures of the papers that the methods are from</source>
+        <translation>Les figures des articles d&apos;où viennent les méthodes</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>What the residual is drawn against</source>
+        <translation>En fonction de quoi le résidu est tracé</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>En fonction de</translation>
+    </message>
+    <message>
+        <source>residual of |b|  nT</source>
+        <translation>résidu de |b|  nT</translation>
+    </message>
+    <message>
+        <source>|b|  nT</source>
+        <translation>|b|  nT</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>échantillons</translation>
+    </message>
+    <message>
+        <source>bias of the reading  nT</source>
+        <translation>biais de la lecture  nT</translation>
+    </message>
+    <message>
+        <source>Loci on the sphere (Riwanto 2017, figs. 5, 7)</source>
+        <translation>Lieux sur la sphère (Riwanto 2017, fig. 5, 7)</translation>
+    </message>
+    <message>
+        <source>Residual of the magnitude (Crassidis 2003, fig. 3)</source>
+        <translation>Résidu du module (Crassidis 2003, fig. 3)</translation>
+    </message>
+    <message>
+        <source>Magnitude and reference (Springmann 2011, figs. 2, 4)</source>
+        <translation>Module et référence (Springmann 2011, fig. 2, 4)</translation>
+    </message>
+    <message>
+        <source>Histogram of the residual (Springmann 2011, fig. 7)</source>
+        <translation>Histogramme du résidu (Springmann 2011, fig. 7)</translation>
+    </message>
+    <message>
+        <source>Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)</source>
+        <translation>Biais et 3σ au fil des lectures (Crassidis 2003, fig. 1, 2)</translation>
+    </message>
+    <message>
+        <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
+        <translation>orange : tel que lu   bleu : étalonné   pâle : derrière la sphère</translation>
+    </message>
+    <message>
+        <source>band: the noise this method states, k=2</source>
+        <translation>bande : le bruit que cette méthode indique, k=2</translation>
+    </message>
+    <message>
+        <source>line: the noise this method states</source>
+        <translation>ligne : le bruit que cette méthode indique</translation>
+    </message>
+    <message>
+        <source>the ekf, or the filter that is chosen above</source>
+        <translation>l&apos;ekf, ou le filtre choisi ci-dessus</translation>
+    </message>
+    <message>
+        <source>as read</source>
+        <translation>tel que lu</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>étalonné</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
+    </message>
+    <message>
+        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <translation>moyenne {0:+.1f} nT, rms {1:.1f} nT</translation>
+    </message>
+</context>
+<context>
+    <name>Frame</name>
+    <message>
+        <source>What is next for this DUT, whichever page is open (Ctrl+N)</source>
+        <translation>La suite pour ce DUT, quelle que soit la page (Ctrl+N)</translation>
+    </message>
+    <message>
+        <source>{0} (Ctrl+{1})</source>
+        <translation>{0} (Ctrl+{1})</translation>
+    </message>
+    <message>
+        <source>the page {0}</source>
+        <translation>la page {0}</translation>
+    </message>
+    <message>
+        <source>Keys   F1</source>
+        <translation>Touches   F1</translation>
+    </message>
+    <message>
+        <source>Which keys there are, and what each does</source>
+        <translation>Quelles touches il y a, et ce que fait chacune</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>cette feuille</translation>
+    </message>
+    <message>
+        <source>Dark or light; until then as the system has it</source>
+        <translation>Sombre ou clair ; jusque-là comme le système</translation>
+    </message>
+    <message>
+        <source>Letters to be read from two metres, and back (F11)</source>
+        <translation>Lettres lisibles à deux mètres, et retour (F11)</translation>
+    </message>
+    <message>
+        <source>The window in this language; not while a run goes on</source>
+        <translation>La fenêtre dans cette langue ; pas pendant une mesure</translation>
+    </message>
+    <message>
+        <source>Next: {0}</source>
+        <translation>Suite : {0}</translation>
+    </message>
+    <message>
+        <source>coils off, at any moment</source>
+        <translation>bobines à zéro, à tout moment</translation>
+    </message>
+    <message>
+        <source>held for {0:g} s: the answer on the button of this key</source>
+        <translation>tenue {0:g} s : la réponse du bouton de cette touche</translation>
+    </message>
+    <message>
+        <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row</source>
+        <translation>au champ ou bouton suivant ; Maj et Tab revient, Espace presse un bouton ou choisit une ligne</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPage</name>
+    <message>
+        <source>Runs</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Search: DUT, day …</source>
+        <translation>DUT, jour …</translation>
+    </message>
+    <message>
+        <source>Several words narrow it down: EM-07 yesterday explained; or 22.11.2026</source>
+        <translation>Plusieurs mots précisent : EM-07 hier explained ; ou 22.11.2026</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Look at this run on the Fit page; nothing recorded is ever changed</source>
+        <translation>Regarder cette mesure à la page Ajuster ; rien d&apos;enregistré ne change jamais</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exporter …</translation>
+    </message>
+    <message>
+        <source>As bundle, CSV, HDF5 or MATLAB file</source>
+        <translation>En paquet, CSV, HDF5 ou fichier MATLAB</translation>
+    </message>
+    <message>
+        <source>Correct serial …</source>
+        <translation>Corriger …</translation>
+    </message>
+    <message>
+        <source>The DUT was another one: an event of the record, until a calibration of the run is signed</source>
+        <translation>Le DUT était un autre : un événement de l&apos;enregistrement, jusqu&apos;à la signature d&apos;un étalonnage</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Importer …</translation>
+    </message>
+    <message>
+        <source>Take a run bundle (.zip) into the store, byte for byte</source>
+        <translation>Prendre un paquet (.zip) dans le dépôt, octet par octet</translation>
+    </message>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
+        <translation>Aucune telle mesure. Une mesure de la page Mesure, ou un paquet importé, apparaît ici.</translation>
+    </message>
+    <message>
+        <source>Calibrations over time</source>
+        <translation>Étalonnages au fil du temps</translation>
+    </message>
+    <message>
+        <source>bars: U, k=2</source>
+        <translation>barres : U, k=2</translation>
+    </message>
+    <message>
+        <source>k: offsets in nT; gain: the diagonal of K, ppm from the first calibration</source>
+        <translation>k : décalages en nT ; gain : diagonale de K, en ppm depuis le premier étalonnage</translation>
+    </message>
+    <message>
+        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
+        <translation>Aucun étalonnage de ce DUT : ses paramètres et leur U apparaissent ici, un point par jour.</translation>
+    </message>
+    <message>
+        <source>{0} UTC</source>
+        <translation>{0} UTC</translation>
+    </message>
+    <message>
+        <source>Correct the serial</source>
+        <translation>Corriger le numéro</translation>
+    </message>
+    <message>
+        <source>Serial of the DUT of run {0}:</source>
+        <translation>Numéro de série du DUT de la mesure {0} :</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Rien n&apos;a été changé.</translation>
+    </message>
+    <message>
+        <source>Run {0}: DUT {1}</source>
+        <translation>Mesure {0} : DUT {1}</translation>
+    </message>
+    <message>
+        <source>Export the run</source>
+        <translation>Exporter la mesure</translation>
+    </message>
+    <message>
+        <source>Exported: {0}</source>
+        <translation>Exporté : {0}</translation>
+    </message>
+    <message>
+        <source>Import a run bundle</source>
+        <translation>Importer un paquet</translation>
+    </message>
+    <message>
+        <source>Calibrations of {0}</source>
+        <translation>Étalonnages de {0}</translation>
+    </message>
+</context>
+<context>
+    <name>KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Put this sheet away (Esc)</source>
+        <translation>Ranger cette feuille (Échap)</translation>
+    </message>
+</context>
+<context>
+    <name>LazyPage</name>
+    <message>
+        <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
+        <translation>Toutes les autres pages marchent. Réparez le paquet de cette page, ou retirez-le.</translation>
+    </message>
+</context>
+<context>
+    <name>Leaving</name>
+    <message>
+        <source>Show the run</source>
+        <translation>Montrer la mesure</translation>
+    </message>
+    <message>
+        <source>COILS OFF</source>
+        <translation>BOBINES À ZÉRO</translation>
+    </message>
+</context>
+<context>
+    <name>Live</name>
+    <message>
+        <source>Whose run this is</source>
+        <translation>À qui est cette mesure</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Put a remark with its time into the record, and Enter: &quot;lift moved&quot;</source>
+        <translation>Une remarque avec son heure dans l&apos;enregistrement, puis Entrée : « ascenseur »</translation>
+    </message>
+    <message>
+        <source>Photo …</source>
+        <translation>Photo …</translation>
+    </message>
+    <message>
+        <source>Put a photograph into the record, with the note as its words</source>
+        <translation>Mettre une photo dans l&apos;enregistrement, la note pour légende</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Wait where the next step begins, with the coils at zero</source>
+        <translation>Attendre au début de l&apos;étape suivante, bobines à zéro</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>End this run now, in order. The coils go to zero; what was measured is kept.</source>
+        <translation>Terminer cette mesure, en ordre. Les bobines vont à zéro ; le mesuré est gardé.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fini</translation>
+    </message>
+    <message>
+        <source>Back to the procedures; the run is in the History</source>
+        <translation>Retour aux procédures ; la mesure est dans l&apos;Historique</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Fit</translation>
+    </message>
+    <message>
+        <source>Estimate the calibration from this run</source>
+        <translation>Estimer l&apos;étalonnage à partir de cette mesure</translation>
+    </message>
+    <message>
+        <source>What happens now</source>
+        <translation>Ce qui se passe</translation>
+    </message>
+    <message>
+        <source>How much of the turn this segment has seen, in sectors of 15°</source>
+        <translation>Part du tour vue par ce segment, en secteurs de 15°</translation>
+    </message>
+    <message>
+        <source>A photograph for the record</source>
+        <translation>Une photo pour l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>photograph</source>
+        <translation>photo</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>What was measured is kept in the History. To measure again: Close, then Start.</source>
+        <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fini, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>{0}. Press COILS OFF (F12), or switch the supplies off at their mains.</source>
+        <translation>{0}. Pressez BOBINES À ZÉRO (F12), ou coupez les alimentations au secteur.</translation>
+    </message>
+    <message>
+        <source>{0} % of the circle</source>
+        <translation>{0} % du cercle</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Hands off</source>
+        <translation>Mains loin</translation>
+    </message>
+    <message>
+        <source>step {0} of {1} · {2} left</source>
+        <translation>étape {0} de {1} · reste {2}</translation>
+    </message>
+</context>
+<context>
+    <name>LoopPage</name>
+    <message>
+        <source>Trace the residual</source>
+        <translation>Expliquer le résidu</translation>
+    </message>
+    <message>
+        <source>Find what causes what is left over</source>
+        <translation>Trouver d&apos;où vient ce qui reste</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>End what is being computed; what is done stays</source>
+        <translation>Arrêter ce qui se calcule ; ce qui est fait reste</translation>
+    </message>
+    <message>
+        <source>To the certificate</source>
+        <translation>Au certificat</translation>
+    </message>
+    <message>
+        <source>The draft with the accepted effects: approve and sign it</source>
+        <translation>Le projet avec les effets retenus : approuver et signer</translation>
+    </message>
+    <message>
+        <source>In figures</source>
+        <translation>En chiffres</translation>
+    </message>
+    <message>
+        <source>The loop&apos;s own words: held-out rms, tests, rows set aside</source>
+        <translation>Les mots du calcul : rms mis de côté, tests, lignes écartées</translation>
+    </message>
+    <message>
+        <source>1  What is left over</source>
+        <translation>1  Ce qui reste</translation>
+    </message>
+    <message>
+        <source>noise k=2</source>
+        <translation>bruit k=2</translation>
+    </message>
+    <message>
+        <source>2  Who could it be</source>
+        <translation>2  Qui cela peut être</translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation>Candidats ; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change</source>
+        <translation>Choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+    </message>
+    <message>
+        <source>3  What it changes</source>
+        <translation>3  Ce que cela change</translation>
+    </message>
+    <message>
+        <source>What the residual is drawn against; the named cause first</source>
+        <translation>En fonction de quoi le résidu est tracé ; la cause nommée d&apos;abord</translation>
+    </message>
+    <message>
+        <source>4  Still not known</source>
+        <translation>4  Encore inconnu</translation>
+    </message>
+    <message>
+        <source>Its plan is shown on the Run page before anything moves; Start is pressed there</source>
+        <translation>Son plan est montré à la page Mesure avant tout mouvement ; c&apos;est là qu&apos;on démarre</translation>
+    </message>
+    <message>
+        <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
+        <translation>Cette mesure est de {0} ; le DUT en haut est {1}. Mettez {0} sur le banc, et lisez son code.</translation>
+    </message>
+    <message>
+        <source>Choose a run above, then let its residual be traced to a cause.</source>
+        <translation>Choisissez une mesure ci-dessus, puis faites remonter son résidu à une cause.</translation>
+    </message>
+    <message>
+        <source>Looking at the residual; a whole preflight takes about a minute.</source>
+        <translation>Examen du résidu ; un préflight entier prend environ une minute.</translation>
+    </message>
+    <message>
+        <source>Trace the residual of this run to its cause.</source>
+        <translation>Remonter du résidu de cette mesure à sa cause.</translation>
+    </message>
+    <message>
+        <source>tracing … {0}</source>
+        <translation>recherche … {0}</translation>
+    </message>
+    <message>
+        <source>held-out rms; noise alone: {0} nT, {1}</source>
+        <translation>rms mis de côté ; bruit seul : {0} nT, {1}</translation>
+    </message>
+    <message>
+        <source>as calibrated</source>
+        <translation>tel qu&apos;étalonné</translation>
+    </message>
+    <message>
+        <source>or {0}</source>
+        <translation>ou {0}</translation>
+    </message>
+    <message>
+        <source>✓ {0}: named</source>
+        <translation>✓ {0} : nommé</translation>
+    </message>
+    <message>
+        <source>? {0}: a rival</source>
+        <translation>? {0} : un rival</translation>
+    </message>
+    <message>
+        <source>– {0}: not named</source>
+        <translation>– {0} : non nommé</translation>
+    </message>
+    <message>
+        <source>Added to it: {0}.</source>
+        <translation>Ajouté : {0}.</translation>
+    </message>
+    <message>
+        <source>Rows set aside: {0} {1}</source>
+        <translation>Lignes écartées : {0} {1}</translation>
+    </message>
+    <message>
+        <source>{0} explains it about as well as {1}.</source>
+        <translation>{0} l&apos;explique à peu près aussi bien que {1}.</translation>
+    </message>
+    <message>
+        <source>Measured by the procedure {0}.</source>
+        <translation>Mesuré par la procédure {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing that this run could show.</source>
+        <translation>Rien que cette mesure puisse montrer.</translation>
+    </message>
+    <message>
+        <source>Measure what would tell them apart</source>
+        <translation>Mesurer ce qui les distingue</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calcul …</translation>
+    </message>
+    <message>
+        <source>all rows {0} nT</source>
+        <translation>toutes les lignes {0} nT</translation>
+    </message>
+    <message>
+        <source>Rms over all rows, before and after; the figures at the top are of rows that the fit did not see</source>
+        <translation>Rms sur toutes les lignes, avant et après ; les chiffres du haut sont de lignes que l&apos;ajustement n&apos;a pas vues</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>après</translation>
+    </message>
+</context>
+<context>
+    <name>Mounting</name>
+    <message>
+        <source>Drawing: body {0} up</source>
+        <translation>Dessin : axe {0} du corps en haut</translation>
+    </message>
+    <message>
+        <source>Drawing of a dial</source>
+        <translation>Dessin d&apos;un cadran</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterForm</name>
+    <message>
+        <source>needed</source>
+        <translation>requis</translation>
+    </message>
+    <message>
+        <source>expected {0}</source>
+        <translation>attendu {0}</translation>
+    </message>
+</context>
+<context>
+    <name>PathViewModel</name>
+    <message>
+        <source>failed: {0}</source>
+        <translation>échec : {0}</translation>
+    </message>
+    <message>
+        <source>was stopped before its end</source>
+        <translation>a été arrêtée avant sa fin</translation>
+    </message>
+    <message>
+        <source>was interrupted</source>
+        <translation>a été interrompue</translation>
+    </message>
+    <message>
+        <source>still goes on</source>
+        <translation>est encore en cours</translation>
+    </message>
+    <message>
+        <source>What it did not measure would be missing in the calibration. Measure again on the Run page.</source>
+        <translation>Ce qu&apos;elle n&apos;a pas mesuré manquerait à l&apos;étalonnage. Remesurez à la page Mesure.</translation>
+    </message>
+    <message>
+        <source>Run {0} {1}. {2}</source>
+        <translation>La mesure {0} {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Open a bench</source>
+        <translation>Ouvrir un banc</translation>
+    </message>
+    <message>
+        <source>See the run</source>
+        <translation>Voir la mesure</translation>
+    </message>
+    <message>
+        <source>Say who and what</source>
+        <translation>Dire qui et quoi</translation>
+    </message>
+    <message>
+        <source>Go on with the run</source>
+        <translation>Reprendre la mesure</translation>
+    </message>
+    <message>
+        <source>Calibrate {0}</source>
+        <translation>Étalonner {0}</translation>
+    </message>
+    <message>
+        <source>Fit the run</source>
+        <translation>Ajuster la mesure</translation>
+    </message>
+    <message>
+        <source>Trace the residual</source>
+        <translation>Expliquer le résidu</translation>
+    </message>
+    <message>
+        <source>Hand it out</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signer</translation>
+    </message>
+</context>
+<context>
+    <name>PromptCard</name>
+    <message>
+        <source>Question to you</source>
+        <translation>Question pour vous</translation>
+    </message>
+    <message>
+        <source>YOUR TURN</source>
+        <translation>À VOUS</translation>
+    </message>
+    <message>
+        <source>How the coils are</source>
+        <translation>État des bobines</translation>
+    </message>
+    <message>
+        <source>Write it here</source>
+        <translation>Écrivez-le ici</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Choisir un fichier …</translation>
+    </message>
+    <message>
+        <source>Write the path of a file into the answer</source>
+        <translation>Écrire le chemin d&apos;un fichier dans la réponse</translation>
+    </message>
+    <message>
+        <source>Click, or hold the key for a moment. Enter does nothing here.</source>
+        <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Go on without a file; the record says so</source>
+        <translation>Continuer sans fichier ; l&apos;enregistrement le dit</translation>
+    </message>
+    <message>
+        <source>Answer: {0}</source>
+        <translation>Réponse : {0}</translation>
+    </message>
+    <message>
+        <source>Click, or hold {0} for 0.7 s</source>
+        <translation>Cliquez, ou tenez {0} 0,7 s</translation>
+    </message>
+    <message>
+        <source>▲ Let go too early. {0}.</source>
+        <translation>▲ Relâché trop tôt. {0}.</translation>
+    </message>
+    <message>
+        <source>A file for the record</source>
+        <translation>Un fichier pour l&apos;enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>RunChooser</name>
+    <message>
+        <source>Run</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>The run to look at, the newest first</source>
+        <translation>La mesure à regarder, la plus récente d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Choose a run</source>
+        <translation>Choisir une mesure</translation>
+    </message>
+</context>
+<context>
+    <name>RunViewModel</name>
+    <message>
+        <source>Asking every instrument who it is …</source>
+        <translation>On demande à chaque instrument qui il est …</translation>
+    </message>
+    <message>
+        <source>Hands off: it goes on.</source>
+        <translation>Mains éloignées : cela continue.</translation>
+    </message>
+    <message>
+        <source>Pauses where the next step begins.</source>
+        <translation>Pause au début de l&apos;étape suivante.</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Arrêt …</translation>
+    </message>
+    <message>
+        <source>Coils off: the run ends …</source>
+        <translation>Bobines à zéro : la mesure se termine …</translation>
+    </message>
+    <message>
+        <source>{0}: measuring, hands off</source>
+        <translation>{0} : mesure, mains loin</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Goes on</source>
+        <translation>Continue</translation>
+    </message>
+    <message>
+        <source>Run {0}: {1}</source>
+        <translation>Mesure {0} : {1}</translation>
+    </message>
+</context>
+<context>
+    <name>ScanCard</name>
+    <message>
+        <source>From here on this is the serial of the DUT</source>
+        <translation>Désormais, c&apos;est le numéro de série du DUT</translation>
+    </message>
+    <message>
+        <source>The scan is forgotten</source>
+        <translation>La lecture est oubliée</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Défaire</translation>
+    </message>
+    <message>
+        <source>The DUT is the one before again</source>
+        <translation>Le DUT est de nouveau le précédent</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Scanned {0}. Is it the DUT from here on? Until now: {1}.</source>
+        <translation>{0} lu. Est-ce désormais le DUT ? Jusqu&apos;ici : {1}.</translation>
+    </message>
+    <message>
+        <source>The DUT is {0}, in place of {1}.</source>
+        <translation>Le DUT est {0}, au lieu de {1}.</translation>
+    </message>
+    <message>
+        <source>Take {0}</source>
+        <translation>Prendre {0}</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Leave {0}</source>
+        <translation>Laisser {0}</translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
+        <translation>Changer l&apos;unité affichée : nT, µT, mG. Les champs de saisie gardent la leur.</translation>
+    </message>
+    <message>
+        <source>FIELD</source>
+        <translation>CHAMP</translation>
+    </message>
+    <message>
+        <source>COILS   A</source>
+        <translation>BOBINES   A</translation>
+    </message>
+    <message>
+        <source>INSTRUMENTS</source>
+        <translation>INSTRUMENTS</translation>
+    </message>
+    <message>
+        <source>No bench is open.</source>
+        <translation>Aucun banc n&apos;est ouvert.</translation>
+    </message>
+</context>
+<context>
+    <name>StartPage</name>
+    <message>
+        <source>▲ Interrupted: to be gone on with</source>
+        <translation>▲ Interrompues : à reprendre</translation>
+    </message>
+    <message>
+        <source>Last closing check</source>
+        <translation>Dernier contrôle final</translation>
+    </message>
+    <message>
+        <source>Reference sensor</source>
+        <translation>Capteur de référence</translation>
+    </message>
+    <message>
+        <source>Cage calibration</source>
+        <translation>Étalonnage de la cage</translation>
+    </message>
+    <message>
+        <source>Last runs</source>
+        <translation>Dernières mesures</translation>
+    </message>
+    <message>
+        <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
+        <translation>Signes et axes, procédure axes-check : 1 minute de mesure, 3 avec votre temps</translation>
+    </message>
+    <message>
+        <source>Calibrate a DUT</source>
+        <translation>Étalonner un DUT</translation>
+    </message>
+    <message>
+        <source>The preflight on the Run page</source>
+        <translation>Le préflight à la page Mesure</translation>
+    </message>
+    <message>
+        <source>Simulated lab</source>
+        <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>A whole lab without hardware, to learn on</source>
+        <translation>Un laboratoire entier sans matériel, pour apprendre</translation>
+    </message>
+    <message>
+        <source>Open a bench …</source>
+        <translation>Ouvrir un banc …</translation>
+    </message>
+    <message>
+        <source>What stands in this lab: the Bench page</source>
+        <translation>Ce qui se trouve ici : page Banc</translation>
+    </message>
+    <message>
+        <source>Looking into the store.</source>
+        <translation>Lecture du dépôt.</translation>
+    </message>
+    <message>
+        <source>A run goes on: {0}, DUT {1}. See the Run page.</source>
+        <translation>Une mesure est en cours : {0}, DUT {1}. Voir la page Mesure.</translation>
+    </message>
+    <message>
+        <source>Ready. {0} stands on {1}.</source>
+        <translation>Prêt. {0} est sur {1}.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>No bench is open.</source>
+        <translation>Aucun banc n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>The bench file states no calibration of the reference with a date.</source>
+        <translation>Le fichier du banc n&apos;indique aucun étalonnage daté de la référence.</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>Calibrated {0}, {1} days ago.</source>
+        <translation>Étalonné le {0}, il y a {1} jours.</translation>
+    </message>
+    <message>
+        <source>▲ due</source>
+        <translation>▲ échu</translation>
+    </message>
+    <message>
+        <source>✓ in date</source>
+        <translation>✓ à jour</translation>
+    </message>
+    <message>
+        <source>The bench file states coil constants only; run cage-calibration to measure the matrix.</source>
+        <translation>Le fichier du banc ne donne que des constantes ; cage-calibration mesure la matrice.</translation>
+    </message>
+    <message>
+        <source>▲ not measured</source>
+        <translation>▲ non mesurée</translation>
+    </message>
+    <message>
+        <source>The matrix is that of the approved cage calibration {0}.</source>
+        <translation>La matrice est celle de l&apos;étalonnage approuvé {0}.</translation>
+    </message>
+    <message>
+        <source>✓ approved</source>
+        <translation>✓ approuvée</translation>
+    </message>
+    <message>
+        <source>The bench file states a matrix without a date: run cage-calibration to see whether it holds.</source>
+        <translation>Le fichier du banc donne une matrice sans date : cage-calibration dit si elle tient.</translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation>? non vérifiée</translation>
+    </message>
+    <message>
+        <source>Checked {0}, {1} days ago.</source>
+        <translation>Vérifiée le {0}, il y a {1} jours.</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>aucun encore</translation>
+    </message>
+    <message>
+        <source>No finished run in the store has a closing check.</source>
+        <translation>Aucune mesure finie du dépôt n&apos;a de contrôle final.</translation>
+    </message>
+    <message>
+        <source>{0} in the store</source>
+        <translation>{0} dans le dépôt</translation>
+    </message>
+    <message>
+        <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
+        <translation>Une mesure de la page Mesure, ou un paquet importé à l&apos;Historique, apparaît ici.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: each goes on after its last finished step.</source>
+        <translation>Rien de mesuré n&apos;est perdu : chacune reprend après sa dernière étape finie.</translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation>{0} autres à la page Historique.</translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation>Ouvrez d&apos;abord un banc.</translation>
+    </message>
+    <message>
+        <source>Go on with  {0}</source>
+        <translation>Reprendre  {0}</translation>
+    </message>
+    <message>
+        <source>After its last finished step; you are asked whether the mounting stands</source>
+        <translation>Après sa dernière étape finie ; on vous demande si le montage tient</translation>
+    </message>
+</context>
+<context>
+    <name>StudyViewModel</name>
+    <message>
+        <source>history of {0}</source>
+        <translation>historique de {0}</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>abandonné</translation>
+    </message>
+</context>
+<context>
+    <name>Table</name>
+    <message>
+        <source>in a table: its chosen rows to the clipboard, or all</source>
+        <translation>dans une table : ses lignes choisies au presse-papiers, ou toutes</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Serial number of the device under test: type it, or scan it at any moment</source>
+        <translation>Numéro de série du DUT : tapez-le, ou lisez-le à tout moment</translation>
+    </message>
+    <message>
+        <source>Who works here now; stands in the record and in the calibration</source>
+        <translation>Qui travaille ici ; figure dans l&apos;enregistrement et l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>DUT</source>
+        <translation>DUT</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>requis</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>COILS OFF   F12</source>
+        <translation>BOBINES À ZÉRO   F12</translation>
+    </message>
+    <message>
+        <source>Take every coil to zero now (F12). Works in every state and asks nothing.</source>
+        <translation>Mettre toutes les bobines à zéro (F12). Marche en tout état et ne demande rien.</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictCard</name>
+    <message>
+        <source>DUT</source>
+        <translation>DUT</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Ce qui a été mesuré</translation>
+    </message>
+    <message>
+        <source>The pictures and every value with its limit</source>
+        <translation>Les images et chaque valeur avec sa limite</translation>
+    </message>
+</context>
+<context>
+    <name>Window</name>
+    <message>
+        <source>what is next for this DUT</source>
+        <translation>la suite pour ce DUT</translation>
+    </message>
+    <message>
+        <source>letters to be read from two metres, and back</source>
+        <translation>lettres lisibles à deux mètres, et retour</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Smaller F11</source>
+        <translation>Petit F11</translation>
+    </message>
+    <message>
+        <source>Larger F11</source>
+        <translation>Grand F11</translation>
+    </message>
+    <message>
+        <source>Save a problem report</source>
+        <translation>Enregistrer un rapport de problème</translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>Start</source>
+        <translation>Accueil</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Causes</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>COILS OFF   F12</source>
+        <translation>BOBINES À ZÉRO   F12</translation>
+    </message>
+    <message>
+        <source>not complete</source>
+        <translation>incomplet</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fait</translation>
+    </message>
+    <message>
+        <source>Mounted</source>
+        <translation>Monté</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>Placé</translation>
+    </message>
+    <message>
+        <source>Taken away</source>
+        <translation>Retiré</translation>
+    </message>
+    <message>
+        <source>Leads swapped</source>
+        <translation>Fils inversés</translation>
+    </message>
+    <message>
+        <source>Switched</source>
+        <translation>Commuté</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Éteint</translation>
+    </message>
+    <message>
+        <source>Switched on</source>
+        <translation>Allumé</translation>
+    </message>
+    <message>
+        <source>Warmed</source>
+        <translation>Chauffé</translation>
+    </message>
+    <message>
+        <source>Hands off: begin</source>
+        <translation>Mains éloignées : commencer</translation>
+    </message>
+    <message>
+        <source>Redo axis {0}</source>
+        <translation>Refaire l&apos;axe {0}</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>répond</translation>
+    </message>
+    <message>
+        <source>not heard yet</source>
+        <translation>pas encore entendu</translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation>non interrogé</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>Show in the file manager what was just written</source>
+        <translation>Montrer dans le gestionnaire ce qui vient d&apos;être écrit</translation>
+    </message>
+    <message>
+        <source>Go to Run</source>
+        <translation>Aller à Mesure</translation>
+    </message>
+    <message>
+        <source>Record a run, or import one on the History page</source>
+        <translation>Enregistrer une mesure, ou en importer une à l&apos;Historique</translation>
+    </message>
+    <message>
+        <source>No run yet: record one on the Run page, or import a bundle on the History page.</source>
+        <translation>Aucune mesure : enregistrez-en une à la page Mesure, ou importez un paquet à l&apos;Historique.</translation>
+    </message>
+    <message>
+        <source>Morning check</source>
+        <translation>Contrôle du matin</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+    <message>
+        <source>Stop the run</source>
+        <translation>Arrêter la mesure</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Skip this step</source>
+        <translation>Sauter cette étape</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Envoyer</translation>
+    </message>
+    <message>
+        <source>✕ This cannot be done as asked</source>
+        <translation>✕ Impossible tel que demandé</translation>
+    </message>
+    <message>
+        <source>✕ An instrument failed</source>
+        <translation>✕ Un instrument a failli</translation>
+    </message>
+    <message>
+        <source>✕ A limit is not met</source>
+        <translation>✕ Une limite n&apos;est pas tenue</translation>
+    </message>
+    <message>
+        <source>■ Stopped</source>
+        <translation>■ Arrêté</translation>
+    </message>
+    <message>
+        <source>✕ This page cannot be shown</source>
+        <translation>✕ Cette page ne peut être montrée</translation>
+    </message>
+    <message>
+        <source>✕ Something in labcal broke</source>
+        <translation>✕ Quelque chose s&apos;est cassé dans labcal</translation>
+    </message>
+    <message>
+        <source>✕ The work broke off</source>
+        <translation>✕ Le travail s&apos;est interrompu</translation>
+    </message>
+    <message>
+        <source>✓ CLEAN</source>
+        <translation>✓ PROPRE</translation>
+    </message>
+    <message>
+        <source>✓ EXPLAINED</source>
+        <translation>✓ EXPLIQUÉ</translation>
+    </message>
+    <message>
+        <source>▲ PARTLY EXPLAINED</source>
+        <translation>▲ EN PARTIE EXPLIQUÉ</translation>
+    </message>
+    <message>
+        <source>? AMBIGUOUS</source>
+        <translation>? AMBIGU</translation>
+    </message>
+    <message>
+        <source>✕ UNEXPLAINED</source>
+        <translation>✕ INEXPLIQUÉ</translation>
+    </message>
+    <message>
+        <source>coverage</source>
+        <translation>cercle</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>bruit</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>signe</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>retard</translation>
+    </message>
+    <message>
+        <source>closure</source>
+        <translation>bouclage</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>de côté</translation>
+    </message>
+    <message>
+        <source>cage X</source>
+        <translation>cage X</translation>
+    </message>
+    <message>
+        <source>cage Y</source>
+        <translation>cage Y</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>rôle</translation>
+    </message>
+    <message>
+        <source>instrument</source>
+        <translation>instrument</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>liaison</translation>
+    </message>
+    <message>
+        <source>who answered</source>
+        <translation>qui a répondu</translation>
+    </message>
+    <message>
+        <source>last reading</source>
+        <translation>dernière lecture</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>état</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>début</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>aujourd&apos;hui</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>no marks between thousands: 20000, not 20 000, 20,000 or 20.000</source>
+        <translation>aucune marque entre milliers : 20000, pas 20 000, 20,000 ni 20.000</translation>
+    </message>
+    <message>
+        <source>a point stands before decimals here: 1.5, not 1,5</source>
+        <translation>ici un point précède les décimales : 1.5, pas 1,5</translation>
+    </message>
+    <message>
+        <source>a blank after each comma, and a point before decimals: 20000, 50000.5</source>
+        <translation>une espace après chaque virgule, et un point avant les décimales : 20000, 50000.5</translation>
+    </message>
+    <message>
+        <source>DUT</source>
+        <translation>DUT</translation>
+    </message>
+    <message>
+        <source>procedure</source>
+        <translation>procédure</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>opérateur</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>statut</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>verdict</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>mesure</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>U (k=2)</source>
+        <translation>U (k=2)</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>limit ±</source>
+        <translation>limite ±</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>paramètre</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>grandeur</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>résultat</translation>
+    </message>
+    <message>
+        <source>risk</source>
+        <translation>risque</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>changé</translation>
+    </message>
+    <message>
+        <source>{0} changed</source>
+        <translation>{0} changé</translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation>CONFORME</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>NON CONFORME</translation>
+    </message>
+    <message>
+        <source>conditional pass</source>
+        <translation>conforme sous réserve</translation>
+    </message>
+    <message>
+        <source>conditional fail</source>
+        <translation>non conforme sous réserve</translation>
+    </message>
+    <message>
+        <source>In specification?</source>
+        <translation>Dans la spécification ?</translation>
+    </message>
+    <message>
+        <source>In specification</source>
+        <translation>Dans la spécification</translation>
+    </message>
+    <message>
+        <source>In specification, conditionally</source>
+        <translation>Dans la spécification, sous réserve</translation>
+    </message>
+    <message>
+        <source>Not in specification, conditionally</source>
+        <translation>Hors spécification, sous réserve</translation>
+    </message>
+    <message>
+        <source>Not in specification</source>
+        <translation>Hors spécification</translation>
+    </message>
+    <message>
+        <source>Risk: how probably the true value is beyond its limit.</source>
+        <translation>Risque : probabilité que la valeur vraie soit au-delà de sa limite.</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>réglé</translation>
+    </message>
+    <message>
+        <source>held-out |b|  nT</source>
+        <translation>mis de côté |b|  nT</translation>
+    </message>
+    <message>
+        <source>axis error, worst  deg</source>
+        <translation>erreur d&apos;axe, la pire  deg</translation>
+    </message>
+    <message>
+        <source>time  s</source>
+        <translation>temps  s</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>repère</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>connu</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>several, with commas</source>
+        <translation>plusieurs, avec virgules</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>temps réel</translation>
+    </message>
+    <message>
+        <source>20 times</source>
+        <translation>20 fois</translation>
+    </message>
+    <message>
+        <source>100 times</source>
+        <translation>100 fois</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>immédiat</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>gain</translation>
+    </message>
+    <message>
+        <source>nT</source>
+        <translation>nT</translation>
+    </message>
+    <message>
+        <source>ppm from the first</source>
+        <translation>ppm depuis le premier</translation>
+    </message>
+    <message>
+        <source>DUT  nT</source>
+        <translation>DUT  nT</translation>
+    </message>
+    <message>
+        <source>residual  nT</source>
+        <translation>résidu  nT</translation>
+    </message>
+    <message>
+        <source>held-out rms  nT</source>
+        <translation>rms mis de côté  nT</translation>
+    </message>
+    <message>
+        <source>noise alone</source>
+        <translation>bruit seul</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>finie</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>arrêtée</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompue</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l&apos;image</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>Enregistrer …</translation>
+    </message>
+    <message>
+        <source>Write this picture to a .png file, as it is shown</source>
+        <translation>Écrire cette image en .png, telle qu&apos;affichée</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Every point that is drawn to the clipboard, as columns x and y of each curve</source>
+        <translation>Chaque point tracé au presse-papiers, en colonnes x et y de chaque courbe</translation>
+    </message>
+    <message>
+        <source>Needs: {0}</source>
+        <translation>Besoin : {0}</translation>
+    </message>
+    <message>
+        <source>About {0:g} min of measuring, and your own time beside it</source>
+        <translation>Environ {0:g} min de mesure, plus votre temps</translation>
+    </message>
+    <message>
+        <source>does about as well as {0}</source>
+        <translation>fait à peu près aussi bien que {0}</translation>
+    </message>
+    <message>
+        <source>Do not use it: make a new draft on the Fit page.</source>
+        <translation>Ne l&apos;utilisez pas : refaites un projet à la page Ajuster.</translation>
+    </message>
+    <message>
+        <source>Another person than {0} approves, then both sign. Nobody there? Sign alone: it is PROVISIONAL.</source>
+        <translation>Une autre personne que {0} approuve, puis les deux signent. Personne ? Signez seul : c&apos;est PROVISOIRE.</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>l&apos;opérateur</translation>
+    </message>
+    <message>
+        <source>Approved by {0}. Now both sign, each under their own name.</source>
+        <translation>Approuvé par {0}. Les deux signent maintenant, chacun sous son nom.</translation>
+    </message>
+    <message>
+        <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
+        <translation>Utilisable comme PROVISOIRE ; {0} doit encore signer.</translation>
+    </message>
+    <message>
+        <source>Good to use as PROVISIONAL: nobody approved it before it was signed.</source>
+        <translation>Utilisable comme PROVISOIRE : personne ne l&apos;a approuvé avant la signature.</translation>
+    </message>
+    <message>
+        <source>Done: hand it out.</source>
+        <translation>Fait : à remettre.</translation>
+    </message>
+    <message>
+        <source>heard before</source>
+        <translation>entendu avant</translation>
+    </message>
+    <message>
+        <source>{0} s ago</source>
+        <translation>il y a {0} s</translation>
+    </message>
+    <message>
+        <source>{0} min ago</source>
+        <translation>il y a {0} min</translation>
+    </message>
+    <message>
+        <source>{0} h ago</source>
+        <translation>il y a {0} h</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>Nothing is left over but noise. The calibration may be signed.</source>
+        <translation>Il ne reste que du bruit. L&apos;étalonnage peut être signé.</translation>
+    </message>
+    <message>
+        <source>The error has a cause: {0}. It is in the draft, which may be signed.</source>
+        <translation>L&apos;erreur a une cause : {0}. Elle est dans le projet, qui peut être signé.</translation>
+    </message>
+    <message>
+        <source>{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign.</source>
+        <translation>{0} est une part de l&apos;erreur et est dans le projet ; il reste autre chose : voir 4 avant de signer.</translation>
+    </message>
+    <message>
+        <source>{0} may be the cause, another one as well. Measure what tells them apart (4), then sign.</source>
+        <translation>{0} peut être la cause, une autre aussi. Mesurez ce qui les distingue (4), puis signez.</translation>
+    </message>
+    <message>
+        <source>Something is wrong that nothing known explains. Do not sign: see 4.</source>
+        <translation>Quelque chose ne va pas que rien de connu n&apos;explique. Ne signez pas : voir 4.</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} et {1}</translation>
+    </message>
+    <message>
+        <source>rows that were set aside</source>
+        <translation>lignes écartées</translation>
+    </message>
+    <message>
+        <source>Calibrate a DUT</source>
+        <translation>Étalonner un DUT</translation>
+    </message>
+    <message>
+        <source>Every morning</source>
+        <translation>Chaque matin</translation>
+    </message>
+    <message>
+        <source>Test a DUT</source>
+        <translation>Tester un DUT</translation>
+    </message>
+    <message>
+        <source>The cage and its reference</source>
+        <translation>La cage et sa référence</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Champs</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Autres</translation>
+    </message>
+    <message>
+        <source>Next: Fit.</source>
+        <translation>Suite : Ajuster.</translation>
+    </message>
+    <message>
+        <source>Within U of its limit: measure that part again, or Fit and see.</source>
+        <translation>À moins de U de sa limite : remesurez cette partie, ou ajustez pour voir.</translation>
+    </message>
+    <message>
+        <source>U is more than half the limit: measure longer, or with less noise.</source>
+        <translation>U dépasse la moitié de la limite : mesurez plus longtemps, ou avec moins de bruit.</translation>
+    </message>
+    <message>
+        <source>Look at what was measured, mend the cause, and measure again.</source>
+        <translation>Regardez ce qui a été mesuré, réparez la cause, et remesurez.</translation>
+    </message>
+    <message>
+        <source>Nothing of it had a limit: look at what was measured.</source>
+        <translation>Rien n&apos;avait de limite : regardez ce qui a été mesuré.</translation>
+    </message>
+    <message>
+        <source>What was measured is kept. To measure again: Close, then Start.</source>
+        <translation>Le mesuré est gardé. Pour remesurer : Fini, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is lost: go on with it on the Start page.</source>
+        <translation>Rien de mesuré n&apos;est perdu : reprenez à la page Accueil.</translation>
+    </message>
+    <message>
+        <source>Mend what is said above, then measure again: Close, then Start.</source>
+        <translation>Réparez ce qui est dit plus haut, puis remesurez : Fini, puis Démarrer.</translation>
+    </message>
+    <message>
+        <source>PASS where |value| + U (k=2) is within the limit ({0} of {0}).</source>
+        <translation>CONFORME si |valeur| + U (k=2) est dans la limite ({0} sur {0}).</translation>
+    </message>
+    <message>
+        <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
+        <translation>NON CONFORME si |valeur| − U (k=2) dépasse la limite : {0}.</translation>
+    </message>
+    <message>
+        <source>MARGINAL where the limit lies within ± U (k=2): {0}.</source>
+        <translation>LIMITE si la limite est dans ± U (k=2) : {0}.</translation>
+    </message>
+    <message>
+        <source>CANNOT DECIDE where U (k=2) exceeds half the limit: {0}.</source>
+        <translation>INDÉCIDABLE si U (k=2) dépasse la moitié de la limite : {0}.</translation>
+    </message>
+    <message>
+        <source>It did not come to its end, so it has no verdict, and gives no calibration.</source>
+        <translation>Elle n&apos;est pas arrivée à sa fin : ni verdict, ni étalonnage.</translation>
+    </message>
+    <message>
+        <source>DONE</source>
+        <translation>FINI</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,87 @@
+"""German and French beside English: whole, with the same blanks to be filled, and switched while the window is open."""
+
+import re
+import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
+
+import PySide6
+import pytest
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QLabel
+
+from labcal.gui.reopened import Shown
+from labcal.gui.translations import translate
+from labcal.gui.viewmodels.number_format import format_number
+
+LRELEASE = next(Path(PySide6.__file__).parent.glob("lrelease*"), None)
+SHIPPED = sorted(translate.FOLDER.glob("labcal_*.ts"))
+FILLED_IN = re.compile(r"\{[^}]*\}|\bF\d+\b|<[^>]*>")  # by the window; keys; markup
+
+
+def messages(path):
+    contexts = ElementTree.parse(path).getroot().iter("context")
+    return {
+        (c.findtext("name"), m.findtext("source")): m.find("translation") for c in contexts for m in c.iter("message")
+    }
+
+
+@pytest.fixture
+def restored(qapp):
+    yield
+    translate.install_translator(qapp, QLocale("en"))
+
+
+def test_german_and_french_are_shipped():
+    assert [path.stem for path in SHIPPED] == ["labcal_de", "labcal_fr"]
+    assert translate.languages() == {"en": "English", "de": "Deutsch", "fr": "Français"}
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_a_language_says_everything_that_the_window_says(path):
+    known, said = messages(translate.FOLDER / "labcal.ts"), messages(path)
+    assert said.keys() == known.keys(), "tools/translations.sh brings it up to date"
+    assert {source for source, one in said.items() if not (one.text or "").strip() or one.get("type")} == set()
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_what_is_filled_in_stands_in_every_language(path):
+    for (_, source), one in messages(path).items():
+        assert sorted(FILLED_IN.findall(one.text)) == sorted(FILLED_IN.findall(source))
+
+
+@pytest.mark.skipif(LRELEASE is None, reason="this PySide6 comes without lrelease, which makes the .qm file")
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_the_file_that_qt_reads_is_made_of_the_one_that_people_write(path, tmp_path):
+    made = tmp_path / "made.qm"
+    subprocess.run([LRELEASE, path, "-qm", made], check=True, capture_output=True)
+    assert made.read_bytes() == path.with_suffix(".qm").read_bytes(), "tools/translations.sh"
+
+
+def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_window, restored):
+    shown = Shown(new_window)
+    new_window.app_state.set_identity(dut="EM-07")
+    new_window.open_page("Bench")
+    assert new_window.language_switch.text() == "Deutsch"
+    new_window.language_switch.click()
+    window = shown.window
+    qtbot.addWidget(window)
+    assert window is not new_window
+    assert (window.page_shown(), window.top.dut.text()) == ("Bench", "EM-07")
+    assert "Prüfling" in {one.text() for one in window.top.findChildren(QLabel)}
+    assert "SPULEN AUS" in window.top.off.text()
+    assert window.language_switch.text() == "Français"
+    assert format_number(1234.5).endswith("234,5")
+    assert window.app_state.settings.value("language") == "de"
+    with qtbot.waitSignal(window.coils_off):
+        window.top.off.click()
+
+
+def test_no_other_language_while_a_run_goes_on(qapp, new_window, restored, monkeypatch):
+    shown = Shown(new_window)
+    monkeypatch.setattr(type(new_window.app_state.run), "alive", property(lambda _: True))
+    new_window.app_state.run.changed.emit()
+    assert not new_window.language_switch.isEnabled()
+    shown.speak("de")
+    assert shown.window is new_window
+    assert QLocale().language() == QLocale.Language.English
