@@ -235,3 +235,34 @@ def test_a_connection_that_was_forgotten_at_its_other_end_is_opened_anew_in_time
     assert flowing[0] > 0.9
     assert flowing[-1] < 0.01
     assert all(abs(end.current_A) < 0.01 for end in bench.guardian.zero("once more"))
+
+
+@pytest.mark.parametrize("missed", range(9))
+@pytest.mark.parametrize("text", [one_tti(), three_on_one_pair()], ids=["tti", "riden-on-one-pair"])
+def test_a_line_that_comes_back_on_the_way_to_zero_brings_zero_to_each_coil_in_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, missed: int
+) -> None:
+    bench = Bench(text, tmp_path, monkeypatch)
+    bench.energise({"x": 1.0, "y": 0.6, "z": 0.3})
+    wire, back = bench.spoil([], 0.0), list[float]()
+    lost = InstrumentError("the link is lost", fault="link lost")
+
+    def gone() -> None:
+        if len(back) <= missed:
+            raise lost
+
+    def reopened() -> None:
+        back.append(bench.clock.now())
+        gone()
+
+    wire.when = gone
+    monkeypatch.setattr(bench._link, "reopen", reopened)
+    bench.guardian.zero("the session ends", by_session=True)
+    while bench.guardian.unresolved:  # as the guardian's process does, and a session that is not content
+        bench.clock.wait_until(bench.clock.now() + 0.1)
+        bench.guardian.try_again()
+        bench.guardian.zero("the session is not content", by_session=True)
+    after = back[missed] + np.arange(0.0, 2.0, 0.01)
+    flowing = np.abs(np.column_stack([coil.current.at(after) for coil in bench.lab.coils.values()])).max(axis=1)
+    assert flowing[0] > 0.9
+    assert flowing[-1] < 0.01, f"{max(after[flowing > 0.01]) - after[0]:.2f} s"

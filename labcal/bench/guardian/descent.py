@@ -32,12 +32,9 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callabl
             if coil.doubt is None:
                 _greet(coil, ANSWER_S if all(other.doubt is None for other in coils) else SHORT_S)
         doubted = [coil for coil in coils if coil.doubt is not None]
-        for coil in doubted:
-            _write_zero(coil, others)
+        _write_zeros(doubted, others)
         ended = dict(_ramped([coil for coil in coils if coil.doubt is None], lossy=bool(doubted)))
-        for n, coil in enumerate(doubted):
-            _write_again(doubted[n:])
-            ended[coil.axis] = _read_back(coil)
+        ended |= _each_read_back(doubted, others)
         for coil in coils:
             coil.settle(ended[coil.axis])
         return list(ended.values())
@@ -62,26 +59,39 @@ def _greet(coil: GuardedCoil, within_s: float) -> None:
         coil.doubt = fault
 
 
-def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> None:
+def _write_zeros(coils: Sequence[GuardedCoil], others: Sequence[str]) -> None:
+    """Zero to each of them; once more to whom the link failed, where it came back for one after them."""
+    missed = [coil for coil in coils if not _write_zero(coil, others)]
+    for coil in missed if len(missed) < len(coils) else ():
+        _write_zero(coil, others)
+
+
+def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> bool:
     """Zero at once, whatever it may answer; who is there is asked only where the link was opened anew.
 
-    A TCP connection on which it is silent is opened anew: the next one may be heard.
+    A TCP connection on which it is silent is opened anew: the next one may be heard. Returns whether the link took it.
     """
     assert coil.doubt is not None
     forgotten = coil.line.is_connection and coil.line.greeted(coil.name) and coil.doubt.fault in REOPENED
-    for again in ("as it is", "opened again"):
-        try:
-            if coil.line.greeted(coil.name) or _may_be_written(coil, others):
-                for _ in range(1 if coil.line.is_connection else TIMES_TOLD):
-                    coil.bare.write_current(0.0)
-            if not forgotten or again == "opened again":
-                return
-            coil.line.reopen()
-        except InstrumentError as fault:
-            if fault.fault == "not reached":  # the file does not say where it is; others on the line need their link
-                return
-            with suppress(InstrumentError):
-                coil.line.reopen()
+    taken = _takes_zero(coil, others)
+    if taken is None or (taken and not forgotten):
+        return bool(taken)
+    try:
+        coil.line.reopen()
+    except InstrumentError:
+        return False
+    return bool(_takes_zero(coil, others))
+
+
+def _takes_zero(coil: GuardedCoil, others: Sequence[str]) -> bool | None:
+    """Whether the link took zero; None where the file does not say where it is: others on the line need their link."""
+    try:
+        if coil.line.greeted(coil.name) or _may_be_written(coil, others):
+            for _ in range(1 if coil.line.is_connection else TIMES_TOLD):
+                coil.bare.write_current(0.0)
+    except InstrumentError as fault:
+        return None if fault.fault == "not reached" else False
+    return True
 
 
 def _write_again(coils: Sequence[GuardedCoil]) -> None:
@@ -126,8 +136,22 @@ def _ramped(coils: Sequence[GuardedCoil], *, lossy: bool) -> Mapping[str, AtZero
     return to_zero(supplies, rates, coils[0].line.clock, known_A=known, lossy=lossy)
 
 
+def _each_read_back(doubted: Sequence[GuardedCoil], others: Sequence[str]) -> dict[str, AtZero]:
+    """How each of them ended. Where the lost link comes back, all that are left are written and read once more."""
+    ended, left, came_back = dict[str, AtZero](), list(doubted), False
+    while left:
+        _write_again(left)
+        coil = left.pop(0)
+        ended[coil.axis] = _read_back(coil)
+        if _is_back(coil, ended[coil.axis]) and not came_back:
+            came_back = True
+            left = [coil for coil in doubted if coil.axis not in ended or ended[coil.axis].current_A is None]
+            _write_zeros(left, others)
+    return ended
+
+
 def _read_back(coil: GuardedCoil) -> AtZero:
-    """Who was in doubt says who it is, and then that it is at zero; else its link is opened again for the next try."""
+    """Who was in doubt says who it is, and then that it is at zero."""
     assert coil.doubt is not None
     try:
         coil.line.identify(coil.name)
@@ -141,7 +165,15 @@ def _read_back(coil: GuardedCoil) -> AtZero:
         if fault.fault != "another instrument":
             with suppress(InstrumentError):
                 coil.bare.write_off()
-    if end.current_A is None and end.fault is not None and end.fault.fault in REOPENED:
-        with suppress(InstrumentError):
-            coil.line.reopen()
     return end
+
+
+def _is_back(coil: GuardedCoil, end: AtZero) -> bool:
+    """Open the link again for the next try, where it or the supply failed; says whether a lost one is there again."""
+    if end.current_A is not None or end.fault is None or end.fault.fault not in REOPENED:
+        return False
+    try:
+        coil.line.reopen()
+    except InstrumentError:
+        return False
+    return end.fault.fault == "link lost"
