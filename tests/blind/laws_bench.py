@@ -132,6 +132,7 @@ class Bench:
         self.map = np.eye(3) + rng.normal(0, 0.04, (3, 3))
         self.zero = rng.normal(0, 4000, 3)
         self.late = None  # (delay poles s, clock offset s, clock drift)
+        self.of_unknown_side = -1  # the fresh leg of which the run cannot tell whether a power cycle was before it
 
     def fine(self):
         """Times of each leg in the world's own steps, from rest to rest."""

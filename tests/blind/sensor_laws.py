@@ -89,7 +89,8 @@ def unlike_ways(bench):
 def law(bench, kind):
     """An effect (n, 3) in the reading, nT, of some size."""
     rng, h, T = bench.rng, bench.body @ bench.map.T / 50e3, bench.T - 20
-    c, after = rng.normal(size=3), bench.t > bench.legs[int(rng.integers(3, len(bench.legs) - 3))].t[0]
+    c, cycled = rng.normal(size=3), int(rng.integers(3, len(bench.legs) - 3))
+    after = bench.t > bench.legs[cycled].t[0]
     if kind in ("jiles-atherton", "preisach"):
         return core(bench, atherton if kind == "jiles-atherton" else preisach)
     if kind == "tanh":
@@ -101,6 +102,8 @@ def law(bench, kind):
         return c * (T + octave(rng, 0.003, 0.05) * rng.choice([-1, 1]) * T**2)[:, None]
     if kind == "heating-cooling":
         return c * unlike_ways(bench)[:, None]
+    if "power-cycle" in kind:
+        bench.of_unknown_side = cycled if bench.legs[cycled].fresh else cycled - 1  # between two legs of the run
     if kind == "gain-at-power-cycle":
         return h * (c if rng.random() < 0.5 else np.ones(3)) * after[:, None]
     if kind == "zero-at-power-cycle":
@@ -184,8 +187,8 @@ def stated(bench, name, lsb, noise, channels):
 
 
 def usable_rows(bench, reading, top):
-    """Rows (n,) that a perfect calibration could correct: off the rail; no ends of legs where the reading is late."""
-    usable = np.all(np.abs(reading) < top, axis=1)
+    """Rows (n,) that can be corrected at all: off the rail, no ends of late legs, no leg beside a power cycle."""
+    usable = np.all(np.abs(reading) < top, axis=1) & (bench.leg_of != bench.of_unknown_side)
     if bench.late is not None:
         poles, offset, drift = bench.late
         reach = 3 * sum(poles) + abs(offset) + abs(drift) * bench.end
