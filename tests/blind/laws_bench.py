@@ -37,10 +37,10 @@ def taking(a, b):
     return spin_matrix(n / np.linalg.norm(n), math.atan2(s, float(np.dot(a, b))))[0]
 
 
-def spin_leg(rng, when, seconds, platform, axis, size):
-    """Forth and back at two rates: a function of time for the field in the cage, the body's rotation and the angle."""
+def spin_leg(rng, when, seconds, platform, axis, size, share):
+    """Forth and back at two rates, over a share of one to two turns: field and angle as functions of time."""
     there = rng.uniform(0.35, 0.65) * seconds
-    reach, rough = math.radians(rng.uniform(360, 720)) * rng.choice([-1, 1]), rng.uniform(0, 0.15)
+    reach, rough = share * math.radians(rng.uniform(360, 720)) * rng.choice([-1, 1]), rng.uniform(0, 0.15)
     field, slope, mount = any_axis(rng) * size, rng.normal(0, 0.01, 3), taking(platform, axis)
     start = rng.uniform(0, 2 * math.pi)
 
@@ -87,7 +87,7 @@ def session(rng, slow):
             seconds = (count - 1) * period
             if kind == "spin" or fresh:
                 about, strong = (any_axis(rng) if fresh else axis), rng.uniform(0.4, 0.9 if fresh else 1.0) * size
-                leg = spin_leg(rng, now, seconds, platform, about, strong)
+                leg = spin_leg(rng, now, seconds, platform, about, strong, 0.5 if fresh else 1.0)  # at the same rates
             else:
                 leg = sweep_leg(rng, now, seconds, size * 1.05)
             leg.t, leg.fresh, leg.name = now + period * np.arange(count), fresh, f"{kind}{k}{'f' * fresh}"
