@@ -43,10 +43,10 @@ slow: $(VENV)/.dev
 papers: $(VENV)/.dev
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/papers:tests/fit $(BIN)/python tests/papers/tables.py docs/papers.md
 
-BLIND_RUNS ?= 448
+BLIND_RUNS ?= 250
+BLIND_SEED ?= 2026
 blind: $(VENV)/.dev
-	@rm -rf blind-out && $(BIN)/python tests/blind/simulate.py blind-out $(BLIND_RUNS) 2026
-	@$(BIN)/python tests/blind/score.py blind-out
+	@rm -rf blind-out && $(BIN)/python tests/blind/trial.py blind-out $(BLIND_RUNS) $(BLIND_SEED) --processes 2
 
 COVERAGE_RUNS ?= 1000
 coverage: $(VENV)/.dev
