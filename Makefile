@@ -10,12 +10,12 @@ SHELL := /bin/bash
 
 $(VENV)/.run: pyproject.toml
 	@echo "Setting up labcal in $(VENV) (once; about a minute) ..."
-	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	@$(PYTHON) tools/set_up.py $(VENV) --editable .
 	@touch $@
 
 $(VENV)/.dev: pyproject.toml $(VENV)/.run
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,dcc]'
+	@echo "Setting up what the checks need ..."
+	@$(PYTHON) tools/set_up.py $(VENV) --editable '.[dev,dcc]'
 	@touch $@
 
 demo: $(VENV)/.run

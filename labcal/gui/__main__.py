@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 
-NEEDED = "libglib2.0-0 libgl1 libegl1 libfontconfig1 libxkbcommon0 libdbus-1-3 libxcb-cursor0"
+from labcal.gui.qt_packages import QT_PACKAGES
 
 
 def main() -> int:
@@ -16,7 +16,8 @@ def main() -> int:
     try:
         from PySide6.QtWidgets import QApplication
     except ImportError as error:
-        print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {NEEDED}", file=sys.stderr)
+        needed = " ".join(QT_PACKAGES)
+        print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {needed}", file=sys.stderr)
         return 2
     from PySide6.QtCore import QLocale
 
