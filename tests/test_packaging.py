@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from labcal.gui.qt_packages import QT_PACKAGES
+from labcal.qt_packages import QT_PACKAGES
 
 ROOT = Path(__file__).parents[1]
 LEFT_BEHIND = {".gitignore"}

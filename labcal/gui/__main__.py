@@ -1,17 +1,19 @@
-"""`python -m labcal.gui [--bench FILE]`: what `labcal gui` starts."""
+"""`python -m labcal.gui [--bench FILE]`: what `labcal gui` starts; with `--once PNG`, what `labcal self-test` does."""
 
 from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 
-from labcal.gui.qt_packages import QT_PACKAGES
+from labcal.qt_packages import QT_PACKAGES
 
 
 def main() -> int:
     """Open the window; exit 2 with one sentence where Qt's system libraries are missing."""
     parser = argparse.ArgumentParser(prog="labcal gui", description="The technician's window.")
     parser.add_argument("--bench", help="the bench file; else the last one that was used")
+    parser.add_argument("--once", type=Path, metavar="PNG", help="build every page, keep a picture, and close")
     given = parser.parse_args()
     try:
         from PySide6.QtWidgets import QApplication
@@ -21,6 +23,7 @@ def main() -> int:
         return 2
     from PySide6.QtCore import QLocale
 
+    from labcal.gui.once import keep_picture
     from labcal.gui.translations.translate import install_translator
     from labcal.gui.window import open_window
 
@@ -30,7 +33,7 @@ def main() -> int:
     install_translator(application, QLocale.system())
     window = open_window(given.bench)
     sys.excepthook = window.app_state.handle_exception
-    code = application.exec()
+    code = application.exec() if given.once is None else keep_picture(window, given.once)
     window.app_state.close()
     return code
 
