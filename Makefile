@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
 
-.PHONY: demo test lint slow papers blind coverage sensitivity campaign bench gui clean
+.PHONY: demo test lint slow papers blind coverage sensitivity campaign bench gui bundle clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/.run: pyproject.toml
@@ -60,6 +60,11 @@ BENCHES ?= 2
 campaign: $(VENV)/.dev
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/campaign.py --out campaign-out --number $(FAULTS) --benches $(BENCHES)
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/reliability.py table campaign-out docs/reliability.md
+
+BUNDLE ?= dist/labcal-bundle
+BUNDLE_PYTHON ?= 3.11
+bundle: $(VENV)/.dev
+	@$(BIN)/python tools/bundle/make.py --out $(BUNDLE) --python $(BUNDLE_PYTHON)
 
 clean:
 	rm -rf $(VENV) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -14,7 +14,6 @@ from glob import glob
 from pathlib import Path
 from tempfile import TemporaryFile
 
-import labcal
 from labcal.bench.links.permission import not_allowed
 from labcal.files.home import for_children, home, own_folder
 from labcal.qt_packages import QT_PACKAGES
@@ -32,7 +31,7 @@ def computer() -> Computer:
     """What is qualified here, now."""
     return Computer(
         labcal=__version__,
-        folder=Path(str(labcal.__file__)).parent,
+        folder=Path(__file__).parents[1],
         python=python_version(),
         system=platform.platform(),
         machine=platform.node(),
