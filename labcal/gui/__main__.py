@@ -14,6 +14,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="labcal gui", description="The technician's window.")
     parser.add_argument("--bench", help="the bench file; else the last one that was used")
     parser.add_argument("--once", type=Path, metavar="PNG", help="build every page, keep a picture, and close")
+    parser.add_argument("--state", type=Path, help="keep here where the window stands, for who watches it")
+    parser.add_argument("--after-crash", metavar="REPORT", help="the window before this one broke off")
+    parser.add_argument("--page", default="", help="and stood on this page")
     given = parser.parse_args()
     try:
         from PySide6.QtWidgets import QApplication
@@ -24,6 +27,7 @@ def main() -> int:
     from PySide6.QtCore import QLocale
 
     from labcal.gui.once import keep_picture
+    from labcal.gui.standing import Standing
     from labcal.gui.translations.translate import install_translator
     from labcal.gui.window import open_window
 
@@ -33,6 +37,9 @@ def main() -> int:
     install_translator(application, QLocale.system())
     window = open_window(given.bench)
     sys.excepthook = window.app_state.handle_exception
+    standing = Standing(window, given.state) if given.state is not None else None
+    if standing is not None and given.after_crash:
+        standing.come_back(given.page, given.after_crash)
     code = application.exec() if given.once is None else keep_picture(window, given.once)
     window.app_state.close()
     return code

@@ -20,6 +20,7 @@ import zipfile
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from email import message_from_bytes
+from email.message import Message
 from functools import cache
 from pathlib import Path
 
@@ -72,7 +73,7 @@ def read_wheel(file: Path) -> Wheel:
     return Wheel(file, str(canonicalize_name(said["Name"])), said["Version"], needs, licence_of(said))
 
 
-def licence_of(said: Mapping[str, str]) -> str:
+def licence_of(said: Message) -> str:
     """In one line: the expression, else the classifiers, else the first line of the text."""
     if expression := said.get("License-Expression"):
         return expression

@@ -1,0 +1,29 @@
+"""Where the window stands is kept without anything that was typed; after a crash it stands there again and says so."""
+
+import json
+
+from labcal.gui.standing import Standing
+
+CANARY = "a canary in the mine"
+
+
+def test_where_it_stands_is_written_and_nothing_that_was_typed(new_window, tmp_path):
+    file = tmp_path / "state.json"
+    standing = Standing(new_window, file)
+    new_window.top.operator.setText(CANARY)
+    new_window.open_page("Certificate")
+    assert json.loads(file.read_text())["page"] == "Certificate"
+    assert CANARY not in file.read_text()
+    file.unlink()
+    standing.write()
+    assert not file.exists()  # nothing is new
+
+
+def test_after_a_crash_it_stands_where_it_stood_and_says_what_happened(new_window, tmp_path):
+    standing = Standing(new_window, tmp_path / "state.json")
+    standing.come_back("Fit", "window-1.zip")
+    assert list(new_window.lazy_pages)[new_window.stack.currentIndex()] == "Fit"
+    assert "window-1.zip" in new_window.fault.text.text()
+    assert "resume it on Start" in new_window.fault.remedy.text()
+    standing.come_back("no such page", "window-2.zip")
+    assert list(new_window.lazy_pages)[new_window.stack.currentIndex()] == "Fit"
