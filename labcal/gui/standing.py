@@ -45,7 +45,5 @@ class Standing(QObject):
         if page in self._window.lazy_pages:
             self._window.open_page(page)
         words = self.tr("The window broke off, and was started again. What it said last is kept in {0}.")
-        remedy = self.tr(
-            "A run that went on is interrupted, its own process takes the coils to zero: resume it on Start."
-        )
+        remedy = self.tr("A run that went on is interrupted by its own process, as by Stop: resume it on Start.")
         self._window.app_state.fault.emit(Fault("crash", words.format(report), remedy))

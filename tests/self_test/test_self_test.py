@@ -41,7 +41,10 @@ def installed_as(folder, name, version, needs):
     needed = "".join(f"Requires-Dist: {one}\n" for one in needs)
     (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n{needed}")
     digest = urlsafe_b64encode(hashlib.sha256((folder / module).read_bytes()).digest()).rstrip(b"=").decode()
-    (about / "RECORD").write_text(f"{module},sha256={digest},12\n{about.name}/RECORD,,\n")
+    record = (
+        f"{module},sha256={digest},12\n__pycache__/of-{name}.pyc,sha256=made-anew-by-pip,1\n{about.name}/RECORD,,\n"
+    )
+    (about / "RECORD").write_text(record)
 
 
 def test_what_is_installed_as_it_was_packed_passes(packages):

@@ -105,7 +105,7 @@ def fill(bundle: Path, place: Path) -> None:
         asked([sys.executable, "-m", "venv", "--without-pip", str(place)])
         [pip] = (bundle / "wheels").glob("pip-*.whl")
         wanted = bundle / f"requirements-{'windows' if WINDOWS else 'linux'}.txt"
-        say("installing ...")
+        say(f"installing {len(wanted.read_text().splitlines())} packages (a minute or two) ...")
         asked([program(place, "python"), f"{pip}/pip", "--isolated", "install", "--disable-pip-version-check",
                "--no-cache-dir", "--no-index", "--find-links", str(bundle / "wheels"), "--require-hashes", "--no-deps",
                "--requirement", str(wanted)])  # fmt: skip

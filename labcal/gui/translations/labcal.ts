@@ -1437,7 +1437,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A run that went on is interrupted, its own process takes the coils to zero: resume it on Start.</source>
+        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
