@@ -6,8 +6,9 @@ import sys
 import time
 from pathlib import Path
 
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
+from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.window import Window
 
 PATIENCE_S = 60.0
@@ -18,6 +19,9 @@ def keep_picture(window: Window, file: Path) -> int:
     for name, lazy_page in window.lazy_pages.items():
         window.open_page(name)
         lazy_page.built()
+    if broken := [name for name, lazy_page in window.lazy_pages.items() if cannot_be_shown(lazy_page.built())]:
+        print(f"pages that cannot be built: {', '.join(broken)}", file=sys.stderr)
+        return 1
     window.open_page(next(iter(window.lazy_pages)))
     if not _shown(window):
         print("the window was opened, and not shown within a minute", file=sys.stderr)
@@ -26,6 +30,11 @@ def keep_picture(window: Window, file: Path) -> int:
         print(f"{file}: no picture could be written", file=sys.stderr)
         return 1
     return 0
+
+
+def cannot_be_shown(page: QWidget) -> bool:
+    """Whether a card that says so stands in the place of the page."""
+    return any(card.fault is not None and card.fault.kind == "page" for card in page.findChildren(FaultCard))
 
 
 def _shown(window: Window) -> bool:
