@@ -17,7 +17,8 @@ from labcal.self_test.result import Check, Qualification
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase
 
-PICTURE_IN = 4.3
+PICTURE_IN = 3.4  # with all checks and the lines to sign on, one sheet
+LINE = "_" * 48
 HEADER = ("Check", "Result", "What was found")
 
 
@@ -62,8 +63,8 @@ def qualification_page(found: Qualification) -> Page:
         sections=sections(
             section("Checks", [Table(HEADER, tuple((c.name, c.result, c.said) for c in found.checks))]),
             section("What to do", [_todo(found.checks)]),
+            section("Seen by", [Facts(tuple((name, LINE) for name in ("Name", "Date", "Signature")))]),
             section("The window, as it opened", [_picture(check) for check in found.checks]),
-            section("Seen by", [Facts((("Name", "–"), ("Date", "–"), ("Signature", "–")))]),
         ),
         footer="Made by `labcal self-test` on a simulated lab. It shows that this installation computes and signs as "
         "it should; of instruments it says nothing: `labcal bench check` does.",
