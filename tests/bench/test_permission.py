@@ -20,10 +20,13 @@ def port(tmp_path, monkeypatch):
     path.touch()
     said = SimpleNamespace(path=str(path), gid=20, mode=0o20660, members=["jane"])
     monkeypatch.setattr(permission.os, "access", lambda path, mode: False)
-    monkeypatch.setattr(
-        permission.os, "stat", lambda path: SimpleNamespace(st_uid=0, st_gid=said.gid, st_mode=said.mode)
-    )
-    monkeypatch.setattr(permission.os.path, "exists", lambda path: path == said.path)
+
+    def stat(path):
+        if path != said.path:
+            raise FileNotFoundError(errno.ENOENT, "unplugged", path)
+        return SimpleNamespace(st_uid=0, st_gid=said.gid, st_mode=said.mode)
+
+    monkeypatch.setattr(permission.os, "stat", stat)
     group = SimpleNamespace(gr_name="dialout", gr_mem=said.members)
     monkeypatch.setattr(permission.grp, "getgrgid", lambda number: group)
     monkeypatch.setattr(

@@ -13,9 +13,12 @@ if sys.platform != "win32":
 
     def not_allowed(port: str) -> str:
         """What this user does to be allowed to open the device `port`; "" where they may, or there is no such file."""
-        if not os.path.exists(port) or os.access(port, os.R_OK | os.W_OK):
+        try:
+            found = os.stat(port)
+        except (OSError, ValueError):  # unplugged meanwhile, or no file at all
             return ""
-        found = os.stat(port)
+        if os.access(port, os.R_OK | os.W_OK):
+            return ""
         group, user = _group(found.st_gid), _user()
         if found.st_gid == 0 or found.st_mode & (stat.S_IRGRP | stat.S_IWGRP) != stat.S_IRGRP | stat.S_IWGRP:
             return f"{port} is for its owner alone ({_owner(found.st_uid)}); a udev rule can give it to a group."
