@@ -5,17 +5,17 @@ VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
 
-.PHONY: demo test lint slow papers blind coverage sensitivity campaign bench gui clean
+.PHONY: demo test lint slow papers blind coverage sensitivity campaign bench gui bundle clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/.run: pyproject.toml
 	@echo "Setting up labcal in $(VENV) (once; about a minute) ..."
-	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	@$(PYTHON) tools/set_up.py $(VENV) --editable .
 	@touch $@
 
 $(VENV)/.dev: pyproject.toml $(VENV)/.run
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,dcc]'
+	@echo "Setting up what the checks need ..."
+	@$(PYTHON) tools/set_up.py $(VENV) --editable '.[dev,dcc]'
 	@touch $@
 
 demo: $(VENV)/.run
@@ -60,6 +60,11 @@ BENCHES ?= 2
 campaign: $(VENV)/.dev
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/campaign.py --out campaign-out --number $(FAULTS) --benches $(BENCHES)
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/reliability.py table campaign-out docs/reliability.md
+
+BUNDLE ?= dist/labcal-bundle
+BUNDLE_PYTHON ?= 3.11
+bundle: $(VENV)/.dev
+	@$(BIN)/python tools/bundle/make.py --out $(BUNDLE) --python $(BUNDLE_PYTHON)
 
 clean:
 	rm -rf $(VENV) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -3,7 +3,7 @@
 set -euo pipefail
 BIN=${BIN:-.venv/bin}
 export QT_QPA_PLATFORM=${QT_QPA_PLATFORM:-offscreen} OPENBLAS_NUM_THREADS=1
-QT_LIBRARIES="libglib2.0-0 libgl1 libegl1 libfontconfig1 libxkbcommon0 libdbus-1-3"
+QT_LIBRARIES=$("$BIN/python" -m labcal.qt_packages)
 
 if ! "$BIN/python" -c "import PySide6.QtWidgets" 2>/dev/null; then
     if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
@@ -14,6 +14,9 @@ if ! "$BIN/python" -c "import PySide6.QtWidgets" 2>/dev/null; then
     fi
 fi
 
+if command -v dpkg-query >/dev/null && command -v readelf >/dev/null; then
+    "$BIN/python" tools/qt_libraries.py --check
+fi
 "$BIN/ruff" check .
 "$BIN/ruff" format --check --quiet .
 "$BIN/mypy"

@@ -26,7 +26,7 @@ UsageFault = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 COMMANDS = (
-    *("demo", "gui", "bench", "run", "runs", "show", "import", "export", "check-store", "audit"),
+    *("demo", "gui", "self-test", "bench", "run", "runs", "show", "import", "export", "check-store", "audit"),
     *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "conformity", "compare"),
     *("plugins", "effect"),
 )

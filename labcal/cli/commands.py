@@ -19,6 +19,7 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     report,
     run,
     runs,
+    self_test,
     signing,
 )
 from labcal.version import __version__

@@ -26,6 +26,8 @@ OWN = (
     "keys",
     "lab-key.pem",
     "photos",
+    "self-tests",
+    "crashes",
     "worked-out",
     "superseding",
     "translations",

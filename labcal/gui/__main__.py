@@ -1,26 +1,34 @@
-"""`python -m labcal.gui [--bench FILE]`: what `labcal gui` starts."""
+"""`python -m labcal.gui [--bench FILE]`: what `labcal gui` starts; with `--once PNG`, what `labcal self-test` does."""
 
 from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 
-NEEDED = "libglib2.0-0 libgl1 libegl1 libfontconfig1 libxkbcommon0 libdbus-1-3 libxcb-cursor0"
+from labcal.qt_packages import QT_PACKAGES
 
 
 def main() -> int:
     """Open the window; exit 2 with one sentence where Qt's system libraries are missing."""
     parser = argparse.ArgumentParser(prog="labcal gui", description="The technician's window.")
     parser.add_argument("--bench", help="the bench file; else the last one that was used")
+    parser.add_argument("--once", type=Path, metavar="PNG", help="build every page, keep a picture, and close")
+    parser.add_argument("--state", type=Path, help="keep here where the window stands, for who watches it")
+    parser.add_argument("--after-crash", metavar="REPORT", help="the window before this one broke off")
+    parser.add_argument("--page", default="", help="and stood on this page")
     given = parser.parse_args()
     try:
         from PySide6.QtWidgets import QApplication
     except ImportError as error:
-        print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {NEEDED}", file=sys.stderr)
+        needed = " ".join(QT_PACKAGES)
+        print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {needed}", file=sys.stderr)
         return 2
     from PySide6.QtCore import QLocale
 
+    from labcal.gui.once import keep_picture
     from labcal.gui.reopened import Shown
+    from labcal.gui.standing import Standing, come_back
     from labcal.gui.translations.translate import install_translator
     from labcal.gui.viewmodels.app_state import window_settings
     from labcal.gui.window import open_window
@@ -29,9 +37,11 @@ def main() -> int:
     application.setApplicationName("labcal")
     chosen = str(window_settings().value("language", "") or "")
     install_translator(application, QLocale(chosen) if chosen else QLocale.system())
-    shown = Shown(open_window(given.bench))
+    shown = Shown(open_window(given.bench), lambda window: Standing(window, given.state))
     sys.excepthook = shown.window.app_state.handle_exception
-    code = application.exec()
+    if given.after_crash:
+        come_back(shown.window, given.page, given.after_crash)
+    code = application.exec() if given.once is None else keep_picture(shown.window, given.once)
     shown.window.app_state.close()
     return code
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QCoreApplication, QLocale, QTimer
 
 from labcal.gui.translations.translate import install_translator
@@ -9,10 +11,10 @@ from labcal.gui.window import Window
 
 
 class Shown:
-    """Holds the window that is in sight, and puts another in its place."""
+    """Holds the window that is in sight, and puts another in its place; `attend` is called with each."""
 
-    def __init__(self, window: Window) -> None:
-        self.window = window
+    def __init__(self, window: Window, attend: Callable[[Window], object] = lambda window: None) -> None:
+        self.window, self._attend = window, attend
         self._listen()
 
     def speak(self, language: str) -> None:
@@ -36,3 +38,4 @@ class Shown:
 
     def _listen(self) -> None:
         self.window.language_wanted.connect(self.speak)
+        self._attendant = self._attend(self.window)

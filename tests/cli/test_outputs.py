@@ -37,6 +37,7 @@ READ = (
 # new: give it `--force`, and `labcal.files.outputs.claim` before its work.
 ASKED = {
     "demo --out": ("demo", "report.html"),
+    "self-test --out": ("self-test", "self-test.pdf"),
     "fit --out": ("fit {bundle}", "cal.json"),
     "fit --json": ("fit {bundle}", "fit.json"),
     "apply --out": ("apply {calibration} {readings}", "out.csv"),
@@ -59,7 +60,8 @@ ASKED = {
 }
 ELSEWHERE = {"effect new --out"}  # a folder of a package: tests/loop/test_effect_new.py
 READS = {
-    "demo --out": (), "runs --json": (), "audit --json": (), "bench cage --out": (), "bench find --out": (),
+    "demo --out": (), "self-test --out": (),
+    "runs --json": (), "audit --json": (), "bench cage --out": (), "bench find --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
     "verify --json": ("{calibration}",),
     "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),

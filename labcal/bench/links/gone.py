@@ -7,8 +7,10 @@ import os
 import sys
 
 from labcal.bench.links import devices
+from labcal.bench.links.permission import not_allowed
 from labcal.errors import InstrumentError
 
+FORBIDDEN = (errno.EACCES, errno.EPERM)
 BUSY = (errno.EAGAIN, errno.EBUSY, errno.EADDRINUSE)
 GONE = (
     errno.ENODEV, errno.ENXIO, errno.ENOENT, errno.EPIPE, errno.ENOTCONN, errno.ECONNRESET, errno.ECONNABORTED,
@@ -26,6 +28,8 @@ def not_open(url: str, error: OSError | None = None) -> InstrumentError:
         return InstrumentError(f"{url}: another program has opened it{why}.", fault="in use", remedy=remedy)
     if error is None or _number(error) in GONE:
         return InstrumentError(f"{url}: the link is lost{why}.", fault="link lost")
+    if _number(error) in FORBIDDEN and (remedy := not_allowed(url.partition("://")[2].partition("?")[0])):
+        return InstrumentError(f"{url}: this user may not open it{why}.", fault="link lost", remedy=remedy)
     return InstrumentError(f"{url}: the link does not open{why}.", fault="link lost")
 
 

@@ -1435,6 +1435,17 @@
     </message>
 </context>
 <context>
+    <name>Standing</name>
+    <message>
+        <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StartPage</name>
     <message>
         <source>Last closing check</source>

@@ -1435,6 +1435,17 @@
     </message>
 </context>
 <context>
+    <name>Standing</name>
+    <message>
+        <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
+        <translation>Das Fenster brach ab und wurde neu gestartet. Was es zuletzt sagte, liegt in {0}.</translation>
+    </message>
+    <message>
+        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
+        <translation>Eine laufende Messung wird von ihrem eigenen Prozess unterbrochen, wie durch Stopp: auf Start fortsetzen.</translation>
+    </message>
+</context>
+<context>
     <name>StartPage</name>
     <message>
         <source>▲ Interrupted: to be gone on with</source>

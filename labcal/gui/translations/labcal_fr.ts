@@ -1435,6 +1435,17 @@
     </message>
 </context>
 <context>
+    <name>Standing</name>
+    <message>
+        <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
+        <translation>La fenêtre s&apos;est interrompue et a été relancée. Ses derniers mots sont gardés dans {0}.</translation>
+    </message>
+    <message>
+        <source>A run that went on is interrupted by its own process, as by Stop: resume it on Start.</source>
+        <translation>Une mesure en cours est interrompue par son propre processus, comme par Stop : reprenez-la à l&apos;Accueil.</translation>
+    </message>
+</context>
+<context>
     <name>StartPage</name>
     <message>
         <source>▲ Interrupted: to be gone on with</source>

@@ -1,0 +1,56 @@
+"""Where the window stands, in a file for whoever watches it; and standing there again after it broke off."""
+
+from __future__ import annotations
+
+import json
+import os
+from contextlib import suppress
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QObject
+
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.window import Window
+
+
+class Standing(QObject):
+    """Writes page, bench and run to `file`, if anybody watches it, whenever one changes: nothing that was typed."""
+
+    def __init__(self, window: Window, file: Path | None) -> None:
+        super().__init__(window)
+        self._window, self._file, self._written = window, file, ""
+        if file is None:
+            return
+        window.stack.currentChanged.connect(self.write)
+        window.app_state.run.changed.connect(self.write)
+        window.app_state.bench_changed.connect(self.write)
+        self.write()
+
+    def write(self) -> None:
+        """Write what is new, whole or not at all; a full disk is no fault of the window's."""
+        run, app_state = self._window.app_state.run, self._window.app_state
+        told = {
+            "page": list(self._window.lazy_pages)[self._window.stack.currentIndex()],
+            "bench": app_state.bench,
+            "simulated": None if app_state.facts is None else app_state.facts.simulated,
+            "run": {"id": run.run_id, "state": run.state, "steps": [[name, str(mark)] for name, mark in run.steps()]},
+        }
+        if self._file is None or (text := json.dumps(told)) == self._written:
+            return
+        self._written, part = text, self._file.with_suffix(".part")
+        with suppress(OSError):
+            part.write_text(text, encoding="utf-8")
+            os.replace(part, self._file)
+
+
+def come_back(window: Window, page: str, report: str) -> None:
+    """Show the page that was open when the window before this one broke off, and say what happened."""
+    if page in window.lazy_pages:
+        window.open_page(page)
+    words = QCoreApplication.translate(
+        "Standing", "The window broke off, and was started again. What it said last is kept in {0}."
+    )
+    remedy = QCoreApplication.translate(
+        "Standing", "A run that went on is interrupted by its own process, as by Stop: resume it on Start."
+    )
+    window.app_state.fault.emit(Fault("crash", words.format(report), remedy))

@@ -1,0 +1,151 @@
+"""The window, watched: where it breaks off, what it said and where it stood are kept, and it is started again there.
+
+A person who closes it, or a system that ends it (SIGTERM, SIGINT, SIGHUP), is obeyed. A run goes to zero by its own
+process when its window is gone, and can be gone on with.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from io import BytesIO
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from labcal.files.atomic import write_bytes
+from labcal.files.home import FILE, SECRETS, for_children, home, own_folder
+from labcal.qt_packages import QT_PACKAGES
+
+WINDOW = (sys.executable, "-P", "-m", "labcal.gui")
+CLOSED, CANNOT = 0, 2  # by a person; and said in one sentence why not
+WANTED = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGINT", "SIGHUP") if hasattr(signal, name))
+AT_ONCE_S, TRIES = 20.0, 3  # broken off so often within so long of its start it is not started again
+LOG_BYTES = 200_000  # of the end of what it said
+NO_SCREEN = "no Qt platform plugin could be initialized"
+PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
+
+
+@dataclass(frozen=True, slots=True)
+class Ended:
+    """How the window ended: exit code (below zero: a signal's number), what it said, where it stood."""
+
+    code: int
+    log: str
+    state: dict[str, Any]
+    lived_s: float
+
+    @property
+    def broke_off(self) -> bool:
+        """Whether nobody wanted it."""
+        return self.code not in (CLOSED, CANNOT, *(-number for number in WANTED)) and NO_SCREEN not in self.log
+
+
+def watch(given: Sequence[str], say: Callable[[str], None], command: Sequence[str] = WINDOW) -> int:
+    """Run the window until it is closed; returns its exit code, 2 where it breaks off again and again at once."""
+    again: tuple[str, ...] = ()
+    soon = 0
+    while (ended := once([*command, *given, *again])).broke_off:
+        report = keep_report(ended)
+        soon = soon + 1 if ended.lived_s < AT_ONCE_S else 0
+        if soon == TRIES:
+            say(f"labcal gui: the window broke off {soon} times as soon as it was open; please report it with {report}")
+            return CANNOT
+        say(f"labcal gui: the window broke off ({how(ended.code)}) and is started again; kept: {report}")
+        again = ("--after-crash", str(report), "--page", str(ended.state.get("page", "")))
+    if NO_SCREEN in ended.log:
+        say(f"labcal gui: Qt reaches no screen; on Debian: apt-get install {' '.join(QT_PACKAGES)}")
+        return CANNOT
+    if ended.log.strip():
+        say(ended.log.strip())
+    return ended.code if ended.code >= 0 else 128 - ended.code
+
+
+def once(command: Sequence[str]) -> Ended:
+    """Run the window once; Ctrl-C reaches it too, and it is waited for."""
+    begun = time.monotonic()
+    with TemporaryDirectory(prefix="labcal-window-") as place:
+        state, log = Path(place) / "state.json", Path(place) / "log.txt"
+        environment = {**for_children(), "PYTHONFAULTHANDLER": "1"}
+        with log.open("wb") as said:
+            process = subprocess.Popen([*command, "--state", str(state)], stderr=said, env=environment)
+            while True:
+                try:
+                    code = process.wait()
+                    break
+                except KeyboardInterrupt:
+                    continue
+        return Ended(code, without_secrets(_end_of(log)), _read(state), time.monotonic() - begun)
+
+
+def keep_report(ended: Ended) -> Path:
+    """Keep one .zip: what it said, where it stood, the guardian's last lines, versions. No key, no passphrase."""
+    folder = own_folder(own_folder(home()) / "crashes")
+    report = folder / f"window-{datetime.now(UTC):%Y%m%dT%H%M%S.%fZ}.zip"
+    about = {
+        "ended": how(ended.code),
+        "lived_s": round(ended.lived_s, 1),
+        "python": sys.version,
+        "system": platform.platform(),
+        "packages": {name: _version(name) for name in PACKAGES},
+    }
+    packed = BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("crash.json", json.dumps(about, indent=1))
+        archive.writestr("state.json", without_secrets(json.dumps(ended.state, indent=1)))
+        archive.writestr("log.txt", ended.log)
+        archive.writestr("guardian.log", without_secrets(_end_of(home() / "guardian.log")))
+    write_bytes(report, packed.getvalue(), FILE)
+    return report
+
+
+def without_secrets(text: str) -> str:
+    """The text without what this process was told in confidence."""
+    for name in SECRETS:
+        if secret := os.environ.get(name):
+            text = text.replace(secret, f"({name})")
+    return text
+
+
+def how(code: int) -> str:
+    """In words."""
+    if code >= 0:
+        return f"exit {code}" if code < 1 << 31 else f"code {code:#x}"
+    try:
+        return signal.Signals(-code).name
+    except ValueError:
+        return f"signal {-code}"
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "not installed"
+
+
+def _end_of(path: Path) -> str:
+    try:
+        with path.open("rb") as file:
+            file.seek(max(0, path.stat().st_size - LOG_BYTES))
+            return file.read().decode(errors="replace")
+    except OSError:
+        return ""
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        said = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return said if isinstance(said, dict) else {}

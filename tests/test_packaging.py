@@ -1,0 +1,120 @@
+"""What is installed from: the same bytes from the same source, all of it, and what Qt asks of the system."""
+
+import hashlib
+import io
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import time
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+
+import pytest
+
+from labcal.qt_packages import QT_PACKAGES
+
+ROOT = Path(__file__).parents[1]
+LEFT_BEHIND = {".gitignore"}
+
+
+def tool(name):
+    spec = spec_from_file_location(name, ROOT / "tools" / f"{name}.py")
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def tracked():
+    try:
+        told = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        pytest.skip("no git here, or no repository")
+    return [name for name in told.splitlines() if (ROOT / name).is_file()]
+
+
+def built(folder, when_s, umask, names):
+    """Hash by file name of wheel and sdist, built from a copy whose files have another age and other rights."""
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, folder / name)
+        os.chmod(folder / name, 0o666 & ~umask)
+        os.utime(folder / name, (when_s, when_s))
+    command = [sys.executable, "-m", "hatchling", "build", "--directory", str(folder / "out")]
+    environment = {**os.environ, "SOURCE_DATE_EPOCH": "1767600000", "TZ": f"UTC{umask % 7}"}
+    subprocess.run(command, cwd=folder, check=True, capture_output=True, env=environment, timeout=120)
+    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in (folder / "out").iterdir()}
+
+
+def test_two_builds_are_one_wheel_and_one_sdist_and_the_sdist_is_whole(tmp_path):
+    names = tracked()
+    first = built(tmp_path / "a", 1.6e9, 0o022, names)
+    assert len(first) == 2
+    assert built(tmp_path / "elsewhere" / "b", time.time(), 0o077, sorted(names, reverse=True)) == first
+    [packed] = (tmp_path / "a" / "out").glob("*.tar.gz")
+    with tarfile.open(packed) as archive:
+        inside = {name.split("/", 1)[1] for name in archive.getnames()}
+    assert set(names) - inside <= LEFT_BEHIND
+
+
+def test_readme_names_what_the_window_needs_of_the_system():
+    assert tool("qt_libraries").stated_in(ROOT / "README.md") == list(QT_PACKAGES)
+
+
+@pytest.mark.parametrize(
+    ("soname", "package"),
+    [
+        ("libxcb-icccm.so.4", "libxcb-icccm4"),
+        ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
+        ("libdbus-1.so.3", "libdbus-1-3"),
+        ("libX11-xcb.so.1", "libx11-xcb1"),
+        ("libEGL.so.1", "libegl1"),
+    ],
+)
+def test_a_library_that_is_not_installed_is_in_the_package_that_debian_s_policy_names(soname, package):
+    assert tool("qt_libraries").by_policy(soname) == package
+
+
+@pytest.mark.slow  # tools/check.sh does so each time
+@pytest.mark.skipif(not shutil.which("readelf") or not shutil.which("dpkg-query"), reason="needs Debian and binutils")
+def test_what_qt_s_own_libraries_need_is_what_is_stated():
+    assert set(tool("qt_libraries").needed_packages()) == set(QT_PACKAGES)
+
+
+def test_what_is_missing_and_what_is_too_much_is_told_with_its_place():
+    lacks = [name for name in QT_PACKAGES if name != "libxcb-cursor0"]
+    assert tool("qt_libraries").differences("README.md", QT_PACKAGES, [*lacks, "libfoo1"]) == [
+        "README.md does not name libxcb-cursor0, which Qt needs",
+        "README.md names libfoo1, which Qt does not need",
+    ]
+
+
+def test_setting_up_is_not_silent_for_long_and_tells_what_failed(tmp_path, monkeypatch, capsys):
+    set_up = tool("set_up")
+    monkeypatch.setattr(set_up, "SILENCE_S", 0.1)
+    (tmp_path / "lib" / "python3" / "site-packages" / "numpy.dist-info").mkdir(parents=True)
+    said = io.StringIO()
+    aloud = set_up.Aloud(tmp_path, said)
+    try:
+        until = time.monotonic() + 15
+        while said.getvalue().count("1 packages are in place") < 2:
+            assert time.monotonic() < until
+            time.sleep(0.02)
+        code = "print('Collecting numpy'); print('of no interest'); raise SystemExit(3)"
+        assert set_up.run([sys.executable, "-c", code], aloud) == 3
+    finally:
+        aloud.end()
+    assert "  Collecting numpy\n" in said.getvalue()
+    assert "of no interest" not in said.getvalue()
+    assert "of no interest" in capsys.readouterr().err  # what was not said is, where it failed
+
+
+def test_a_python_that_labcal_does_not_run_on_is_told_at_once(monkeypatch, capsys, tmp_path):
+    set_up = tool("set_up")
+    monkeypatch.setattr(set_up, "OLDEST", (3, 12 if sys.version_info < (3, 12) else 99))
+    monkeypatch.setattr(sys, "argv", ["set_up.py", str(tmp_path / "venv"), "."])
+    assert set_up.main() == 2
+    assert re.search(r"needs Python 3.11 to 3.13, python3 is 3\.", capsys.readouterr().err)
+    assert not (tmp_path / "venv").exists()
