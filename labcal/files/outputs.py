@@ -28,6 +28,7 @@ OWN = (
     "photos",
     "worked-out",
     "superseding",
+    "bundles",
     "translations",
     "written",
     "window.ini",
