@@ -21,9 +21,9 @@ from made_up import Years, fill  # noqa: E402
 from postgres import Server, server  # noqa: E402
 from test_queries import answers  # noqa: E402
 
-from labcal import session  # noqa: E402
 from labcal.record import Dut, Reference, RunHeader, Segment  # noqa: E402
 from labcal.record.stream import Block, SegmentClosed, SegmentOpened  # noqa: E402
+from labcal.session import archiving  # noqa: E402
 from labcal.store import Store  # noqa: E402
 
 YEARS = Years(500, 10)
@@ -38,7 +38,7 @@ def running() -> Iterator[Server]:
 
 def test_questions(running: Server) -> None:
     url = running.url(name := running.database())
-    session.init_archive(url, None)
+    archiving.init_archive(url, None)
     fill(running, name, YEARS)
     answers(url, YEARS)
     took = [answers(url, YEARS) for _ in range(5)]
@@ -51,14 +51,14 @@ def test_questions(running: Server) -> None:
 
 def test_push(running: Server, tmp_path: Path) -> None:
     url = f"{running.url(running.database())}&bundles={tmp_path}"
-    session.init_archive(url, None)
+    archiving.init_archive(url, None)
     for number in range(RUNS):
         record(f"run-{number}")
     begun, busy = time.perf_counter(), resource.getrusage(resource.RUSAGE_SELF).ru_utime
-    assert session.push(url).runs == RUNS
+    assert archiving.push(url).runs == RUNS
     wall, busy = time.perf_counter() - begun, resource.getrusage(resource.RUSAGE_SELF).ru_utime - busy
     begun = time.perf_counter()
-    assert session.push(url).runs == 0
+    assert archiving.push(url).runs == 0
     again = time.perf_counter() - begun
     bytes_ = sum(path.stat().st_size for path in tmp_path.rglob("*.zip"))
     rate = RUNS * SAMPLES / wall

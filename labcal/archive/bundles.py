@@ -24,9 +24,12 @@ def put(place: str, content: bytes) -> str:
         _put_elsewhere(place, digest, content)
         return digest
     path = Path(place).expanduser() / _name(digest)
-    if not path.is_file() or sha256(path.read_bytes()).hexdigest() != digest:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_bytes(path, content, FOR_ALL_TO_READ)
+    try:
+        if not path.is_file() or sha256(path.read_bytes()).hexdigest() != digest:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_bytes(path, content, FOR_ALL_TO_READ)
+    except OSError as error:
+        raise _not_reached(place, error) from None
     return digest
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from labcal.errors import InputError
 from labcal.model import Calibration, EffectRecord
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.record import Dut, Run
@@ -83,8 +84,11 @@ def parameter_rows(calibration: Calibration) -> list[Row]:
 
 
 def utc(stated: str) -> datetime:
-    """The moment that an ISO 8601 text states; without a zone it is UTC."""
-    moment = datetime.fromisoformat(stated)
+    """The moment that an ISO 8601 text states; without a zone it is UTC. Raises InputError."""
+    try:
+        moment = datetime.fromisoformat(stated)
+    except ValueError:
+        raise InputError(f"{stated!r} is no date such as 2026-11-23") from None
     return moment if moment.tzinfo else moment.replace(tzinfo=UTC)
 
 

@@ -50,11 +50,11 @@ def push(
     ),
 ) -> None:
     """Copy finished runs, signed calibrations and the audit log into the archive; what is there already stays."""
-    from labcal import session
+    from labcal.session import archiving
 
     if every is not None:
-        session.push_every(every, archive, runs or (), bundles, say)
-    found = session.push(archive, runs or (), bundles, say)
+        archiving.push_every(every, archive, runs or (), bundles, say)
+    found = archiving.push(archive, runs or (), bundles, say)
     say(found.in_words())
     if found.refused:
         say_lines(found.refused[:-1], err=True)
@@ -67,9 +67,9 @@ def init(
     bundles: str | None = typer.Option(None, metavar="PLACE", help="Where all sites keep bundles: a folder, or s3://…"),
 ) -> None:
     """Make the catalogue in an empty database, or bring an older one up to date."""
-    from labcal import session
+    from labcal.session import archiving
 
-    say(session.init_archive(archive, bundles))
+    say(archiving.init_archive(archive, bundles))
 
 
 @archive.command()
@@ -80,9 +80,9 @@ def grant(
     archive: str | None = ARCHIVE,
 ) -> None:
     """Let a PostgreSQL role see a lab's rows, or add to them; the server itself refuses everything else."""
-    from labcal import session
+    from labcal.session import archiving
 
-    session.grant_in_archive(archive, role, lab, may.value)
+    archiving.grant_in_archive(archive, role, lab, may.value)
     say(f"{role} may {may} {'of ' if may is May.nothing else ''}{lab}")
 
 
@@ -113,12 +113,12 @@ def calibrations(
     force: bool = FORCE,
 ) -> None:
     """List calibrations: those that a reference's fault touches, that changed, that suffer an effect."""
-    from labcal import session
+    from labcal.session import archiving
 
     bound = _bound(above)
-    found = session.archived_calibrations(
-        archive, model=model, dut=dut, instrument=instrument, since=session.as_moment(since),
-        until=session.as_moment(until), effect=effect, above=bound, changed=changed,
+    found = archiving.archived_calibrations(
+        archive, model=model, dut=dut, instrument=instrument, since=archiving.as_moment(since),
+        until=archiving.as_moment(until), effect=effect, above=bound, changed=changed,
     )  # fmt: skip
     if json is not None:
         return write_json(found, json, "archive calibrations", force=force)
@@ -136,9 +136,9 @@ def get(
     force: bool = FORCE,
 ) -> None:
     """Fetch a run's bundle from the archive."""
-    from labcal import session
+    from labcal.session import archiving
 
-    session.fetch_from_archive(archive, run, site, out, force=force)
+    archiving.fetch_from_archive(archive, run, site, out, force=force)
     say(out)
 
 

@@ -68,10 +68,10 @@ def list_archived(url: str | None, json: str | None, *, force: bool) -> None:
     """Print the runs of the archive, or write them as JSON."""
     from dataclasses import fields
 
-    from labcal import session
+    from labcal.session import archiving
     from labcal.store import RunSummary
 
-    found = session.archived_runs(url)
+    found = archiving.archived_runs(url)
     if json is not None:
         return write_json(found, json, "runs", force=force)
     if not found:

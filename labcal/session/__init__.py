@@ -35,16 +35,6 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
-from labcal.session.archiving import (
-    archived_calibrations,
-    archived_runs,
-    as_moment,
-    fetch_from_archive,
-    grant_in_archive,
-    init_archive,
-    push,
-    push_every,
-)
 from labcal.session.audited import note_file, note_run, read_audit
 from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
@@ -83,9 +73,6 @@ __all__ = [
     "apply_calibration",
     "approve",
     "approve_cage",
-    "archived_calibrations",
-    "archived_runs",
-    "as_moment",
     "asks_passphrase",
     "changed_since",
     "check_store",
@@ -96,17 +83,14 @@ __all__ = [
     "draft",
     "export_calibration",
     "export_run",
-    "fetch_from_archive",
     "filter_history",
     "find_instruments",
     "fit_run",
-    "grant_in_archive",
     "greetings",
     "hand_out",
     "import_bundle",
     "import_calibration",
     "import_foreign",
-    "init_archive",
     "keep_photo",
     "listed_keys",
     "load_calibration",
@@ -115,8 +99,6 @@ __all__ = [
     "new_key",
     "one_cause",
     "paths",
-    "push",
-    "push_every",
     "read_audit",
     "report",
     "resume",

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from postgres import NoServerError, Server, server
 
-from labcal import session
+from labcal.session import archiving
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 Bundle = Callable[..., Path]
@@ -53,7 +53,7 @@ def postgres() -> Iterator[Server]:
 def catalogue(postgres: Server) -> str:
     """A database with a catalogue in it."""
     made = postgres.database()
-    session.init_archive(postgres.url(made), None)
+    archiving.init_archive(postgres.url(made), None)
     return made
 
 

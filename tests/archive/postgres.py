@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from psycopg import Connection
 
+OWNER = "keeper"
 WITHIN_S = 120  # for a server that never starts, not for a busy machine
 NUMBERS = count()
 # -F: it does not wait for the disk, for what is lost here is no loss.
@@ -59,10 +60,10 @@ class Server:
     folder: Path
     programs: Path
 
-    def url(self, database: str, user: str = "keeper") -> str:
+    def url(self, database: str, user: str = OWNER) -> str:
         return f"postgresql://{user}@/{database}?host={self.folder}"
 
-    def connect(self, database: str = "postgres", user: str = "keeper") -> Connection[tuple[object, ...]]:
+    def connect(self, database: str = "postgres", user: str = OWNER) -> Connection[tuple[object, ...]]:
         import psycopg
 
         return psycopg.connect(self.url(database, user), autocommit=True)
@@ -82,21 +83,8 @@ def server() -> Iterator[Server]:
     folder = Path(tempfile.mkdtemp(prefix="labcal-pg-", dir="/tmp"))
     try:
         shutil.chown(folder, user or getpass.getuser())
-        ask = [
-            found / "initdb",
-            "-D",
-            folder / "data",
-            "-U",
-            "labcal",
-            "-A",
-            "trust",
-            "-N",
-            "--wal-segsize=1",
-            "-E",
-            "UTF8",
-            "--locale=C",
-        ]
-        done(ask, user)
+        made = ["-U", OWNER, "-A", "trust", "-N", "--wal-segsize=1", "-E", "UTF8", "--locale=C"]
+        done([found / "initdb", "-D", folder / "data", *made], user)
         control = [found / "pg_ctl", "-D", folder / "data", "-w", "-t", str(WITHIN_S)]
         done([*control, "-l", folder / "log", "-o", f"{SETTINGS} -k {folder}", "start"], user)
         try:

@@ -31,6 +31,12 @@ def test_half_a_file_of_before_is_made_whole(tmp_path: Path) -> None:
     assert get(str(tmp_path), digest) == b"samples"
 
 
+def test_a_folder_that_is_none_is_one_sentence(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match="bundles cannot be kept or read there"):
+        put(str(tmp_path / "file"), b"samples")
+
+
 def test_a_place_that_nobody_reaches_is_one_sentence_without_its_password(tmp_path: Path) -> None:
     pytest.importorskip("fsspec", reason="bundles elsewhere than in a folder need fsspec")
     for place in ("nonsense://u:c4nary@x/y", "s3://c4nary:c4nary@x/y"):

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from conftest import Bundle
 
-from labcal import session
 from labcal.cli import execute as labcal
 from labcal.files.home import home
+from labcal.session import archiving
 from labcal.store import Store
 
 
@@ -24,7 +24,7 @@ from labcal.store import Store
 def test_what_is_there_is_kept_until_force_is_said_and_the_store_then_too(
     words: tuple[str, ...], name: str, url: str, bundle: Bundle, tmp_path: Path
 ) -> None:
-    session.push(url, [str(bundle())])
+    archiving.push(url, [str(bundle())])
     out = tmp_path / name
     out.write_text("the work of a week")
     assert labcal([*words, str(out), "--archive", url]) == 2

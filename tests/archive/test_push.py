@@ -18,6 +18,7 @@ from labcal.errors import InputError, Stopped
 from labcal.files.home import home
 from labcal.record import Dut, Reference, RunHeader
 from labcal.record.stream import Block
+from labcal.session import archiving
 from labcal.store import Store, load_bundle
 
 GOLDEN = Path(__file__).parents[1] / "golden"
@@ -65,7 +66,7 @@ def test_push_copies_runs_calibrations_and_the_audit_log_and_again_changes_nothi
 
 def test_the_bytes_come_back(url: str, bundle: Bundle, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pushed = bundle()
-    session.push(url, [str(pushed)])
+    archiving.push(url, [str(pushed)])
     out = tmp_path / "back.zip"
     assert labcal(["archive", "get", "demo-0", "--archive", url, "--out", str(out)]) == 0
     assert load_bundle(out).sha256 == load_bundle(pushed).sha256
@@ -83,13 +84,15 @@ def test_only_what_is_finished_goes_and_nobody_waits_for_it(postgres: Server, da
     recorded("gone", "stopped")
     header = RunHeader("now", "2026-05-01T10:00:00Z", True, "ada", Dut("SN-9"), Reference("none"))
     with Store.open() as store, store.begin(header) as writer:
-        found = session.push(url)
+        found = archiving.push(url)
         assert (found.runs, found.refused) == (1, ())
         writer.commit()  # the run goes on
-        assert session.push(url, ["now"]).refused == ("run now is running: only a finished run goes into the archive",)
+        assert archiving.push(url, ["now"]).refused == (
+            "run now is running: only a finished run goes into the archive",
+        )
         writer.finish("finished")
-    assert session.push(url).runs == 1
-    assert session.push(url, ["gone"]).refused[0].startswith("run gone is stopped")
+    assert archiving.push(url).runs == 1
+    assert archiving.push(url, ["gone"]).refused[0].startswith("run gone is stopped")
     names = sorted(str(row[2]) for row in rows_of(postgres, database)["run"])
     assert names == ["done", "now"]
     instruments = {row[3:7] for row in rows_of(postgres, database)["instrument"]}
@@ -101,16 +104,16 @@ def test_the_same_name_at_two_sites_and_at_one(url: str, bundle: Bundle, tmp_pat
     first, second = bundle(), bundle(serial="SN-2")
     with ThreadPoolExecutor() as both:  # at once, and some of it twice
         pushes = [
-            both.submit(session.push, one, [str(path)]) for one in (url, other) for path in (first, second, first)
+            both.submit(archiving.push, one, [str(path)]) for one in (url, other) for path in (first, second, first)
         ]
         new = sum(one.result().runs for one in pushes)
-    found = session.archived_runs(url)
+    found = archiving.archived_runs(url)
     assert new == 4
     assert sorted((one["site"], one["run_id"], one["dut_serial"]) for one in found) == [
         (site, "demo-0", serial) for site in ("aalto", "glasgow") for serial in ("SN-1", "SN-2")
     ]
     with pytest.raises(InputError, match="there are 4 runs 'demo-0'"):
-        session.fetch_from_archive(url, "demo-0", None, tmp_path / "y.zip")
+        archiving.fetch_from_archive(url, "demo-0", None, tmp_path / "y.zip")
 
 
 @pytest.mark.parametrize("cut", ["pg_terminate_backend(pg_backend_pid())", "1 / 0"])
@@ -124,14 +127,14 @@ def test_a_push_cut_in_the_middle_leaves_nothing_half(
             connection.execute(f"CREATE TRIGGER cut BEFORE INSERT ON labcal.{table} EXECUTE FUNCTION cut()")
     told = ""
     try:
-        told = " ".join(session.push(url, [str(bundle()), str(signed)]).refused)
+        told = " ".join(archiving.push(url, [str(bundle()), str(signed)]).refused)
     except InputError as away:
         told = str(away)
     assert "server closed" in told or "terminating" in told or "division by zero" in told
     assert not any(count(postgres, database)[name] for name in ("run", "instrument", "calibration", "document"))
     with postgres.connect(database) as connection:
         connection.execute("DROP FUNCTION cut CASCADE")
-    assert session.push(url, [str(bundle()), str(signed)]).runs == 1
+    assert archiving.push(url, [str(bundle()), str(signed)]).runs == 1
     assert len([*(tmp_path / "bundles").rglob("*.zip")]) == 1
 
 
@@ -159,7 +162,7 @@ def test_a_server_that_is_away_is_one_sentence_and_push_every_goes_on_when_it_is
     assert len(told.splitlines()) == 1
     heard = list[str]()
     with pytest.raises(Stopped):
-        session.push_every(60.0, url, [str(pushed)], None, heard.append, wait)
+        archiving.push_every(60.0, url, [str(pushed)], None, heard.append, wait)
     assert waits == [60.0] * 3
     assert [one.partition(":")[0] for one in heard] == ["postgresql", "run demo-0"]  # that it is away is said once
 
@@ -180,31 +183,31 @@ def test_a_calibration_brings_its_run_and_a_run_its_calibrations(url: str, bundl
     stated = json.loads(signed.read_text()) | {"run_id": "r1", "run_sha256": load_bundle(path).sha256}
     signed.write_text(json.dumps(stated))
     session.import_bundle(path)
-    found = session.push(url, [str(signed)])
+    found = archiving.push(url, [str(signed)])
     assert (found.runs, found.calibrations) == (1, 1)
     kept = home() / "calibrations"
     kept.mkdir()
     shutil.copy(signed, kept / "r1.json")
     shutil.copy(f"{signed}.sshsig", kept / "r1.json.sshsig")
     elsewhere = url.replace("site=aalto", "site=glasgow")
-    found = session.push(elsewhere, ["r1"])
+    found = archiving.push(elsewhere, ["r1"])
     assert (found.runs, found.calibrations) == (1, 1)
-    assert {one["measured_utc"] for one in session.archived_calibrations(url)} == {"2026-03-02T08:15:00.000Z"}
+    assert {one["measured_utc"] for one in archiving.archived_calibrations(url)} == {"2026-03-02T08:15:00.000Z"}
 
 
 def test_a_second_signature_is_added_later_and_who_signed_is_told(url: str, signed: Path) -> None:
-    session.push(url, [str(signed)])
-    assert [one["signers"] for one in session.archived_calibrations(url)] == [""]  # it holds for nobody
+    archiving.push(url, [str(signed)])
+    assert [one["signers"] for one in archiving.archived_calibrations(url)] == [""]  # it holds for nobody
     signed.with_name("cal.json.sshsig").unlink()
     session.new_key("ada", "a long enough phrase")
     session.sign(signed, "ada", "a long enough phrase")
-    assert session.push(url, [str(signed)]).calibrations == 1
-    assert [one["signers"] for one in session.archived_calibrations(url)] == ["ada"]
+    assert archiving.push(url, [str(signed)]).calibrations == 1
+    assert [one["signers"] for one in archiving.archived_calibrations(url)] == ["ada"]
 
 
 def test_the_audit_log_goes_along_entry_by_entry_as_it_lies_here(postgres: Server, database: str, url: str) -> None:
     for name in ("a", "b"):
         audit.append(home(), "run", "ada", {"run": name})
-        session.push(url)
+        archiving.push(url)
     there = [(row[3], bytes(row[8]), bytes(row[9])) for row in rows_of(postgres, database)["audit"]]  # type: ignore[arg-type]
     assert sorted(there) == audit.stored(home())

@@ -11,8 +11,8 @@ import pytest
 from made_up import Years, fill
 from postgres import Server
 
-from labcal import session
 from labcal.cli import execute as labcal
+from labcal.session import archiving
 
 SMALL, LARGE = Years(20, 10), Years(500, 10)
 SINCE = datetime(2020, 1, 1, tzinfo=UTC)
@@ -35,7 +35,7 @@ def answers(url: str, years: Years) -> dict[str, float]:
     took = {}
     for question, (wanted, expected) in ASKED.items():
         begun = time.perf_counter()
-        found = session.archived_calibrations(url, **wanted)
+        found = archiving.archived_calibrations(url, **wanted)
         took[question] = time.perf_counter() - begun
         assert {one["run_id"] for one in found} == expected(years) != set(), question
         assert len(found) == len(expected(years)), question

@@ -8,9 +8,9 @@ import pytest
 from conftest import Bundle
 from postgres import Server
 
-from labcal import session
 from labcal.cli import execute as labcal
 from labcal.errors import InputError
+from labcal.session import archiving
 
 NUMBERS = count()
 
@@ -35,21 +35,21 @@ def granted(url: str, role: str, lab: str, may: str) -> None:
 
 
 def test_a_role_pushes_for_its_own_lab_and_sees_no_other(url: str, role: str, as_role: str, bundle: Bundle) -> None:
-    session.push(url, [str(bundle())])
+    archiving.push(url, [str(bundle())])
     with pytest.raises(InputError, match="permission denied"):
-        session.push(as_role, [str(bundle())])
+        archiving.push(as_role, [str(bundle())])
     granted(url, role, "glasgow", "push")
-    assert session.push(as_role, [str(bundle("r2"))]).site == "glasgow"
-    assert [one["run_id"] for one in session.archived_runs(as_role)] == ["r2"]
-    [own] = [one for one in session.archived_runs(url) if one["site"] == "glasgow"]
+    assert archiving.push(as_role, [str(bundle("r2"))]).site == "glasgow"
+    assert [one["run_id"] for one in archiving.archived_runs(as_role)] == ["r2"]
+    [own] = [one for one in archiving.archived_runs(url) if one["site"] == "glasgow"]
     assert own["pushed_by"] == role
-    told = session.push(f"{as_role}&site=aalto", [str(bundle("r3"))]).refused
+    told = archiving.push(f"{as_role}&site=aalto", [str(bundle("r3"))]).refused
     assert "violates row-level security policy" in told[0]
     granted(url, role, "*", "read")
-    assert len(session.archived_runs(as_role)) == 2
+    assert len(archiving.archived_runs(as_role)) == 2
     granted(url, role, "*", "nothing")
     granted(url, role, "glasgow", "nothing")
-    assert session.archived_runs(as_role) == []
+    assert archiving.archived_runs(as_role) == []
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_no_role_changes_a_row_not_even_of_its_own_lab(
 ) -> None:
     from psycopg.errors import InsufficientPrivilege
 
-    session.push(url, [str(bundle())])
+    archiving.push(url, [str(bundle())])
     granted(url, role, "aalto", "push")
     with postgres.connect(database, role) as connection:
         assert connection.execute("SELECT count(*) FROM labcal.run").fetchone() == (1,)
@@ -98,10 +98,10 @@ def test_a_group_s_right_is_its_members(postgres: Server, url: str, role: str, a
         connection.execute(f"CREATE ROLE {role}_group")
         connection.execute(f"GRANT {role}_group TO {role}")
     granted(url, f"{role}_group", "aalto", "push")
-    assert session.push(as_role, [str(bundle())]).site == "aalto"
+    assert archiving.push(as_role, [str(bundle())]).site == "aalto"
     granted(url, role, "glasgow", "push")
     with pytest.raises(InputError, match=r"may push for aalto, glasgow: `\?site=LAB`"):
-        session.push(as_role, [])
+        archiving.push(as_role, [])
 
 
 @pytest.mark.parametrize(

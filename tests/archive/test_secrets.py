@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from conftest import Bundle, rows_of
 from postgres import Server
 
-from labcal import session
 from labcal.cli import execute as labcal
 from labcal.errors import InputError
 from labcal.files.home import for_children, home
 from labcal.files.text_safety import without_passwords
+from labcal.session import archiving
 
 CANARY = "c4nary"
 PLACES = (
@@ -78,7 +80,7 @@ def test_a_fault_of_labcal_s_own_repeats_it_nowhere(
         raise RuntimeError(f"postgresql://labcal:{CANARY}@host/lab")
 
     monkeypatch.setattr("sys.argv", ["labcal", "push", "--archive", f"postgresql://labcal:{CANARY}@host/lab"])
-    monkeypatch.setattr("labcal.session.archived_runs", fails)
+    monkeypatch.setattr("labcal.session.archiving.archived_runs", fails)
     assert labcal(["archive", "runs", "--archive", url]) == 2
     assert "a fault of labcal's own" in (told := capsys.readouterr().err)
     assert CANARY not in told
@@ -98,9 +100,15 @@ def test_without_an_archive_and_without_its_libraries_it_is_one_sentence(
 ) -> None:
     monkeypatch.delenv("LABCAL_ARCHIVE", raising=False)
     with pytest.raises(InputError, match="which archive"):
-        session.push(None)
+        archiving.push(None)
     for name in ("labcal.archive.server", "labcal.archive.versions"):
-        monkeypatch.delitem(__import__("sys").modules, name, raising=False)
-    monkeypatch.setitem(__import__("sys").modules, "sqlalchemy", None)
+        monkeypatch.delitem(sys.modules, name, raising=False)
+    monkeypatch.setitem(sys.modules, "sqlalchemy", None)
     assert labcal(["push", "--archive", url]) == 2
     assert "pip install 'labcal[archive]'" in capsys.readouterr().err
+
+
+def test_nothing_of_it_is_loaded_by_who_does_not_ask_for_it() -> None:
+    looked = "import sys, labcal.session, labcal.cli.commands; print({'sqlalchemy', 'psycopg'} & sys.modules.keys())"
+    told = subprocess.run([sys.executable, "-c", looked], check=True, capture_output=True, text=True)
+    assert told.stdout == "set()\n"

@@ -11,9 +11,9 @@ import pytest
 from conftest import Bundle, rows_of
 from postgres import Server, server
 
-from labcal import session
 from labcal.cli import execute as labcal
 from labcal.errors import InputError
+from labcal.session import archiving
 
 DUMP = Path(__file__).parents[1] / "golden" / "archive-1.sql"  # pg_dump of version 1: it is read for ever
 
@@ -45,7 +45,7 @@ def test_the_first_push_makes_it_and_it_is_what_the_tables_say(postgres: Server,
     from labcal.archive.server import opened
     from labcal.archive.tables import METADATA
 
-    assert session.push(postgres.url(empty), [str(bundle())]).runs == 1
+    assert archiving.push(postgres.url(empty), [str(bundle())]).runs == 1
     options = {"include_schemas": True, "version_table_schema": "labcal", "compare_type": True}
     with opened(parse_address(postgres.url(empty))) as archive, archive.transaction() as connection:
         context = MigrationContext.configure(connection, opts=options)
@@ -67,28 +67,28 @@ def test_an_archive_of_the_first_version_is_brought_up_to_date_with_what_is_in_i
 ) -> None:
     restore(postgres, empty, DUMP.read_text(encoding="utf-8"))
     url = f"{postgres.url(empty)}&site=aalto"
-    session.init_archive(url, None)
-    assert [(one["site"], one["run_id"], one["dut_serial"]) for one in session.archived_runs(url)] == [
+    archiving.init_archive(url, None)
+    assert [(one["site"], one["run_id"], one["dut_serial"]) for one in archiving.archived_runs(url)] == [
         ("aalto", "demo-0", "SN-1"),
         ("glasgow", "demo-0", "SN-2"),
     ]
-    [found] = session.archived_calibrations(url, instrument="H-1", effect="offset-current", above=(0.0, "nT/A"))
+    [found] = archiving.archived_calibrations(url, instrument="H-1", effect="offset-current", above=(0.0, "nT/A"))
     assert (found["run_id"], found["dut_serial"]) == ("r-2026-11-21-01", "FM-07")
-    assert session.push(url, [str(bundle())]).runs == 0  # it is there
-    assert session.push(url, [str(bundle("new"))]).runs == 1
+    assert archiving.push(url, [str(bundle())]).runs == 0  # it is there
+    assert archiving.push(url, [str(bundle("new"))]).runs == 1
 
 
 def test_one_of_another_version_is_named_and_left_alone(
     postgres: Server, empty: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    session.init_archive(postgres.url(empty), None)
+    archiving.init_archive(postgres.url(empty), None)
     for version, told in (("0000", "its owner runs `labcal archive init` once"), ("9999", "update labcal here")):
         with postgres.connect(empty) as connection:
             connection.execute("UPDATE labcal.alembic_version SET version_num = %s", (version,))
         assert labcal(["push", "--archive", postgres.url(empty)]) == 2
         assert told in capsys.readouterr().err
     with pytest.raises(InputError, match="update labcal here"):
-        session.init_archive(postgres.url(empty), None)
+        archiving.init_archive(postgres.url(empty), None)
 
 
 @pytest.mark.slow
@@ -97,16 +97,16 @@ def test_an_archive_comes_back_from_its_dump_on_another_server(
 ) -> None:
     with postgres.connect() as connection:
         connection.execute("CREATE ROLE restored_reader LOGIN")
-    session.push(url, [str(bundle()), str(bundle("r2"))])
-    session.grant_in_archive(url, "restored_reader", "aalto", "read")
+    archiving.push(url, [str(bundle()), str(bundle("r2"))])
+    archiving.grant_in_archive(url, "restored_reader", "aalto", "read")
     with server() as other:
         restore(other, name := other.database(), dumped(postgres, database))
         place = url.replace(str(postgres.folder), str(other.folder)).replace(f"/{database}?", f"/{name}?")
         assert rows_of(other, name) == rows_of(postgres, database)
-        assert session.push(place, [str(bundle()), str(bundle("r2"))]).runs == 0
-        session.fetch_from_archive(place, "r2", None, tmp_path / "r2.zip")
+        assert archiving.push(place, [str(bundle()), str(bundle("r2"))]).runs == 0
+        archiving.fetch_from_archive(place, "r2", None, tmp_path / "r2.zip")
         with other.connect() as connection:  # the role is there again, and its right with it, once it is granted
             connection.execute("CREATE ROLE restored_reader LOGIN")
-        session.grant_in_archive(place, "restored_reader", "aalto", "read")
+        archiving.grant_in_archive(place, "restored_reader", "aalto", "read")
         reader = place.replace("//keeper@", "//restored_reader@")
-        assert len(session.archived_runs(reader)) == 2
+        assert len(archiving.archived_runs(reader)) == 2
