@@ -30,16 +30,12 @@ ASKED: dict[str, tuple[dict[str, object], Callable[[Years], set[str]]]] = {
 }
 
 
-def answers(url: str, years: Years) -> dict[str, float]:
-    """Ask all, look at the answers, and tell how long each took."""
-    took = {}
+def answers(url: str, years: Years) -> None:
+    """Ask all, and look at the answers."""
     for question, (wanted, expected) in ASKED.items():
-        begun = time.perf_counter()
         found = archiving.archived_calibrations(url, **wanted)
-        took[question] = time.perf_counter() - begun
         assert {one["run_id"] for one in found} == expected(years) != set(), question
         assert len(found) == len(expected(years)), question
-    return took
 
 
 def test_what_is_asked_is_answered_rightly(postgres: Server, database: str, url: str) -> None:
@@ -47,11 +43,21 @@ def test_what_is_asked_is_answered_rightly(postgres: Server, database: str, url:
     answers(url, SMALL)
 
 
+def processor_s(server: Server, url: str, question: str, times: int = 5) -> float:
+    """What the server and whoever asks take of a processor for a question: what it takes where nobody else is busy."""
+    wanted, _ = ASKED[question]
+    archiving.archived_calibrations(url, **wanted)  # the first has to load what asks
+    begun = server.busy_s() + time.process_time()
+    for _ in range(times):
+        archiving.archived_calibrations(url, **wanted)
+    return (server.busy_s() + time.process_time() - begun) / times
+
+
 @pytest.mark.slow
 def test_ten_years_of_five_hundred_sensors_are_asked_in_two_seconds(postgres: Server, database: str, url: str) -> None:
     fill(postgres, database, LARGE)
-    answers(url, LARGE)  # the first has to load what asks
-    took = answers(url, LARGE)
+    answers(url, LARGE)
+    took = {question: processor_s(postgres, url, question) for question in ASKED}
     assert max(took.values()) < AT_MOST_S, took
 
 
