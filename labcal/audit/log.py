@@ -27,7 +27,7 @@ from labcal.errors import InputError
 from labcal.files.home import own_file, own_folder
 
 Row = tuple[int, bytes, bytes]
-Deed = Literal["begin", "run", "approve", "sign", "key", "trust", "revoke", "export", "correct"]
+Deed = Literal["begin", "run", "approve", "sign", "key", "trust", "revoke", "export", "push", "correct"]
 FILE = "audit.sqlite"
 CONTEXT = b"labcal-audit/1\n"
 START = "0" * 64
@@ -87,7 +87,7 @@ def append(home: Path, deed: Deed, who: str, about: Mapping[str, str]) -> None:
             told = f"the lab's key {lab_key.NAME} is gone, that signs the audit log: put it back, or set the log aside"
             raise InputError(told, file=home / FILE)
         key = key or lab_key.made(home)
-        number, before = (last[0], _link(last[1])) if last else (0, START)
+        number, before = (last[0], link_of(last[1])) if last else (0, START)
         if last is None:
             begun = _entry(1, "begin", who, {"key": lab_key.public_text(key.public_key())}, START)
             number, before = 1, _add(log, begun, key.sign)
@@ -110,8 +110,19 @@ def read(home: Path) -> Audit:
             fault = f"entry {len(entries) + 1}: {error}"
             break
         entries.append(entry)
-        head = _link(row[1])
+        head = link_of(row[1])
     return Audit(tuple(entries), head, key, fault or _against_the_key(home, key))
+
+
+def stored(home: Path) -> list[Row]:
+    """Number, text and signature of every entry as it lies in `home`, unread. Raises InputError: it is no log."""
+    path = home / FILE
+    return _rows(path)[1] if path.is_file() and path.stat().st_size else []
+
+
+def link_of(text: bytes) -> str:
+    """What binds the next entry to the one of this text: its SHA-256."""
+    return sha256(text).hexdigest()
 
 
 def _rows(path: Path) -> tuple[str, list[Row]]:
@@ -126,7 +137,7 @@ def _entry_of(row: Row, number: int, before: str, key: str) -> tuple[Entry, str]
         entry = Entry(**json.loads(row[1]))
         key = key or entry.about["key"]
         follows = (row[0], entry.number, entry.before) == (number, number, before)
-        _check(lab_key.from_public_text(key), _link(row[1]), row[2])
+        _check(lab_key.from_public_text(key), link_of(row[1]), row[2])
     except InvalidSignature:
         raise ValueError("it is not as it was written: the lab's key did not sign it") from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
@@ -159,14 +170,10 @@ def _entry(number: int, deed: Deed, who: str, about: Mapping[str, str], before: 
 def _add(log: sqlite3.Connection, entry: Entry, sign: Any) -> str:
     """Write the entry, signed; returns its link."""
     text = json.dumps(asdict(entry), separators=(",", ":"))
-    link = _link(text.encode())
+    link = link_of(text.encode())
     signature = b64encode(sign(CONTEXT + link.encode())).decode()
     log.execute("INSERT INTO entry (number, text, signature) VALUES (?, ?, ?)", (entry.number, text, signature))
     return link
-
-
-def _link(text: bytes) -> str:
-    return sha256(text).hexdigest()
 
 
 def _login() -> str:

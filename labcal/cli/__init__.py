@@ -14,6 +14,7 @@ from typer.core import TyperGroup
 
 from labcal.cli.screen import say
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
+from labcal.files.text_safety import without_passwords
 
 DONE, NEGATIVE, WRONG_INPUT, INSTRUMENT_FAILED, STOPPED = 0, 1, 2, 3, 130
 
@@ -28,7 +29,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 COMMANDS = (
     *("demo", "gui", "self-test", "bench", "run", "runs", "show", "import", "export", "check-store", "audit"),
     *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "conformity", "compare"),
-    *("plugins", "effect"),
+    *("push", "archive", "plugins", "effect"),
 )
 
 
@@ -101,7 +102,7 @@ def _report_of(error: Exception) -> str:
     try:
         own_folder(report.parent)
         told = f"labcal {' '.join(sys.argv[1:])}\n\n{''.join(format_exception(error))}"
-        write_bytes(report, replace_unseen(told).encode(), FILE)
+        write_bytes(report, without_passwords(replace_unseen(told)).encode(), FILE)
     except OSError:
         return what
     return f"{what}; please report it with the file {report}"
@@ -116,5 +117,5 @@ def _say_usage(error: typer.BadParameter) -> int:
 
 
 def _say(sentence: str, code: int) -> int:
-    say(f"labcal: {sentence}", err=True)
+    say(f"labcal: {without_passwords(sentence)}", err=True)
     return code

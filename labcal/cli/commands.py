@@ -6,6 +6,7 @@ import typer
 
 from labcal.cli import (  # noqa: F401  each registers its commands
     app,
+    archive,
     audit,
     bench,
     conformity,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,7 +11,7 @@ import typer
 
 from labcal.cli import app
 from labcal.cli.results import FORCE, JSON, write_json
-from labcal.cli.screen import console, say, say_lines
+from labcal.cli.screen import aligned, console, say, say_lines
 from labcal.errors import InputError
 
 if TYPE_CHECKING:
@@ -42,18 +42,43 @@ OF_A_CALIBRATION = (Format.c, Format.json, Format.mat, Format.px4, Format.ardupi
 
 
 @app.command(rich_help_panel="Runs")
-def runs(json: str | None = JSON, force: bool = FORCE) -> None:
-    """List the runs of the store, the oldest first, with how each ended."""
+def runs(
+    archive: str | None = typer.Option(
+        None, metavar="URL", help="Of the archive, not of the store: postgresql://USER@HOST/DATABASE."
+    ),
+    json: str | None = JSON,
+    force: bool = FORCE,
+) -> None:
+    """List the runs of the store, the oldest first, with how each ended; those of the archive with --archive."""
     from dataclasses import asdict
 
     from labcal.store import list_runs  # and no more: the list is there at once
 
+    if archive is not None:
+        return list_archived(archive, json, force=force)
     found = list_runs()
     if json is not None:
         return write_json([asdict(run) for run in found], json, "runs", force=force)
     if not found:
         return say("no runs yet: `labcal demo` makes one, `labcal import` takes one in")
-    return say_lines(_aligned([HEADS, *map(_listed, found)]))
+    return say_lines(aligned([HEADS, *map(_listed, found)]))
+
+
+def list_archived(url: str | None, json: str | None, *, force: bool) -> None:
+    """Print the runs of the archive, or write them as JSON."""
+    from dataclasses import fields
+
+    from labcal.session import archiving
+    from labcal.store import RunSummary
+
+    found = archiving.archived_runs(url)
+    if json is not None:
+        return write_json(found, json, "runs", force=force)
+    if not found:
+        return say("no runs yet: `labcal push` copies finished ones here")
+    names = [field.name for field in fields(RunSummary)]
+    rows = ((one["site"], *_listed(RunSummary(*(one[name] for name in names)))) for one in found)
+    return say_lines(aligned([("site", *HEADS), *rows]))
 
 
 @app.command(rich_help_panel="Runs")
@@ -168,23 +193,6 @@ def _check_format(format_: Format, there: tuple[Format, ...], what: str) -> None
 def _listed(run: RunSummary) -> tuple[str, ...]:
     procedure = f"{run.procedure} (simulated)" if run.simulated else run.procedure
     return (run.run_id, run.started_utc, run.status, run.dut_serial, procedure, run.operator)
-
-
-def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
-    """The rows as lines, each column as wide as its widest cell: ten thousand of them at once."""
-    widths = [max(map(_width, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = (cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True))
-        yield "  ".join(cells).rstrip()
-
-
-def _width(cell: str) -> int:
-    """How many places the cell takes on a terminal."""
-    if cell.isascii() and cell.isprintable():
-        return len(cell)
-    from rich.cells import cell_len
-
-    return cell_len(cell)
 
 
 def _table(*heads: str, **options: Any) -> Table:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from labcal.files.text_safety import one_line, replace_unseen
@@ -21,6 +21,23 @@ def say_lines(lines: Iterable[object], *, err: bool = False) -> None:
     """Print each on a line of its own."""
     for line in lines:
         say(line, err=err)
+
+
+def aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    """The rows as lines, each column as wide as its widest cell: ten thousand of them at once."""
+    widths = [max(map(_width, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = (cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True))
+        yield "  ".join(cells).rstrip()
+
+
+def _width(cell: str) -> int:
+    """How many places the cell takes on a terminal."""
+    if cell.isascii() and cell.isprintable():
+        return len(cell)
+    from rich.cells import cell_len
+
+    return cell_len(cell)
 
 
 def console(**options: Any) -> Console:

@@ -11,7 +11,8 @@ from pathlib import Path
 FOLDER, FILE = 0o700, 0o600
 DEEP = 3  # parts of a path; what is no deeper may be the system's
 PASSPHRASE = "LABCAL_PASSPHRASE"
-SECRETS = (PASSPHRASE,)
+ARCHIVE = "LABCAL_ARCHIVE"  # a URL, which may state a password
+SECRETS = (PASSPHRASE, ARCHIVE, "PGPASSWORD")
 
 
 def home() -> Path:

@@ -30,6 +30,7 @@ OWN = (
     "crashes",
     "worked-out",
     "superseding",
+    "bundles",
     "translations",
     "written",
     "window.ini",

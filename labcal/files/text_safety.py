@@ -13,6 +13,13 @@ _UNSEEN = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff"
     "\ufeff\ufff9-\ufffb\ufffe\uffff\U000e0000-\U000e0fff]"
 )
+# Of a URL: up to the last @, for one that is not written %40 is part of the password; or as a setting after the ?.
+_PASSWORD = re.compile(r"(?<=://)([^\s/:@]*:)\S*(?=@)|([?&](?:ssl)?password=)[^\s&]*")
+
+
+def without_passwords(text: str) -> str:
+    """`text` with *** in place of the password in every URL."""
+    return _PASSWORD.sub(lambda found: f"{found[1] or found[2]}***", text)
 
 
 def replace_unseen(text: str) -> str:

@@ -2,7 +2,8 @@
 
 Beside the line: `sources` (what names a run), `records` (the local store), `importing` (what others wrote), `trust`
 (keys), `signing`, `audited` (who did what), `working_out` (a calibration worked out again from its run), `instruments`
-(the bench without a procedure), and `measuring`, where the loop closes on the instruments.
+(the bench without a procedure), `archiving` (finished work of several labs in one place), and `measuring`, where the
+loop closes on the instruments.
 """
 
 from __future__ import annotations

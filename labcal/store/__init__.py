@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         read_bundle,
         save_bundle,
         write_bundle,
+        zipped,
     )
     from labcal.store.check import Checked, check_store
     from labcal.store.listing import RunSummary, list_runs
@@ -41,6 +42,7 @@ __all__ = [
     "read_table",
     "save_bundle",
     "write_bundle",
+    "zipped",
 ]
 _OF_OTHERS = {
     **dict.fromkeys(("Checked", "check_store"), "check"),

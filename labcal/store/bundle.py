@@ -97,7 +97,7 @@ def bundle_files(path: Path) -> list[Path]:
 def save_bundle(bundle: Bundle, path: Path) -> None:
     """Write the bundle to `path`: a zip where the name ends in .zip, else a folder."""
     if path.suffix.lower() == ".zip":
-        write_bytes(path, _zipped(bundle))
+        write_bytes(path, zipped(bundle))
         return
     if path.exists() and not path.is_dir():
         raise InputError("is a file; a bundle is a folder, or a name that ends in .zip", file=path)
@@ -146,7 +146,8 @@ def _limited(source: IO[bytes], most: int, path: Path) -> bytes:
     return content
 
 
-def _zipped(bundle: Bundle) -> bytes:
+def zipped(bundle: Bundle) -> bytes:
+    """The bundle as a zip: the same bytes whenever it is made by the same zlib."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         for name, content in zip(LARGEST, (bundle.run_json, bundle.samples_csv, bundle.chain), strict=True):

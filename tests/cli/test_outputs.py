@@ -58,7 +58,10 @@ ASKED = {
     "bench find --out": ("bench find emulated://", "found.toml"),
     "bench cage --out": ("bench cage RUN --as Roe", "cage.json"),
 }
-ELSEWHERE = {"effect new --out"}  # a folder of a package: tests/loop/test_effect_new.py
+ELSEWHERE = {
+    "effect new --out",  # a folder of a package: tests/loop/test_effect_new.py
+    *("archive runs --json", "archive calibrations --json", "archive get --out"),  # tests/archive/test_outputs_of_it.py
+}
 READS = {
     "demo --out": (), "self-test --out": (),
     "runs --json": (), "audit --json": (), "bench cage --out": (), "bench find --out": (),

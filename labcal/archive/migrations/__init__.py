@@ -1,0 +1,1 @@
+"""The catalogue's versions, run by Alembic; `env.py` is what it calls."""

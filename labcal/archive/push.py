@@ -1,0 +1,168 @@
+"""What is added to the archive: each run, each calibration and each piece of an audit log whole, in one transaction.
+
+The bundle of a run is kept before its rows: a push that is cut leaves at most a file that nobody names yet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from typing import Any
+
+from sqlalchemy import Connection, Table, func, select
+from sqlalchemy.dialects.postgresql import insert
+
+from labcal.archive import rows, tables
+from labcal.archive.bundles import put
+from labcal.archive.server import Archive
+from labcal.model import Calibration
+from labcal.record import Run
+
+
+@dataclass(frozen=True, slots=True)
+class RunToPush:
+    """A finished run: what it says, and its bundle as a zip. `kept_head` is its chain's in the store it came from."""
+
+    run: Run
+    sha256: str
+    zipped: bytes
+    status: str
+    procedure: str = ""
+    instruments: tuple[Any, ...] = ()
+    chain_head: str | None = None
+    kept_head: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A signature or a report of a calibration. `signer` and `objection` are what its lab saw in the signature."""
+
+    kind: str
+    name: str
+    content: bytes
+    signer: str = ""
+    objection: str = ""
+
+    @property
+    def sha256(self) -> str:
+        """Of its content."""
+        return sha256(self.content).hexdigest()
+
+
+@dataclass(frozen=True, slots=True)
+class AuditRow:
+    """An entry of an audit log as it stands there: its bytes, its signature, and what a list shows of it."""
+
+    number: int
+    link: str
+    utc: str
+    deed: str
+    who: str
+    machine: str
+    entry: bytes
+    signature: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What the archive has of a site, as far as it can be told without reading runs."""
+
+    heads: Mapping[str, str]  # {head of the chain in a store: SHA-256 of the run}
+    documents: frozenset[tuple[str, str]]  # SHA-256 of the calibration, of the document
+
+
+def known(archive: Archive, site: str) -> Known:
+    """What is there of this site."""
+    with archive.transaction() as connection:
+        kept = tables.KEPT_HEAD.c
+        heads = connection.execute(select(kept.head, kept.sha256).where(kept.site == site))
+        of, own = tables.DOCUMENT.c["of"], tables.DOCUMENT.c.sha256
+        documents = connection.execute(select(of, own).where(tables.DOCUMENT.c.site == site))
+        return Known(
+            {str(head): str(digest) for head, digest in heads}, frozenset((str(a), str(b)) for a, b in documents)
+        )
+
+
+def has_run(archive: Archive, site: str, digest: str) -> bool:
+    """Whether this site's run of this SHA-256 is there."""
+    there = select(tables.RUN.c.sha256).where(tables.RUN.c.site == site, tables.RUN.c.sha256 == digest)
+    with archive.transaction() as connection:
+        return connection.scalar(there) is not None
+
+
+def note_head(archive: Archive, site: str, head: str | None, digest: str) -> None:
+    """Keep that a store's chain of this head is a run that is there: it need not be read again."""
+    with archive.transaction() as connection:
+        _add_head(connection, site, head, digest)
+
+
+def push_run(archive: Archive, site: str, one: RunToPush, place: str) -> bool:
+    """Add a run: its bundle at `place`, then its rows. Returns whether it is new here."""
+    bundle = put(place, one.zipped)
+    row = rows.run_row(one.run, one.status, one.procedure) | {
+        "sha256": one.sha256,
+        "chain_head": one.chain_head,
+        "bundle_sha256": bundle,
+        "bundle_bytes": len(one.zipped),
+    }
+    with archive.transaction() as connection:
+        new = _add(connection, tables.RUN, site, [row]) > 0
+        if new:
+            found = rows.instruments_of_run(one.run, one.instruments)
+            _add(connection, tables.INSTRUMENT, site, [{"of": one.sha256, **each} for each in found])
+        _add_head(connection, site, one.kept_head, one.sha256)
+    return new
+
+
+def push_calibration(
+    archive: Archive,
+    site: str,
+    calibration: Calibration,
+    content: bytes,
+    documents: Sequence[Document],
+) -> bool:
+    """Add a calibration with what was found, its signatures and reports. Returns whether anything of it is new here."""
+    digest = sha256(content).hexdigest()
+    row = rows.calibration_row(calibration) | {"sha256": digest, "content": content}
+    with archive.transaction() as connection:
+        new = _add(connection, tables.CALIBRATION, site, [row]) > 0
+        if new:
+            of = {"calibration": digest}
+            _add(connection, tables.EFFECT, site, [of | one for one in rows.effect_rows(calibration)])
+            _add(connection, tables.PARAMETER, site, [of | one for one in rows.parameter_rows(calibration)])
+            found = rows.instruments_of_calibration(calibration)
+            _add(connection, tables.INSTRUMENT, site, [{"of": digest, **one} for one in found])
+        return _add(connection, tables.DOCUMENT, site, [_document(digest, one) for one in documents]) > 0 or new
+
+
+def last_entry(archive: Archive, site: str, log: str) -> int:
+    """The number of the last entry of an audit log that is there; 0 where none is."""
+    last = select(func.max(tables.AUDIT.c.number)).where(tables.AUDIT.c.site == site, tables.AUDIT.c.log == log)
+    with archive.transaction() as connection:
+        return connection.scalar(last) or 0
+
+
+def push_audit(archive: Archive, site: str, log: str, entries: Iterable[AuditRow]) -> int:
+    """Add entries of an audit log; returns how many are new here."""
+    found = [{"log": log} | {name: getattr(one, name) for name in AuditRow.__slots__} for one in entries]
+    with archive.transaction() as connection:
+        return _add(connection, tables.AUDIT, site, found)
+
+
+def _document(of: str, one: Document) -> dict[str, Any]:
+    return {"of": of, "sha256": one.sha256} | {name: getattr(one, name) for name in Document.__slots__}
+
+
+def _add_head(connection: Connection, site: str, head: str | None, digest: str) -> None:
+    if head is not None:
+        _add(connection, tables.KEPT_HEAD, site, [{"head": head, "sha256": digest}])
+
+
+def _add(connection: Connection, table: Table, site: str, found: Sequence[dict[str, Any]]) -> int:
+    """Add rows; those whose key is there stay as they are. Returns how many are new."""
+    if not found:
+        return 0
+    added = insert(table).on_conflict_do_nothing()
+    options = {"preserve_rowcount": True}
+    return connection.execute(added, [{"site": site, **row} for row in found], execution_options=options).rowcount

@@ -1,0 +1,191 @@
+"""What goes into the archive, and what is asked of it. Its libraries (the extra `archive`) load with the first use."""
+
+from __future__ import annotations
+
+import os
+import platform
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from time import sleep
+from typing import TYPE_CHECKING, Any, Literal, NoReturn
+
+from labcal.errors import InputError
+from labcal.files.atomic import write_bytes
+from labcal.files.home import ARCHIVE, home
+from labcal.files.outputs import claim
+
+if TYPE_CHECKING:
+    from labcal.archive.address import Address
+    from labcal.archive.server import Archive
+
+MISSING = "the archive needs SQLAlchemy, Alembic and psycopg: pip install 'labcal[archive]'"
+LIBRARIES = ("sqlalchemy", "alembic", "psycopg")
+BUNDLES = "bundles"  # in labcal's folder, where nobody says another place
+Tell = Callable[[str], None]
+
+
+def archive_address(given: str | None) -> Address:
+    """What `--archive`, else LABCAL_ARCHIVE, names. Raises InputError: neither is there, or a password on view."""
+    from labcal.archive.address import parse_address
+
+    stated = given if given is not None else os.environ.get(ARCHIVE)
+    if not stated:
+        raise InputError(f"which archive? --archive URL, or the URL in {ARCHIVE} (docs/archive.md)")
+    address = parse_address(stated)
+    if given is not None and address.has_password:
+        told = "everybody on this machine can read a password on a command line"
+        raise InputError(f"{told}: put the URL into {ARCHIVE}, or the password into ~/.pgpass; and change it now")
+    return address
+
+
+@contextmanager
+def opened(given: str | None) -> Iterator[Archive]:
+    """The archive that is named, its catalogue there and of this version. Raises InputError."""
+    with needing_the_extra():
+        from labcal.archive import server, versions
+
+        with server.opened(archive_address(given)) as archive:
+            versions.check(archive)
+            yield archive
+
+
+@contextmanager
+def needing_the_extra() -> Iterator[None]:
+    """Within, a library that is not installed is one sentence."""
+    try:
+        yield
+    except ImportError as missing:
+        if (missing.name or "").partition(".")[0] in LIBRARIES or "libpq" in str(missing):
+            raise InputError(MISSING) from None
+        raise
+
+
+def init_archive(given: str | None, bundles: str | None) -> str:
+    """Make the catalogue or bring it up to date, and state where bundles lie; returns what to tell."""
+    with needing_the_extra():
+        from labcal.archive import server, versions
+
+        with server.opened(archive_address(given)) as archive:
+            made = versions.make(archive, bundles)
+            return f"{archive.address.shown}: catalogue of version {made}"
+
+
+def grant_in_archive(given: str | None, role: str, lab: str, duty: Literal["read", "push", "nothing"]) -> None:
+    """Let a PostgreSQL role see a lab's rows, add to them as well, or neither any more."""
+    with opened(given) as archive:
+        from labcal.archive.rights import grant
+
+        grant(archive, role, lab, duty)
+
+
+def archived_runs(given: str | None) -> list[dict[str, Any]]:
+    """The runs of the archive that this role may see, the oldest first."""
+    with opened(given) as archive:
+        from labcal.archive.queries import runs
+
+        return runs(archive)
+
+
+def archived_calibrations(given: str | None, **wanted: Any) -> list[dict[str, Any]]:
+    """The calibrations of the archive that are `wanted` (labcal.archive.queries.Wanted), the oldest first."""
+    with opened(given) as archive:
+        from labcal.archive.queries import Wanted, calibrations
+
+        return calibrations(archive, Wanted(**wanted))
+
+
+def fetch_from_archive(given: str | None, run: str, site: str | None, out: Path, *, force: bool = False) -> None:
+    """Write the bundle of a run of the archive to `out`, a zip, its SHA-256 looked at."""
+    [output] = claim("archive", out, force=force)
+    if out.suffix.lower() != ".zip":
+        raise InputError("a bundle from the archive is a zip: name it so", file=out)
+    with opened(given) as archive:
+        from labcal.archive.bundles import get
+        from labcal.archive.queries import run_named
+
+        found = run_named(archive, run, site)
+        content = get(place_of_bundles(archive), found["bundle_sha256"])
+    with output.writing():
+        write_bytes(out, content)
+
+
+def place_of_bundles(archive: Archive, stated: str | None = None) -> str:
+    """Where bundles lie: as stated, else as the URL says, else the archive itself, else in labcal's own folder."""
+    from labcal.archive.versions import setting
+
+    return stated or archive.address.bundles or setting(archive, "bundles") or str(home() / BUNDLES)
+
+
+@dataclass(frozen=True, slots=True)
+class Pushed:
+    """What was new in the archive, and what could not be pushed, a sentence each."""
+
+    shown: str
+    site: str
+    runs: int = 0
+    calibrations: int = 0
+    entries: int = 0
+    refused: tuple[str, ...] = ()
+
+    def in_words(self) -> str:
+        """One line."""
+        new = f"{self.runs} runs, {self.calibrations} calibrations, {self.entries} entries of the audit log"
+        return f"{self.shown}, site {self.site}: new there {new}"
+
+
+def push(
+    given: str | None, names: Sequence[str] = (), bundles: str | None = None, tell: Tell = lambda one: None
+) -> Pushed:
+    """Push the runs and calibrations that are named, else all that is finished here and not there yet.
+
+    The audit log goes with them. `tell` hears of each that is new. Raises InputError where the server is away.
+    """
+    with opened(given) as archive:
+        from labcal.session.pushing import Pusher
+
+        return Pusher.at(archive, bundles, tell).push(names)
+
+
+def push_every(
+    seconds: float,
+    given: str | None,
+    names: Sequence[str],
+    bundles: str | None,
+    tell: Tell,
+    wait: Callable[[float], object] = sleep,
+) -> NoReturn:
+    """Push again and again, whether the server is there or not, until somebody stops it; `tell` hears what is new."""
+    said = set[str]()
+    with needing_the_extra():
+        from labcal.archive.server import AwayError
+    while True:
+        try:
+            now = set(push(given, names, bundles, tell).refused)
+        except AwayError as away:
+            now = {str(away)}
+        for remark in sorted(now - said):
+            tell(remark)
+        said = now
+        wait(seconds)
+
+
+def own_site(archive: Archive) -> str:
+    """The site whose rows are pushed: as the URL says, else the role's one lab, else this machine's name."""
+    from labcal.archive.rights import own_lab
+
+    if archive.address.site:
+        return archive.address.site
+    with archive.transaction() as connection:
+        return own_lab(connection) or platform.node() or "unnamed"
+
+
+def as_moment(text: str | None) -> datetime | None:
+    """The moment that a date or an ISO 8601 text states. Raises InputError."""
+    if text is None:
+        return None
+    from labcal.archive.rows import utc
+
+    return utc(text)

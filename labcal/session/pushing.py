@@ -1,0 +1,209 @@
+"""Finished runs, signed calibrations and the audit log of this lab on their way into the archive; see `archiving`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Self
+
+from labcal import audit, certificate
+from labcal.archive.push import (
+    AuditRow,
+    Document,
+    Known,
+    RunToPush,
+    has_run,
+    known,
+    last_entry,
+    note_head,
+    push_audit,
+    push_calibration,
+    push_run,
+)
+from labcal.archive.server import Archive, AwayError
+from labcal.certificate.calibration_file import LARGEST_BYTES, read_limited
+from labcal.errors import InputError, InstrumentError
+from labcal.files.home import home
+from labcal.model import Calibration
+from labcal.record import Run
+from labcal.session.archiving import Pushed, own_site, place_of_bundles
+from labcal.session.audited import note
+from labcal.session.signing import SUPERSEDING, signatures
+from labcal.session.sources import is_path, run_bundle
+from labcal.store import Bundle, RunSummary, Store, zipped
+from labcal.store.listing import FILE as STORE
+
+FINISHED = ("finished", "imported")
+REPORTS = (".html", ".pdf", ".xml")
+LARGEST_REPORT = 2**26
+CALIBRATIONS = "calibrations"
+
+
+@dataclass(slots=True)
+class Pusher:
+    """One push: the archive, for which site, where bundles go, what is there already, and what came of it."""
+
+    archive: Archive
+    site: str
+    place: str
+    there: Known
+    tell: Callable[[str], None]
+    runs: int = 0
+    calibrations: int = 0
+    entries: int = 0
+    refused: list[str] = field(default_factory=list)
+
+    @classmethod
+    def at(cls, archive: Archive, bundles: str | None, tell: Callable[[str], None]) -> Self:
+        """Ask the archive what it has of this site."""
+        site = own_site(archive)
+        return cls(archive, site, place_of_bundles(archive, bundles), known(archive, site), tell)
+
+    def push(self, names: Sequence[str]) -> Pushed:
+        """Push what is named, else all; then the audit log. What cannot be pushed is passed over and told."""
+        for name in names:
+            self._one(name, self._named)
+        if not names:
+            for run in self._new_runs():
+                self._one(run, self._of_store)
+            for path in _signed_calibrations():
+                self._one(str(path), self._named)
+        self._one("the audit log", lambda _: self._audit_log())
+        counts = (self.runs, self.calibrations, self.entries)
+        return Pushed(self.archive.address.shown, self.site, *counts, tuple(self.refused))
+
+    def _one(self, name: str, push: Callable[[str], object]) -> None:
+        try:
+            push(name)
+        except AwayError:
+            raise
+        except (InputError, InstrumentError) as fault:
+            self.refused.append(str(fault))
+
+    def _named(self, name: str) -> None:
+        if certificate.looks_like_calibration(Path(name)):
+            self._calibration(Path(name))
+        else:
+            digest = self._bundle(run_bundle(name)) if is_path(name) else self._of_store(name)
+            for path in _signed_calibrations():
+                if certificate.read_calibration(path).run_sha256 == digest:
+                    self._calibration(path)
+
+    def _new_runs(self) -> Iterator[str]:
+        """Finished runs of the store whose chains the archive does not know."""
+        if not (home() / STORE).is_file():
+            return
+        with closing(Store.read_only(home() / STORE)) as store:
+            found = [(run.run_id, store.head_of(run.run_id)) for run in store.runs() if run.status in FINISHED]
+        yield from (run_id for run_id, head in found if head is None or head not in self.there.heads)
+
+    def _of_store(self, run_id: str) -> str:
+        """Push a run of the store; returns its SHA-256."""
+        with closing(Store.read_only(home() / STORE)) as store:
+            head, summary = store.head_of(run_id), _summary(store, run_id)
+            if summary.status not in FINISHED:
+                raise InputError(f"run {run_id} is {summary.status}: only a finished run goes into the archive")
+            if head is not None and head in self.there.heads:
+                return self.there.heads[head]
+            bundle, run = store.bundle(run_id, with_chain=True), store.run(run_id)
+            instruments = () if summary.status == "imported" else store.header(run_id).instruments
+        return self._bundle(bundle, run, summary.status, summary.procedure, instruments, head)
+
+    def _bundle(
+        self,
+        bundle: Bundle,
+        run: Run | None = None,
+        status: str = "imported",
+        procedure: str = "",
+        instruments: Sequence[object] = (),
+        head: str | None = None,
+    ) -> str:
+        digest, chain = bundle.sha256, bundle.stated_chain
+        if has_run(self.archive, self.site, digest):
+            note_head(self.archive, self.site, head, digest)
+            return digest
+        run, chain_head = bundle.run() if run is None else run, str(chain["head"]) if chain else None
+        pushed = RunToPush(run, digest, zipped(bundle), status, procedure, tuple(instruments), chain_head, head)
+        if push_run(self.archive, self.site, pushed, self.place):
+            self.runs += 1
+            self._say("run", run.run_id, digest)
+        return digest
+
+    def _calibration(self, path: Path) -> None:
+        content = read_limited(path, LARGEST_BYTES)
+        calibration = certificate.parse_calibration(content, path)
+        documents = [*_signatures(path, content), *_reports(path)]
+        if not any(one.kind == "signature" for one in documents):
+            raise InputError("is a draft: the archive takes a calibration that is signed", file=path)
+        digest = audit.link_of(content)
+        if all((digest, one.sha256) in self.there.documents for one in documents):
+            return
+        self._its_run(calibration)
+        if push_calibration(self.archive, self.site, calibration, content, documents):
+            self.calibrations += 1
+            self._say("calibration", path.name, digest)
+
+    def _its_run(self, calibration: Calibration) -> None:
+        """Push the run that the calibration was made from, where the store has it unchanged and it is not there yet."""
+        if has_run(self.archive, self.site, calibration.run_sha256) or not (home() / STORE).is_file():
+            return
+        with closing(Store.read_only(home() / STORE)) as store:
+            same = store.has(calibration.run_id) and store.bundle(calibration.run_id).sha256 == calibration.run_sha256
+        if same:
+            self._of_store(calibration.run_id)
+
+    def _say(self, kind: str, name: str, digest: str) -> None:
+        note("push", archive=self.archive.address.shown, site=self.site, sha256=digest, **{kind: name})
+        self.tell(f"{kind} {name}")
+
+    def _audit_log(self) -> None:
+        """Push the entries that fit and are not there yet; none from the first on that does not fit."""
+        stored = audit.stored(home())
+        if not stored:
+            return
+        log = audit.link_of(stored[0][1])
+        last = last_entry(self.archive, self.site, log)
+        if last >= len(stored):
+            return
+        found = audit.read(home())
+        if found.fault:
+            self.refused.append(f"the audit log from there on: {found.fault}")
+        pairs = zip(found.entries[last:], stored[last:], strict=False)
+        self.entries = push_audit(self.archive, self.site, log, [_entry(*pair) for pair in pairs])
+
+
+def _summary(store: Store, run_id: str) -> RunSummary:
+    store.status(run_id)  # raises InputError where there is none
+    return next(run for run in store.runs() if run.run_id == run_id)
+
+
+def _signed_calibrations() -> Iterator[Path]:
+    """The window's calibrations and those that took the place of others, so far as they are signed."""
+    for folder in (home() / CALIBRATIONS, home() / SUPERSEDING):
+        yield from (path for path in sorted(folder.glob("*.json")) if certificate.signature_files(path))
+
+
+def _signatures(path: Path, content: bytes) -> Iterator[Document]:
+    """The signatures beside the file, with what this lab's trust list says of each now."""
+    found = signatures(path)
+    if found.content != content:
+        raise InputError("was written to while it was read", file=path)
+    for check in found.checks:
+        if check.file.is_file():
+            signature = read_limited(check.file, LARGEST_BYTES)
+            yield Document("signature", check.file.name, signature, check.principal or "", check.objection or "")
+
+
+def _reports(path: Path) -> Iterator[Document]:
+    """Reports beside the calibration that are called as it is: CAL.html, CAL.pdf, CAL.xml."""
+    for file in (path.with_suffix(ending) for ending in REPORTS):
+        if file.is_file():
+            yield Document("report", file.name, read_limited(file, LARGEST_REPORT))
+
+
+def _entry(entry: audit.Entry, row: audit.Row) -> AuditRow:
+    number, text, signature = row
+    link = audit.link_of(text)
+    return AuditRow(number, link, entry.utc, entry.deed, entry.who, entry.machine, text, signature)

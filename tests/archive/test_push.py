@@ -1,0 +1,213 @@
+"""`labcal push`: whole or not there, once whoever says it twice, and never in the way of a run."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import Bundle, rows_of
+from postgres import Server
+
+from labcal import audit, session
+from labcal.cli import execute as labcal
+from labcal.errors import InputError, Stopped
+from labcal.files.home import home
+from labcal.record import Dut, Reference, RunHeader
+from labcal.record.stream import Block
+from labcal.session import archiving
+from labcal.store import Store, load_bundle
+
+GOLDEN = Path(__file__).parents[1] / "golden"
+
+
+def count(postgres: Server, database: str) -> dict[str, int]:
+    return {name: len(rows) for name, rows in rows_of(postgres, database).items()}
+
+
+@pytest.fixture
+def signed(tmp_path: Path) -> Path:
+    """A calibration with something beside it that is called a signature, and a report."""
+    shutil.copy(GOLDEN / "calibration-2.json", tmp_path / "cal.json")
+    (tmp_path / "cal.json.sshsig").write_text("-----BEGIN SSH SIGNATURE-----\nno one's\n-----END SSH SIGNATURE-----\n")
+    (tmp_path / "cal.html").write_text("<p>report")
+    return tmp_path / "cal.json"
+
+
+def recorded(run_id: str, status: str = "finished") -> None:
+    with Store.open() as store:
+        header = RunHeader(
+            *(run_id, "2026-05-01T10:00:00Z", True, "ada", Dut("SN-9", "M3"), Reference("vector", "R7")),
+            procedure="preflight",
+            instruments=({"name": "x", "model": "PL155", "serial": "S-77"},),
+        )
+        with store.begin(header) as writer:
+            writer.write(Block("dut", "dut", ("dut_x", "dut_y", "dut_z"), np.arange(3.0), np.ones((3, 3))))
+            writer.finish(status)
+
+
+def test_push_copies_runs_calibrations_and_the_audit_log_and_again_changes_nothing(
+    postgres: Server, database: str, url: str, bundle: Bundle, signed: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert labcal(["push", str(bundle()), str(signed), "--archive", url]) == 0
+    assert "new there 1 runs, 1 calibrations, 3 entries" in capsys.readouterr().out
+    there = rows_of(postgres, database)
+    of_the_run = {"run": 1, "kept_head": 0, "instrument": 2}
+    of_the_file = {"calibration": 1, "effect": 2, "parameter": 25, "document": 2}
+    assert {name: len(rows) for name, rows in there.items()} == {**of_the_run, **of_the_file, "audit": 3}
+    for _ in range(2):
+        assert labcal(["push", str(bundle()), str(signed), "--archive", url]) == 0
+        assert labcal(["push", "--archive", url]) == 0
+        assert rows_of(postgres, database) == there
+
+
+def test_the_bytes_come_back(url: str, bundle: Bundle, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pushed = bundle()
+    archiving.push(url, [str(pushed)])
+    out = tmp_path / "back.zip"
+    assert labcal(["archive", "get", "demo-0", "--archive", url, "--out", str(out)]) == 0
+    assert load_bundle(out).sha256 == load_bundle(pushed).sha256
+    [kept] = (tmp_path / "bundles").rglob("*.zip")
+    assert not kept.stat().st_mode & 0o222  # it is never written to again
+    kept.chmod(0o600)
+    kept.write_bytes(kept.read_bytes()[:-1] + b"x")
+    assert labcal(["archive", "get", "demo-0", "--archive", url, "--out", str(tmp_path / "other.zip")]) == 2
+    assert "is damaged" in capsys.readouterr().err
+    assert not (tmp_path / "other.zip").exists()
+
+
+def test_only_what_is_finished_goes_and_nobody_waits_for_it(postgres: Server, database: str, url: str) -> None:
+    recorded("done")
+    recorded("gone", "stopped")
+    header = RunHeader("now", "2026-05-01T10:00:00Z", True, "ada", Dut("SN-9"), Reference("none"))
+    with Store.open() as store, store.begin(header) as writer:
+        found = archiving.push(url)
+        assert (found.runs, found.refused) == (1, ())
+        writer.commit()  # the run goes on
+        assert archiving.push(url, ["now"]).refused == (
+            "run now is running: only a finished run goes into the archive",
+        )
+        writer.finish("finished")
+    assert archiving.push(url).runs == 1
+    assert archiving.push(url, ["gone"]).refused[0].startswith("run gone is stopped")
+    names = sorted(str(row[2]) for row in rows_of(postgres, database)["run"])
+    assert names == ["done", "now"]
+    instruments = {row[3:7] for row in rows_of(postgres, database)["instrument"]}
+    assert instruments == {("reference", "", "", "R7"), ("x", "", "PL155", "S-77")}
+
+
+def test_the_same_name_at_two_sites_and_at_one(url: str, bundle: Bundle, tmp_path: Path) -> None:
+    other = url.replace("site=aalto", "site=glasgow")
+    first, second = bundle(), bundle(serial="SN-2")
+    with ThreadPoolExecutor() as both:  # at once, and some of it twice
+        pushes = [
+            both.submit(archiving.push, one, [str(path)]) for one in (url, other) for path in (first, second, first)
+        ]
+        new = sum(one.result().runs for one in pushes)
+    found = archiving.archived_runs(url)
+    assert new == 4
+    assert sorted((one["site"], one["run_id"], one["dut_serial"]) for one in found) == [
+        (site, "demo-0", serial) for site in ("aalto", "glasgow") for serial in ("SN-1", "SN-2")
+    ]
+    with pytest.raises(InputError, match="there are 4 runs 'demo-0'"):
+        archiving.fetch_from_archive(url, "demo-0", None, tmp_path / "y.zip")
+
+
+@pytest.mark.parametrize("cut", ["pg_terminate_backend(pg_backend_pid())", "1 / 0"])
+def test_a_push_cut_in_the_middle_leaves_nothing_half(
+    cut: str, postgres: Server, database: str, url: str, bundle: Bundle, signed: Path, tmp_path: Path
+) -> None:
+    broken = "CREATE FUNCTION cut() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN PERFORM {}; RETURN NEW; END $$"
+    with postgres.connect(database) as connection:
+        connection.execute(broken.format(cut))
+        for table in ("instrument", "parameter"):
+            connection.execute(f"CREATE TRIGGER cut BEFORE INSERT ON labcal.{table} EXECUTE FUNCTION cut()")
+    told = ""
+    try:
+        told = " ".join(archiving.push(url, [str(bundle()), str(signed)]).refused)
+    except InputError as away:
+        told = str(away)
+    assert "server closed" in told or "terminating" in told or "division by zero" in told
+    assert not any(count(postgres, database)[name] for name in ("run", "instrument", "calibration", "document"))
+    with postgres.connect(database) as connection:
+        connection.execute("DROP FUNCTION cut CASCADE")
+    assert archiving.push(url, [str(bundle()), str(signed)]).runs == 1
+    assert len([*(tmp_path / "bundles").rglob("*.zip")]) == 1
+
+
+def test_a_server_that_is_away_is_one_sentence_and_push_every_goes_on_when_it_is_back(
+    postgres: Server, database: str, url: str, bundle: Bundle, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def hide(name: str, other: str) -> None:
+        with postgres.connect() as connection:
+            connection.execute(f"ALTER DATABASE {name} RENAME TO {other}")
+
+    pushed, waits = bundle(), list[float]()
+
+    def wait(seconds: float) -> None:
+        waits.append(seconds)
+        if len(waits) == 2:
+            hide("hidden", database)
+        if len(waits) == 3:
+            raise Stopped
+
+    hide(database, "hidden")
+    assert labcal(["push", str(pushed), "--archive", url]) == 2
+    told = capsys.readouterr().err
+    assert "the archive cannot be reached" in told
+    assert "goes there with the next push" in told
+    assert len(told.splitlines()) == 1
+    heard = list[str]()
+    with pytest.raises(Stopped):
+        archiving.push_every(60.0, url, [str(pushed)], None, heard.append, wait)
+    assert waits == [60.0] * 3
+    assert [one.partition(":")[0] for one in heard] == ["postgresql", "run demo-0"]  # that it is away is said once
+
+
+def test_one_that_cannot_be_pushed_keeps_no_other_back(
+    url: str, bundle: Bundle, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shutil.copy(GOLDEN / "calibration-2.json", draft := tmp_path / "draft.json")
+    assert labcal(["push", str(draft), "no-such-run", str(bundle()), "--archive", url]) == 2
+    told = capsys.readouterr()
+    assert "new there 1 runs, 0 calibrations" in told.out
+    assert "is a draft" in told.err
+    assert "(2 not pushed; the others are there)" in told.err
+
+
+def test_a_calibration_brings_its_run_and_a_run_its_calibrations(url: str, bundle: Bundle, signed: Path) -> None:
+    path = bundle("r1")
+    stated = json.loads(signed.read_text()) | {"run_id": "r1", "run_sha256": load_bundle(path).sha256}
+    signed.write_text(json.dumps(stated))
+    session.import_bundle(path)
+    found = archiving.push(url, [str(signed)])
+    assert (found.runs, found.calibrations) == (1, 1)
+    kept = home() / "calibrations"
+    kept.mkdir()
+    shutil.copy(signed, kept / "r1.json")
+    shutil.copy(f"{signed}.sshsig", kept / "r1.json.sshsig")
+    elsewhere = url.replace("site=aalto", "site=glasgow")
+    found = archiving.push(elsewhere, ["r1"])
+    assert (found.runs, found.calibrations) == (1, 1)
+    assert {one["measured_utc"] for one in archiving.archived_calibrations(url)} == {"2026-03-02T08:15:00.000Z"}
+
+
+def test_a_second_signature_is_added_later_and_who_signed_is_told(url: str, signed: Path) -> None:
+    archiving.push(url, [str(signed)])
+    assert [one["signers"] for one in archiving.archived_calibrations(url)] == [""]  # it holds for nobody
+    signed.with_name("cal.json.sshsig").unlink()
+    session.new_key("ada", "a long enough phrase")
+    session.sign(signed, "ada", "a long enough phrase")
+    assert archiving.push(url, [str(signed)]).calibrations == 1
+    assert [one["signers"] for one in archiving.archived_calibrations(url)] == ["ada"]
+
+
+def test_the_audit_log_goes_along_entry_by_entry_as_it_lies_here(postgres: Server, database: str, url: str) -> None:
+    for name in ("a", "b"):
+        audit.append(home(), "run", "ada", {"run": name})
+        archiving.push(url)
+    there = [(row[3], bytes(row[8]), bytes(row[9])) for row in rows_of(postgres, database)["audit"]]  # type: ignore[arg-type]
+    assert sorted(there) == audit.stored(home())
