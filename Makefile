@@ -50,7 +50,7 @@ blind: $(VENV)/.dev
 
 COVERAGE_RUNS ?= 1000
 coverage: $(VENV)/.dev
-	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/uncertainty $(BIN)/python tests/uncertainty/cover.py $(COVERAGE_RUNS)
+	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests/uncertainty $(BIN)/python tests/uncertainty/cover.py $(COVERAGE_RUNS) coverage.jsonl
 
 sensitivity: $(VENV)/.dev
 	@$(BIN)/python tests/blind/sensitivity.py sensitivity-out

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import partial
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +36,7 @@ from labcal.bench.steps import (
 )
 from labcal.bench.turn_diagnostics import Turned, delay_of, look_at_turn
 from labcal.errors import LimitNotMet
+from labcal.record.closure import Standstill
 from labcal.record.stream import CLOSURE, Event, Prompt
 from procedures.axes_check import check_axes
 from procedures.so_far import SoFar
@@ -98,6 +99,14 @@ class Setting:
         return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)))
 
 
+@dataclass(frozen=True, slots=True)
+class First:
+    """What a run began with, coils off and in the first field; after an interruption numbers alone."""
+
+    excess_nT: tuple[float, ...]
+    spots: tuple[Position, Position] | None
+
+
 def preflight(
     bench: Bench,
     *,
@@ -141,19 +150,20 @@ def preflight(
         yield from _closing(bench, setting, first, before)
 
 
-def _open(bench: Bench, setting: Setting, axis: str, resume: Resume | None) -> Work[Array]:
+def _open(bench: Bench, setting: Setting, axis: str, resume: Resume | None) -> Work[First]:
     """Mount, then the zero and the first position; after an interruption they are compared with what they were."""
     yield setting.plan().begin(bench, "zero")
     yield from _mounted(bench, axis, resume)
     yield from switch_mode(bench, setting.modes[0])
     strongest = max(abs(b) for b in setting.fields_nT) / 1000
     yield from ready(bench, f"The coils go to {strongest:g} µT and the platform turns. Hands off?")
-    first, _ = yield from _zero_and_first_position(bench, setting, "zero")
+    spots = yield from _zero_and_first_position(bench, setting, "zero")
     if resume is None:
-        return first
+        return First(tuple(spot.excess for spot in spots), spots)
     moved = [resume.measured.get(f"zero: {c}", b) - b for c, b in zip(REFERENCE, bench.cage.ambient_nT, strict=True)]
     yield from _must_close(bench, "zero since the interruption", float(np.linalg.norm(moved)), 0.0, setting.closure_nT)
-    return np.array([resume.measured.get(f"zero: {name}", value) for name, value in zip(POSITIONS, first, strict=True)])
+    before = (resume.measured.get(f"zero: {name}", spot.excess) for name, spot in zip(POSITIONS, spots, strict=True))
+    return First(tuple(before), None)
 
 
 def _mounted(bench: Bench, axis: str, resume: Resume | None) -> Work[None]:
@@ -219,8 +229,9 @@ def _turns(bench: Bench, setting: Setting, axis: str, done: frozenset[str]) -> W
         yield from switch_mode(bench, setting.modes[0])
     after = yield from _first_position(bench, setting)
     moved = after.moved_from(before, attitude(bench, axis))
-    u = float(np.hypot(before.u, after.u))
-    yield from _closed(bench, f"closure {axis}", float(np.linalg.norm(moved)), u, setting.closure_nT)
+    u, mode = float(np.hypot(before.u, after.u)), setting.modes[0]
+    ends = _two(before.standstill(mode), after.standstill(mode), attitude(bench, axis).tolist())
+    yield from _closed(bench, f"closure {axis}", float(np.linalg.norm(moved)), u, setting.closure_nT, ends)
 
 
 def _one_turn(
@@ -236,21 +247,25 @@ def _one_turn(
     return (yield from rotate_once(bench, rotation))
 
 
-def _closing(bench: Bench, setting: Setting, first: Array, last: str) -> Work[None]:
+def _closing(bench: Bench, setting: Setting, first: First, last: str) -> Work[None]:
     """The first mounting, the first position and the zero again."""
     yield setting.plan().begin(bench, "closing")
     axis = setting.axes[0]
     yield from _mount_or_redo(bench, setting, f"mount-{axis}-again", axis, last)
-    again, u = yield from _zero_and_first_position(bench, setting, "closing")
-    for name, moved, u_nT in zip(POSITIONS, again - first, np.sqrt(2) * u, strict=True):
-        yield from _closed(bench, f"closure, {name}", float(abs(moved)), float(u_nT), setting.closure_nT)
+    spots, mode = (yield from _zero_and_first_position(bench, setting, "closing")), setting.modes[0]
+    for number, (name, spot) in enumerate(zip(POSITIONS, spots, strict=True)):
+        moved, u_nT = abs(spot.excess - first.excess_nT[number]), float(np.sqrt(2) * spot.u)
+        ends = first.spots and _two(first.spots[number].standstill(mode), spot.standstill(mode), None)
+        yield from _closed(bench, f"closure, {name}", moved, u_nT, setting.closure_nT, ends)
     yield from coils_off(bench)
 
 
-def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[tuple[Array, Array]]:
-    """|DUT| − |reference| (2,) [nT], coils off and in the first field, with standard uncertainty (2,) by noise.
+def _two(before: Standstill, after: Standstill, body_from_cage: list[list[float]] | None) -> dict[str, Any]:
+    return {"before": asdict(before), "after": asdict(after), "body_from_cage": body_from_cage}
 
-    It is what no remounting changes by much.
+
+def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[tuple[Position, Position]]:
+    """Coils off and in the first field: |DUT| − |reference| is what no remounting changes by much.
 
     Signs are left to axes-check, which follows the first time and has the DUT as a second witness.
     """
@@ -263,7 +278,7 @@ def _zero_and_first_position(bench: Bench, setting: Setting, name: str) -> Work[
     spots = [position(bench, blocks) for blocks in (off, on)]
     for what, spot in zip(POSITIONS, spots, strict=True):
         yield from measured(bench, f"{name}: {what}", spot.excess, spot.u, "nT")
-    return np.array([spot.excess for spot in spots]), np.array([spot.u for spot in spots])
+    return spots[0], spots[1]
 
 
 def _first_position(bench: Bench, setting: Setting) -> Work[Position]:
@@ -274,10 +289,15 @@ def _first_position(bench: Bench, setting: Setting) -> Work[Position]:
     return position(bench, blocks)
 
 
-def _closed(bench: Bench, name: str, moved_nT: float, u_nT: float, limit_nT: float) -> Work[None]:
-    """A closure enters the uncertainty of the zero, as a drift that lies anywhere within it, and has to be met."""
-    share = {"u_offset_nT": moved_nT / np.sqrt(12)}
-    yield Event(bench.clock.now(), CLOSURE, f"{name}: {moved_nT:.0f} nT, within which the zero lies", share)
+def _closed(
+    bench: Bench, name: str, moved_nT: float, u_nT: float, limit_nT: float, ends: Mapping[str, Any] | None
+) -> Work[None]:
+    """A closure enters the uncertainty of the zero, as a drift that lies anywhere within it, and has to be met.
+
+    `ends` are its two standstills, where both are known: the loop takes the effects that it finds off them.
+    """
+    data = {"name": name, "u_offset_nT": moved_nT / np.sqrt(12), **(ends or {})}
+    yield Event(bench.clock.now(), CLOSURE, f"{name}: {moved_nT:.0f} nT, within which the zero lies", data)
     yield from _must_close(bench, name, moved_nT, u_nT, limit_nT)
 
 

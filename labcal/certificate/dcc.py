@@ -18,13 +18,14 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from labcal.certificate.dcc_changes import change_results
 from labcal.certificate.dcc_conformity import conformity_results
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.files.toml_file import read_toml
 from labcal.model import Calibration, EffectRecord
 from labcal.record import Run
-from labcal.uncertainty.conformity import stated_lines
+from labcal.uncertainty.conformity import Changes, stated_lines
 from labcal.version import __version__
 
 DCC, SI = "https://ptb.de/dcc", "https://ptb.de/si"
@@ -84,16 +85,32 @@ def read_laboratory(path: Path) -> Laboratory:
 
 
 def write_dcc(
-    calibration: Calibration, content: bytes, name: str, run: Run | None, laboratory: Path, out: Path
+    calibration: Calibration,
+    content: bytes,
+    name: str,
+    run: Run | None,
+    laboratory: Path,
+    out: Path,
+    changed: Changes | None = None,
 ) -> None:
-    """Write the certificate to `out`, whole or not at all. Raises InputError: no dates, or no issuer."""
+    """Write the certificate to `out`, whole or not at all. Raises InputError: no dates, or no issuer.
+
+    `changed` is what changed since the calibration before.
+    """
     if run is None:
         told = f"a certificate states when it was measured; run {calibration.run_id} is not in this lab's store"
         raise InputError(f"{told} (`labcal import` takes its bundle in)")
-    atomic.write_bytes(out, dcc_xml(calibration, content, name, run, read_laboratory(laboratory)))
+    atomic.write_bytes(out, dcc_xml(calibration, content, name, run, read_laboratory(laboratory), changed))
 
 
-def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, laboratory: Laboratory) -> bytes:
+def dcc_xml(
+    calibration: Calibration,
+    content: bytes,
+    name: str,
+    run: Run,
+    laboratory: Laboratory,
+    changed: Changes | None = None,
+) -> bytes:
     """The certificate of `calibration`, whose file `name` has the bytes `content`; `run` gives the dates.
 
     Raises InputError where the extra `dcc` is not installed.
@@ -106,7 +123,7 @@ def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, labor
     d, si = ElementMaker(namespace=DCC, nsmap={"dcc": DCC, "si": SI}), ElementMaker(namespace=SI)
     root = d.digitalCalibrationCertificate(
         _administrative(d, calibration, content, run, laboratory),
-        d.measurementResults(_results(d, si, calibration)),
+        d.measurementResults(_results(d, si, calibration, changed)),
         d.document(d.fileName(name), d.mimeType("application/json"), d.dataBase64(base64.b64encode(content).decode())),
         schemaVersion="3.2.1",
     )
@@ -145,7 +162,7 @@ def _place(d: Any, place: Place) -> tuple[Any, Any]:
     return _text(d, "name", place.name), d.location(d.city(place.city), d.countryCode(place.country))
 
 
-def _results(d: Any, si: Any, c: Calibration) -> Any:
+def _results(d: Any, si: Any, c: Calibration, changed: Changes | None) -> Any:
     u = np.full(12, np.nan) if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance)[:12], 0.0))
     per_reading = "1" if c.dut.unit == "nT" else "nT"
     given = [
@@ -155,6 +172,7 @@ def _results(d: Any, si: Any, c: Calibration) -> Any:
         _result(d, si, f"k {c.k_means()}".rstrip(), c.affine.k_nT, u[9:], ["nT"] * 3),
         *(_effect(d, si, effect) for effect in c.effects if effect.parameters),
         *conformity_results(d, si, stated_lines(c), si_unit),
+        *change_results(d, si, changed, si_unit),
         *(_budget(d, si, budget) for budget in c.budget if budget["rows"]),
     ]
     told = "b = K m - k - sum of effects: field in the sensor's own axes from its reading m."

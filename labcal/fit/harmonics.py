@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import fdtrc
 
 from labcal.geometry import unit
+from labcal.record import Run
 
 Array = NDArray[np.float64]
 DEGREES = (0, 1, 2, 3)
@@ -75,6 +76,17 @@ def shells(field_nT: ArrayLike, residual_nT: ArrayLike) -> tuple[Shell, ...]:
     cuts = np.flatnonzero(np.diff(np.log(size[order])) > SAME_SHELL / 2) + 1
     found = [_shell(b[rows], r[rows]) for rows in np.split(order, cuts)]
     return tuple(shell for shell in found if shell is not None)
+
+
+def shells_of_standstills(run: Run, residual: Array) -> tuple[Shell, ...]:
+    """The shells of a run at rest in many fields, by the mean of each standstill's residual (n, 3) [nT]."""
+    if residual.shape[1] != 3 or run.reference_vector is None:
+        return ()
+    rows = [run.rows(k) for k, segment in enumerate(run.segments) if segment.kind == "static"]
+    there = np.asarray(np.isfinite(np.hstack([residual, run.reference_vector])).all(axis=1))
+    used = [r[there[r]] for r in rows if there[r].any()]
+    fields = np.array([run.reference_vector[r].mean(axis=0) for r in used]).reshape(-1, 3)
+    return shells(fields, np.array([residual[r].mean(axis=0) for r in used]).reshape(-1, 3))
 
 
 def _shell(b: Array, r: Array) -> Shell | None:

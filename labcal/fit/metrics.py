@@ -11,7 +11,7 @@ from labcal.fit.result import Fit
 from labcal.geometry import plane_normal
 from labcal.model import AffineMap
 from labcal.model.effects import Scene, load
-from labcal.record import Run
+from labcal.record import Run, carry
 
 Array = NDArray[np.float64]
 FOLDS = 5
@@ -27,6 +27,17 @@ def scalar_residual(run: Run, found: Fit) -> Array:
         scene = Scene(run.t_s, run.segment_index, field, channels, run.mode)
         field = field - sum(load(effect).predict(scene) for effect in found.effects)
     return np.asarray(np.linalg.norm(field, axis=1) - run.magnitude_nT)
+
+
+def vector_residual(run: Run, found: Fit) -> Array | None:
+    """Calibrated readings less the reference carried into B (n, 3) [nT]; None where a row offers no vector."""
+    if found.affine is None or run.reference.kind == "none":
+        return None
+    carried = carry(run)
+    if (carried.observation != "vector").any() or (found.phase_rad is None and carried.phase_names):
+        return None
+    phases = np.zeros(0) if found.phase_rad is None else found.phase_rad
+    return np.asarray(found.affine.apply(run.reading) - carried.prediction(phases))
 
 
 def reading_bias_nT(run: Run, affine: AffineMap) -> Array:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from labcal.fit.vector.observations import SCALAR, observe
 from labcal.fit.vector.system import evaluate
 from labcal.loop.candidates.prior import precision
+from labcal.loop.closures import after_effects
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.bounded import weighed_spectra
 from labcal.loop.noise.coloured import grams_of_bands
@@ -70,7 +71,7 @@ def uncertainty_of(found: JointFit) -> Sources:
     Of its parameters in their order: base's coordinates, phases, betas, searched parameters.
     """
     A, inverse = derivatives(found)
-    errors = declared_errors(found.problem.run)
+    errors = declared_errors(after_effects(found))
     D = np.stack([np.zeros_like(A[:, :, 0]), *(_changed(found, error) for error in errors)], axis=2)[:, :, 1:]
     shifts = -inverse @ np.einsum("nqp,nqd->pd", A, D)
     contributions = [

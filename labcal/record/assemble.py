@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.record.closure import Closure, Standstill
 from labcal.record.header import RunHeader
 from labcal.record.run import Channel, Reference, Run, Segment
 from labcal.record.sampling import period_s
@@ -65,6 +66,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         environment=header.environment,
         channels=_channels(header, t, items),
         specification=header.specification,
+        closures=_closures(items),
     )
 
 
@@ -74,6 +76,21 @@ def _with_closure(reference: Reference, items: Iterable[Item]) -> Reference:
     if reference.u_offset_nT is None or not moved:
         return reference
     return replace(reference, u_offset_nT=float(np.hypot(reference.u_offset_nT, max(moved))))
+
+
+def _closures(items: Iterable[Item]) -> tuple[Closure, ...]:
+    """Those whose two standstills were recorded; of a run that was broken off only numbers are left of the first."""
+    events = (item for item in items if isinstance(item, Event) and item.kind == CLOSURE and "before" in item.data)
+    return tuple(
+        Closure(
+            event.data["name"],
+            float(event.data["u_offset_nT"]),
+            Standstill(**event.data["before"]),
+            Standstill(**event.data["after"]),
+            event.data["body_from_cage"],
+        )
+        for event in events
+    )
 
 
 @dataclass(frozen=True, slots=True)

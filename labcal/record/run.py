@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.record.specification import Specification
+
+if TYPE_CHECKING:
+    from labcal.record.closure import Closure
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -113,6 +116,7 @@ class Run:
     environment: Mapping[str, float] | None = None  # temperature_C, gradient_nT_per_m, gradient_ppm_per_m
     channels: tuple[Channel, ...] = ()
     specification: Specification | None = None  # of the DUT, chosen before the run began
+    closures: tuple[Closure, ...] = ()  # in `reference.u_offset_nT` whole, as they were recorded
 
     def __post_init__(self) -> None:
         for value in (getattr(self, f.name) for f in fields(self)):

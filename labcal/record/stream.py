@@ -16,7 +16,7 @@ from labcal.record.run import Segment
 
 Array = NDArray[np.float64]
 Stream = Literal["dut", "reference", "angle", "channel"]
-CLOSURE = "closure"  # the kind of an event whose `u_offset_nT` is what the zero may have moved during the run
+CLOSURE = "closure"  # the kind of an event whose `u_offset_nT` is what the zero may have moved, between two standstills
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -355,7 +355,7 @@ def report(
 ) -> None:
     """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
 
-    A calibration's page says what changed since that of `before`, else since the lab's own before it, if there is one.
+    A calibration's page and DCC say what changed since `before`, else since the lab's own before it, if there is one.
     """
     read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
     [output] = claim("report", out, inputs=read, force=force)
@@ -371,10 +371,10 @@ def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, bef
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
-    if out.suffix.lower() == ".xml":
-        return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out)
-    checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
     changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
+    if out.suffix.lower() == ".xml":
+        return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out, changed)
+    checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
     return write_report(calibration_page(calibration, verification, checked, run, changed), out)
 
 

@@ -16,6 +16,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 from labcal.errors import InputError
 from labcal.files.text_safety import checked_text, replace_control
 from labcal.record import Dut, Reference, Run, Segment, Specification
+from labcal.record.closure import Closure, Standstill
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
 from labcal.record.run_id import checked_run_id
@@ -225,6 +226,36 @@ class ChannelPart(_Part):
         return self
 
 
+class StandstillPart(_Part):
+    """Means over some seconds at rest."""
+
+    t_s: float
+    dut_nT: Vector
+    reference_nT: tuple[float] | Vector
+    mode: Mode = ""
+    channels: dict[Name, float] = {}
+
+    def known(self) -> dict[str, Any]:
+        """The keys of the format, by name."""
+        return super().known() | {"channels": dict(self.channels)}
+
+
+class ClosurePart(_Part):
+    """The device in one field twice, and what that adds to the zero's uncertainty before any effect."""
+
+    name: Name
+    u_offset_nT: Nanotesla
+    before: StandstillPart
+    after: StandstillPart
+    body_from_cage: Rotation | None = None
+
+    @model_validator(mode="after")
+    def _alike(self) -> Self:
+        if len(self.before.reference_nT) != len(self.after.reference_nT):
+            raise ValueError("reference_nT of before and after must be of one length")
+        return self
+
+
 class RunJson(_Part):
     """The whole of run.json."""
 
@@ -239,6 +270,7 @@ class RunJson(_Part):
     channels: dict[Name, ChannelPart] = {}
     specification: Specification | None = None
     environment: EnvironmentPart | None = None
+    closures: tuple[ClosurePart, ...] = ()
 
     @model_validator(mode="after")
     def _names(self) -> Self:
@@ -260,6 +292,11 @@ class RunJson(_Part):
     def record_segments(self) -> tuple[Segment, ...]:
         """The segments as the record knows them."""
         return tuple(Segment(**segment.known()) for segment in self.segments)
+
+    def record_closures(self) -> tuple[Closure, ...]:
+        """The closures as the record knows them."""
+        ends = ({e: Standstill(**getattr(c, e).known()) for e in ("before", "after")} for c in self.closures)
+        return tuple(Closure(**c.known() | of) for c, of in zip(self.closures, ends, strict=True))
 
 
 def _plain(part: _Part | None) -> dict[str, Any] | None:
@@ -307,6 +344,8 @@ def write_run_json(run: Run) -> bytes:
         header["specification"] = stated_specification(run.specification)
     if run.environment is not None:
         header["environment"] = dict(run.environment)
+    if run.closures:
+        header["closures"] = [asdict(closure) for closure in run.closures]
     return (json.dumps(replace_control(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 

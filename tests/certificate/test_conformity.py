@@ -98,6 +98,24 @@ def test_the_report_says_what_changed_in_units_of_its_uncertainty(calibration: C
     assert "No figure changed" in page_of(calibration, tmp_path / "cal.json", before=moved(calibration, 2.0))
 
 
+def test_a_dcc_says_what_changed_in_units_of_its_uncertainty(calibration: Calibration) -> None:
+    etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
+    laboratory = Laboratory(name="A", city="Bern", country="CH", customer=Place(name="X", city="Y", country="DE"))
+    since = changes(calibration, moved(calibration, 300.0))
+    run, names = run_at("2026-11-21T23:50:00Z"), {"dcc": DCC, "si": SI}
+    root = etree.fromstring(dcc_xml(calibration, calibration_bytes(calibration), "cal.json", run, laboratory, since))
+    told = {
+        r.findtext("dcc:name/dcc:content", namespaces=names).removeprefix("since the calibration before: "): r
+        for r in root.iterfind(".//dcc:result", names)
+    }
+    values = [v.text for v in told["offset x"].iterfind("dcc:data/dcc:quantity/si:real/si:value", names)]
+    row = next(row for row in since.rows if row.quantity == "offset x")
+    assert values == [repr(value) for value in (row.found, row.left, row.left - row.found, row.e_n)]
+    assert float(values[3]) == pytest.approx(-53.03, abs=0.01)
+    assert "run r-2025-11-02-01" in told["offset x"].findtext("dcc:description/dcc:content", namespaces=names)
+    assert {row.quantity for row in since.rows} <= set(told)
+
+
 def run_at(started_utc: str, serial: str = "FM-07") -> Run:
     return Run(
         "r", started_utc, True, "", Dut(serial), Reference("none"), (Segment("a", "static"),), np.array([5.0, 1205.0]),

@@ -14,6 +14,7 @@ from labcal.errors import InputError
 from labcal.model import Calibration
 from labcal.record import Dut, Reference, Run, Segment
 from labcal.store import bundle_of, save_bundle
+from labcal.uncertainty.conformity import changes
 
 etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
 LABORATORY = Laboratory(name="A lab & co", city="Bern", country="CH", customer=Place(name="X", city="Y", country="DE"))
@@ -70,8 +71,10 @@ def test_the_certificate_obeys_its_schema(calibration: Calibration, run: Run, sc
         calibration, specification=tuple({**line, "result": r, "tur": None} for r in ("pass", "conditional-fail"))
     )
     bare = replace(calibration, covariance=None, effects=(), operator="", approvers=("Bob",))
-    for variant in (calibration, judged, bare):
-        xml = dcc_xml(variant, calibration_bytes(variant), "calibration.json", run, LABORATORY)
+    before = replace(calibration, run_id="r-2025-11-02-01")
+    since = (None, changes(calibration, before), changes(bare, before))
+    for variant, changed in zip((judged, calibration, bare), since, strict=True):
+        xml = dcc_xml(variant, calibration_bytes(variant), "calibration.json", run, LABORATORY, changed)
         schema.assertValid(etree.fromstring(xml))
     broken = etree.fromstring(xml)
     broken.set("schemaVersion", "3.3.0")

@@ -72,6 +72,10 @@ def test_the_zero_the_checks_the_rate_and_the_closure_stand_in_the_record(bench_
     assert len(closures) == 3
     u_zero_nT = session.load_run(outcome.run_id).reference.u_offset_nT
     assert u_zero_nT == pytest.approx(np.hypot(3.0, max(closures) / np.sqrt(12)))
+    kept = session.load_run(outcome.run_id).closures
+    assert [closure.name for closure in kept] == [name for name in measured if name.startswith("closure")]
+    assert [closure.body_from_cage is None for closure in kept] == [False, True, True]
+    assert {"i_eps", "temp_dut"} <= set(kept[0].before.channels or {})
     assert measured["z+50uT-nominal: missing sectors"].value == 0
     assert {"rotation rate", "DUT behind the angle", "closure, DUT less reference, coils off"} <= set(measured)
     assert [item.key for item in items if isinstance(item, Prompt) and item.acts][:3] == [

@@ -36,9 +36,9 @@ FIGURES = [f"{what} {axis}" for what in ("scale", "zero reading") for axis in "x
 
 def calibration_of(declared: Declared) -> Made:
     """A calibration with a current at work, and what it is made of."""
-    run = as_run(wrong_lab.record(1, declared, coupled=True, rows=24))
+    run = as_run(wrong_lab.record(1, declared, effect="offset-current", rows=24))
     found = joint_fit(prepare(run)[0], [family("offset-current").candidates(run)[0]])
-    return calibrated(run, coupled=True), of_the_file(found, uncertainty_of(found), [True]).sources
+    return calibrated(run, effect="offset-current"), of_the_file(found, uncertainty_of(found), [True]).sources
 
 
 @pytest.fixture(scope="module")

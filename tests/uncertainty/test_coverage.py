@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from trials import KINDS, Trial, trial
+from trials import KINDS, Trial, trial, trial_of_the_loop
 from wrong_lab import Declared
 
 from labcal.loop import uncertainty
@@ -21,7 +21,11 @@ RUNS = {"vector": 7, "axis": 12, "scalar": 12}  # of each lab
 def trials() -> dict[str, list[Trial]]:
     """By kind of reference: runs of both labs, half of them with a current at work."""
     return {
-        kind: [trial(seed, kind, coupled=bool(seed % 2), twin=twin) for twin in (False, True) for seed in range(n)]
+        kind: [
+            trial(seed, kind, effect=("none", "offset-current")[seed % 2], twin=twin)
+            for twin in (False, True)
+            for seed in range(n)
+        ]
         for kind, n in RUNS.items()
     }
 
@@ -49,10 +53,22 @@ def test_errors_of_each_kind_of_reference_are_as_large_as_stated(trials: dict[st
 
 def test_without_what_is_declared_intervals_would_miss(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(uncertainty, "declared_errors", lambda run: ())
-    blind = [trial(seed, "axis", coupled=False, twin=False) for seed in range(6)]
+    blind = [trial(seed, "axis", effect="none", twin=False) for seed in range(6)]
     assert np.mean([one.covered for one in blind]) < 0.6
 
 
 def test_where_nothing_is_wrong_noise_alone_is_stated() -> None:
-    quiet = [trial(seed, "axis", coupled=True, twin=False, declared=Declared()) for seed in range(6)]
+    quiet = [trial(seed, "axis", effect="offset-current", twin=False, declared=Declared()) for seed in range(6)]
     assert 0.93 < np.mean([one.covered for one in quiet]) < 0.97
+
+
+def test_what_the_loop_chose_by_itself_is_as_uncertain_as_stated(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two runs tell declared errors from none; all of the campaign's are `make coverage`."""
+
+    def mean_square() -> float:
+        runs = [trial_of_the_loop(seed, "axis", effect="none", twin=False) for seed in range(2)]
+        return float(np.mean([one.square for one in runs]))
+
+    assert 0.2 < mean_square() < 3.0
+    monkeypatch.setattr(uncertainty, "declared_errors", lambda run: ())
+    assert mean_square() > 6.0

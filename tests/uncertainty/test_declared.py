@@ -36,7 +36,7 @@ def _fitted(run: Run) -> JointFit:
 
 
 def test_every_declared_error_moves_the_loop_s_map_and_effect_as_a_fit_of_the_run_it_would_have_been(recorded) -> None:
-    run, _ = recorded(1, DECLARED, coupled=True, rows=24)
+    run, _ = recorded(1, DECLARED, effect="offset-current", rows=24)
     run = replace(run, reference=replace(run.reference, u_time_s=0.02))
     found = _fitted(run)
     contributions = uncertainty_of(found).declared
@@ -91,7 +91,7 @@ def test_a_magnitude_s_zero_is_a_larger_field(recorded) -> None:
 def test_a_reference_declared_a_hundred_times_worse_is_in_map_and_effect(
     recorded: Callable[..., tuple[Run, object]], stated: dict[str, float]
 ) -> None:
-    run, _ = recorded(5, Declared(scale_ppm=50.0, zero_nT=3.0), coupled=True, rows=24)
+    run, _ = recorded(5, Declared(scale_ppm=50.0, zero_nT=3.0), effect="offset-current", rows=24)
     worse = replace(run, reference=replace(run.reference, **stated))
     before, after = (_fitted(r) for r in (run, worse))
     wide = {r: uncertainty_of(fit) for r, fit in (("before", before), ("after", after))}

@@ -22,10 +22,10 @@ GOOD = Declared(scale_ppm=50.0, zero_nT=3.0)
 @pytest.fixture(scope="module")
 def certificates() -> dict[str, Calibration]:
     """The same recording: as it was declared, with the scale, and with the zero, a hundred times worse."""
-    run = as_run(wrong_lab.record(8, GOOD, coupled=True, rows=24))
+    run = as_run(wrong_lab.record(8, GOOD, effect="offset-current", rows=24))
     stated = {"as declared": {}, "scale": {"u_scale_ppm": 5_000.0}, "zero": {"u_offset_nT": 300.0}}
     return {
-        name: calibrated(replace(run, reference=replace(run.reference, **worse)), coupled=True)
+        name: calibrated(replace(run, reference=replace(run.reference, **worse)), effect="offset-current")
         for name, worse in stated.items()
     }
 

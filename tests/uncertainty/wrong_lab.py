@@ -10,9 +10,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+Channels = dict[str, np.ndarray]
+
 NOISE_nT, REFERENCE_NOISE_nT, PERIOD_S = 20.0, 3.0, 0.5
-LOAD_A = 0.4
-COUPLING_nT_PER_A = np.array([300.0, -150.0, 90.0])
+LOAD_A, MEAN_C, SWING_C = 0.4, 24.0, 3.0
+EFFECTS = ("none", "offset-current", "offset-temperature", "gain-temperature")
+OFFSET_nT_PER_A, OFFSET_nT_PER_C = np.array([300.0, -150.0, 90.0]), np.array([40.0, -30.0, 25.0])
+GAIN_PER_C = np.array([8e-4, -5e-4, 6e-4])
 
 
 @dataclass(frozen=True)
@@ -37,24 +41,34 @@ class Recorded:
     reference: np.ndarray
     angle_deg: np.ndarray
     current_A: np.ndarray
+    warm_C: np.ndarray
     K: np.ndarray
     k_nT: np.ndarray
-    coupling: np.ndarray
+    effect: str
     declared: Declared
     noise_nT: float = NOISE_nT
     more: dict = field(default_factory=dict)
 
-    def fresh(self, seed: int, n: int = 200, noise_nT: float = NOISE_nT) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Readings (n, 3) at another time, their currents, and the true field in the body that they saw."""
+    def fresh(self, seed: int, n: int = 200, noise_nT: float = NOISE_nT) -> tuple[np.ndarray, Channels, np.ndarray]:
+        """Readings (n, 3) at another time, the channels beside them, and the true field in the body that they saw."""
         draw = np.random.default_rng([seed, 99])
         b = draw.normal(size=(n, 3))
         b *= draw.uniform(20_000, 50_000, (n, 1)) / np.linalg.norm(b, axis=1, keepdims=True)
         current = LOAD_A * (draw.random(n) < 0.5)
-        return self.read(b, current, noise_nT * draw.normal(size=(n, 3))), current, b
+        noise = noise_nT * draw.normal(size=(n, 3))
+        warm = MEAN_C + SWING_C * draw.uniform(-1, 1, n)
+        return self.read(b, current, warm, noise), {"i_eps": current, "temp_dut": warm}, b
 
-    def read(self, b: np.ndarray, current: np.ndarray, noise: np.ndarray | float) -> np.ndarray:
+    def read(self, b: np.ndarray, current: np.ndarray, warm: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """What the device reads in `b`."""
-        return np.linalg.solve(self.K, (b + self.k_nT + current[:, None] * self.coupling).T).T + noise
+        seen, warmer = b + self.k_nT, (warm - MEAN_C)[:, None]
+        if self.effect == "offset-current":
+            seen = seen + current[:, None] * OFFSET_nT_PER_A
+        if self.effect == "offset-temperature":
+            seen = seen + warmer * OFFSET_nT_PER_C
+        if self.effect == "gain-temperature":
+            seen = seen + warmer * GAIN_PER_C * b
+        return np.linalg.solve(self.K, seen.T).T + noise
 
 
 def turn(w: np.ndarray) -> np.ndarray:
@@ -69,11 +83,11 @@ def turn(w: np.ndarray) -> np.ndarray:
     ])  # fmt: skip
 
 
-def record(seed: int, declared: Declared, *, coupled: bool = False, rows: int = 60) -> Recorded:
+def record(seed: int, declared: Declared, *, effect: str = "none", rows: int = 60) -> Recorded:
     """Three mountings, each turned once in six fields; `rows` a turn."""
     draw = np.random.default_rng(seed)
     K = np.eye(3) + draw.normal(0, 0.02, (3, 3))
-    device = {"K": K, "k_nT": draw.normal(0, 1500, 3), "coupling": COUPLING_nT_PER_A * coupled}
+    device = {"K": K, "k_nT": draw.normal(0, 1500, 3), "effect": effect}
     wrong = drawn(draw, declared)
     segments, parts = [], []
     for mounting in range(3):
@@ -88,10 +102,11 @@ def record(seed: int, declared: Declared, *, coupled: bool = False, rows: int = 
     n = len(body)
     t = np.arange(n) * PERIOD_S + 20.0 * np.repeat(np.arange(len(parts)), rows)
     current = LOAD_A * (np.mod(t, 37.0) < 17.0)
+    warm = MEAN_C + SWING_C * np.sin(2 * np.pi * t / 411.0)
     shown = reference + REFERENCE_NOISE_nT * draw.normal(size=(n, 3))
-    made = Recorded(segments, t, np.repeat(np.arange(len(parts)), rows), np.zeros((n, 3)), shown, angle, current,
+    made = Recorded(segments, t, np.repeat(np.arange(len(parts)), rows), np.zeros((n, 3)), shown, angle, current, warm,
                     **device, declared=declared)  # fmt: skip
-    reading = made.read(body, current, NOISE_nT * draw.normal(size=(n, 3)))
+    reading = made.read(body, current, warm, NOISE_nT * draw.normal(size=(n, 3)))
     return Recorded(**{**made.__dict__, "reading": reading})
 
 

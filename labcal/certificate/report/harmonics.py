@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from labcal.certificate.report.page import Plot
 from labcal.certificate.report.style import TEXT, ink
-from labcal.fit.harmonics import DEGREES, Shell, shells
+from labcal.fit.harmonics import DEGREES, Shell, shells_of_standstills
 from labcal.record import Run
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ CAPTION = (
 
 def on_the_sphere(run: Run, residual: Array) -> Plot | None:
     """The figure of a run at rest in many fields, from its residual (n, 3) [nT]; None where no shell goes all round."""
-    found = shells(*_means(run, residual))
+    found = shells_of_standstills(run, residual)
     return Plot(lambda figure: draw_degrees(figure, found), 2.3, CAPTION) if found else None
 
 
@@ -41,14 +41,3 @@ def draw_degrees(figure: FigureBase, found: Sequence[Shell]) -> None:
     axes.set(ylabel="rms (nT)")
     axes.grid(axis="x", visible=False)
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(found))
-
-
-def _means(run: Run, residual: Array) -> tuple[Array, Array]:
-    """Mean field and residual (m, 3) of each standstill that has both."""
-    rows = [run.rows(k) for k, segment in enumerate(run.segments) if segment.kind == "static"]
-    if residual.shape[1] != 3 or run.reference_vector is None:
-        return np.zeros((0, 3)), np.zeros((0, 3))
-    there = np.asarray(np.isfinite(np.hstack([residual, run.reference_vector])).all(axis=1))
-    used = [r[there[r]] for r in rows if there[r].any()]
-    fields = np.array([run.reference_vector[r].mean(axis=0) for r in used]).reshape(-1, 3)
-    return fields, np.array([residual[r].mean(axis=0) for r in used]).reshape(-1, 3)

@@ -22,7 +22,8 @@ from labcal.certificate.report.harmonics import on_the_sphere
 from labcal.certificate.report.page import Block, Facts, Headline, Page, Plot, Prose, Table, section, sections
 from labcal.certificate.report.style import number
 from labcal.fit import Fit
-from labcal.record import Run, Segment, carry, offers
+from labcal.fit.metrics import vector_residual
+from labcal.record import Run, Segment, offers
 from labcal.uncertainty.unstated import not_covered
 
 Array = NDArray[np.float64]
@@ -56,10 +57,8 @@ def _residual(run: Run, fit: Fit, field: Array | None) -> tuple[Array | None, tu
     """The residual vector (n, 3) where every row offers one, else that of the magnitude (n, 1)."""
     if field is None or run.reference.kind == "none":
         return None, ()
-    carried = carry(run)
-    if (carried.observation == "vector").all() and (fit.phase_rad is not None or not carried.phase_names):
-        phases = fit.phase_rad if fit.phase_rad is not None else np.zeros(0)
-        return field - carried.prediction(phases), ("x", "y", "z")
+    if (left := vector_residual(run, fit)) is not None:
+        return left, ("x", "y", "z")
     return (np.linalg.norm(field, axis=1) - run.magnitude_nT)[:, None], ("|b|",)
 
 

@@ -169,14 +169,27 @@ class FitFigures:
     seconds: float | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class ShellLeft:
+    """What a map left on a shell of one magnitude, by degree of spherical harmonics; the noise is its scatter's."""
+
+    magnitude_nT: float
+    rms_nT: tuple[float, ...]
+    noise_nT: tuple[float, ...]
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Fitted:
-    """One method's answer; where it has a map also the residual (n,) and the calibrated readings (n, 3) [nT]."""
+    """One method's answer; where it has a map also the residual (n,) and the calibrated readings (n, 3) [nT].
+
+    `shells` where the run was at rest in fields all round at one magnitude, or at several.
+    """
 
     fit: FitFigures
     noise_nT: float | None = None
     residual: Array | None = None
     after: Array | None = None
+    shells: tuple[ShellLeft, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)

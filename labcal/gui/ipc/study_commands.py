@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.files.home import home, own_folder
-from labcal.gui.ipc.answers import Array, Change, FitFigures, Fitted, Growth, Look, Loop, Proposal
+from labcal.gui.ipc.answers import Array, Change, FitFigures, Fitted, Growth, Look, Loop, Proposal, ShellLeft
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
@@ -88,7 +88,19 @@ def fit(channel: Channel, asked: FitRun) -> Fitted:
         return Fitted(figures(found), found.noise_nT)
     rows = thinned(len(measured))
     residual, after = scalar_residual(measured, found)[rows], found.affine.apply(measured.reading[rows])
-    return Fitted(figures(found), found.noise_nT, residual, after)
+    return Fitted(figures(found), found.noise_nT, residual, after, _shells(measured, found))
+
+
+def _shells(measured: Run, found: Fit) -> tuple[ShellLeft, ...]:
+    """What the map left of a sphere of fields at rest; nothing where the frame is not known, or no shell goes round."""
+    from labcal.fit.harmonics import shells_of_standstills
+    from labcal.fit.metrics import vector_residual
+
+    left = vector_residual(measured, found) if found.frame_known else None
+    shells = () if left is None else shells_of_standstills(measured, left)
+    return tuple(
+        ShellLeft(shell.magnitude_nT, tuple(shell.rms_nT.tolist()), tuple(shell.noise_nT.tolist())) for shell in shells
+    )
 
 
 def figures(found: Fit) -> FitFigures:

@@ -657,6 +657,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>degree of spherical harmonics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms of the residual  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Loci on the sphere (Riwanto 2017, figs. 5, 7)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -677,6 +685,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Residual on the sphere, by degree (Risbo 2003)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
         <translation type="unfinished"></translation>
     </message>
@@ -690,6 +702,10 @@
     </message>
     <message>
         <source>the ekf, or the filter that is chosen above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lines: what scatter alone gives   2: products of two components   3: a cubic</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2163,6 +2179,10 @@
     </message>
     <message>
         <source>noise alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no fields all round at one magnitude: see field-sphere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

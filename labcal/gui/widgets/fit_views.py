@@ -15,10 +15,11 @@ from labcal.gui.theming.theme import Theme
 from labcal.gui.widgets.common import Card, combo_box, label, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.plots import Loci, apply_theme, legend_above, named_curves, plot
+from labcal.gui.widgets.shell_plot import draw_degrees
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
 
 W = TypeVar("W", bound=QWidget)
-FACES = ("loci", "residual", "magnitude", "histogram", "growth")  # pictures, by the names of their widgets
+FACES = ("loci", "residual", "magnitude", "histogram", "growth", "degrees")  # pictures, by the names of their widgets
 BINS = 60
 SIGMAS = 3.0  # the papers' bounds
 
@@ -81,6 +82,13 @@ class FitViews(Card):
         """A filter's bias with its bounds."""
         return self._face(plot(self._theme, "time  s", self.tr("bias of the reading  nT")))
 
+    @cached_property
+    def degrees(self) -> pg.PlotWidget:
+        """What the map left on shells of one magnitude, by degree."""
+        return self._face(
+            plot(self._theme, self.tr("degree of spherical harmonics"), self.tr("rms of the residual  nT"))
+        )
+
     def _face(self, widget: W) -> W:
         """A picture is built when it is first looked at."""
         self.faces.addWidget(widget)
@@ -101,6 +109,7 @@ class FitViews(Card):
             self.tr("Magnitude and reference (Springmann 2011, figs. 2, 4)"),
             self.tr("Histogram of the residual (Springmann 2011, fig. 7)"),
             self.tr("Bias and 3σ as readings come (Crassidis 2003, figs. 1, 2)"),
+            self.tr("Residual on the sphere, by degree (Risbo 2003)"),
         )
 
     def shown(self) -> str:
@@ -143,6 +152,7 @@ class FitViews(Card):
             "",
             self.tr("line: the noise this method states"),
             self.tr("the ekf, or the filter that is chosen above"),
+            self.tr("lines: what scatter alone gives   2: products of two components   3: a cubic"),
         )
         self.words.setText(words[self.view.currentIndex()])
         if self.shown() == "growth":
@@ -152,7 +162,9 @@ class FitViews(Card):
     def _draw(self) -> None:
         """The picture that is looked at."""
         look, said = self._look, self._said
-        if look is None or self.shown() == "growth":
+        if self.shown() == "degrees":
+            draw_degrees(self.degrees, self._theme, () if said is None else said.shells)
+        if look is None or self.shown() in ("growth", "degrees"):
             return
         if self.shown() == "loci":
             self.loci.show_field(look.before, 1)
