@@ -190,6 +190,7 @@ class Family:
     harmonics: bool = False  # what is left of it may be its own overtones
     adds_up: bool = False  # several channels may act at once: they are weighed as a set too
     generic: bool = False  # follows whatever a channel measures: an equivalent cause with a mechanism goes first
+    rig_form: Callable[[Term], bool] = lambda term: False  # forms of a sensor's family that are the rig's
     second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first
     extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
@@ -212,6 +213,10 @@ class Family:
 
     # How it is drawn
     drawn_against: DrawnAgainst = "time"  # where it has no channel
+
+    def owner(self, term: Term) -> Owner:
+        """Whose this form of it is."""
+        return "rig" if self.rig_form(term) else self.belongs_to
 
     def found_by(self, search: FoundBy) -> bool:
         """Whether this search finds one of its parameters."""

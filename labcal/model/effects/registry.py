@@ -69,8 +69,8 @@ def load_shipped(record: EffectRecord) -> Fitted:
     """
     fault = f"the effect {record.effect} is not whole"
     loaded = load(record)
-    if loaded.family.belongs_to != "sensor":
-        raise InputError(f"the effect {record.effect} is the {loaded.family.belongs_to}'s, never the sensor's")
+    if (owner := loaded.family.owner(loaded.term)) != "sensor":
+        raise InputError(f"the effect {record.effect} is the {owner}'s, never the sensor's")
     if set(record.channels) != set(record.reference_value) or RESERVED & set(record.channels):
         raise InputError(f"{fault}: each channel needs its reference value, and a name of its own")
     if record.basis is not None and not _is_whole(record):
