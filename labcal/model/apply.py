@@ -30,7 +30,7 @@ def needed_columns(calibration: Calibration) -> tuple[str, ...]:
     """Columns beside the reading without which the calibration's effects cannot be computed."""
     names = dict.fromkeys(name for record in calibration.effects for name in record.channels)
     for effect in map(load_shipped, calibration.effects):
-        if effect.family.bound_to_run or remembers(effect):
+        if effect.family.is_bound_to_run(effect.term) or remembers(effect):
             names["t_s"] = None
         if remembers(effect):
             names["segment"] = None
