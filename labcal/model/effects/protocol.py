@@ -151,7 +151,7 @@ class Term:
         """The intervals that secants are taken over: each is the value of the linear parameter in its place."""
         return [shape for shape in self.shape if shape.kind.found_by == "own secant"]
 
-    def over_own_secants(self, values: Sequence[float]) -> Term:
+    def over_own_secants(self, values: Array) -> Term:
         """The same form with its secants taken over these values of its linear parameters; over none that vanish."""
         secants = self.own_secants()
         if not any(abs(value) > SMALLEST for value in values[: len(secants)]):
