@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop import policy
+from labcal.loop.candidates.folded_lines import unfolded_line
 from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.periodogram import periodogram, running_median
@@ -29,12 +30,22 @@ def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
     terms = [(family, *term) for family in able for term in _with_a_line(family, problem)]
     found: list[Candidate] = []
     for owner in sorted({family.owner(term) for family, term, _ in terms}):
-        frequency, power = periodogram(problem.scene.t_s, offset_scores(problem, residual, in_cage=owner == "rig"))
-        peaks = _peaks(np.where(_admissible(problem, frequency), power / running_median(power), 0.0))
+        scores = offset_scores(problem, residual, in_cage=owner == "rig")
+        places = _frequencies(problem, scores)
         for family, term, line in (one for one in terms if one[0].owner(one[1]) == owner):
-            shapes = (replace(line, value=float(frequency[peak]), grid=(0.0,)) for peak in peaks)
-            found += [Candidate(family, term.with_shape(at), len(frequency)) for at in shapes]
+            found += [Candidate(family, term.with_shape(replace(line, value=f, grid=(0.0,))), n) for f, n in places]
     return found
+
+
+def _frequencies(problem: LinearProblem, scores: Array) -> list[tuple[float, int]]:
+    """Where lines are tried [Hz], and of how many frequencies each was chosen."""
+    frequency, power = periodogram(problem.scene.t_s, scores)
+    peaks = _peaks(np.where(_admissible(problem, frequency), power / running_median(power), 0.0))
+    found = [(float(frequency[peak]), len(frequency)) for peak in peaks]
+    parts, t_s = stretches(problem.scene.segment), problem.scene.t_s
+    lowest = policy.POLICY.min_cycles / max(float(np.median([np.ptp(t_s[part]) for part in parts])), 1e-9)
+    above = unfolded_line(t_s, scores, parts, lowest) if problem.bins is None else None
+    return found if above is None else [*found, above]
 
 
 def offset_scores(problem: LinearProblem, residual: Array, *, in_cage: bool) -> Array:
