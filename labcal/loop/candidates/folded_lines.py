@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 from labcal.loop.noise.periodogram import periodogram, running_median
 
 Array = NDArray[np.float64]
+Waves = NDArray[np.complex128]
 HIGHEST_Hz = 65.0  # the mains of any country, and what is slower
+MOST_ORDERS = 65  # of the sampling rate: a slower recorder is not looked at so high
 CONTRAST = 3.0  # times its neighbourhood: a lower peak of all segments is not looked at
 BETTER = 1.5  # times what the image itself takes off, else it is no better known than its image
 PER_RESOLUTION = 4  # frequencies tried for each 1 / (the run's length)
@@ -30,10 +32,11 @@ def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: 
     if image is None or len(parts) < 2:
         return None
     rate = 1 / float(np.median(np.diff(t_s)))
-    orders = range(1, int(HIGHEST_Hz / rate) + 1)
+    orders = range(1, min(int(HIGHEST_Hz / rate), MOST_ORDERS) + 1)
     folds = [image, *(order * rate + sign * image for order in orders for sign in (-1, 1))]
-    shifts = _shifts(t_s, parts)
-    powers = np.array([_in_phase(t_s, scores, parts, f, shifts) for f in folds])  # (folds, shifts)
+    shifts, middles = _shifts(t_s, parts), np.array([t_s[part].mean() for part in parts])
+    between = np.exp(-2j * np.pi * np.outer(shifts, middles))
+    powers = np.array([_in_phase(t_s, scores, parts, f, between) for f in folds])  # (folds, shifts)
     best, at = np.unravel_index(np.argmax(powers), powers.shape)
     if best == 0 or powers[best, at] < BETTER * powers[0].max():
         return None
@@ -61,13 +64,11 @@ def _shifts(t_s: Array, parts: Sequence[slice]) -> Array:
     return np.arange(-width, width, step)
 
 
-def _in_phase(t_s: Array, scores: Array, parts: Sequence[slice], f_Hz: float, shifts: Array) -> Array:
+def _in_phase(t_s: Array, scores: Array, parts: Sequence[slice], f_Hz: float, between: Waves) -> Array:
     """What a line of one phase takes off, about and up to a factor, at this frequency and beside it (shifts,).
 
-    Between segments alone: that a line beside it loses its phase within each is left out.
+    `between` (shifts, segments) turns each segment back: that a line beside it loses its phase within is left out.
     """
     turning = np.exp(-2j * np.pi * f_Hz * t_s)[:, None] * scores
     sums = np.stack([turning[part].sum(axis=0) for part in parts])
-    middle = np.array([t_s[part].mean() for part in parts])
-    there = np.exp(-2j * np.pi * np.outer(shifts, middle)) @ sums
-    return np.asarray(np.sum(np.abs(there) ** 2, axis=1))
+    return np.asarray(np.sum(np.abs(between @ sums) ** 2, axis=1))
