@@ -7,12 +7,15 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from labcal.errors import InputError
 from labcal.fit.result import Fit
 from labcal.model import Calibration, EffectRecord, Validity
 from labcal.model.effects import of_temperature
+from labcal.model.effects.inputs import CHANNEL
 from labcal.model.plausibility import saturation_limits
+from labcal.model.smooth import Domain
 from labcal.record import Run
 from labcal.uncertainty.conformity import with_conformity
 from labcal.uncertainty.of_calibration import as_json, budgets
@@ -50,7 +53,7 @@ def draft_calibration(
         validity=_validity(run, found.effects),
         span_s=(float(run.t_s[0]), float(run.t_s[-1])),
         run_sha256=run_sha256,
-        effects=tuple(e for e in found.effects if e.belongs_to == "sensor"),
+        effects=tuple(_where_seen(run, e) for e in found.effects if e.belongs_to == "sensor"),
         findings=(*(e for e in found.effects if e.belongs_to != "sensor"), *findings, *([rail] if rail else [])),
         metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
         instruments=_instruments(run),
@@ -86,6 +89,20 @@ def _metrics(run: Run, found: Fit) -> dict[str, dict[str, float]]:
     return {"before": before, "after": {name: value for name, value in after.items() if value is not None}}
 
 
+def _where_seen(run: Run, effect: EffectRecord) -> EffectRecord:
+    """The same with the ends of each channel that it follows; an empirical term states its own domain."""
+    ends = [(name, _ends(run.channel(name).values)) for name in effect.channels]
+    if effect.domain or effect.basis is not None or any(found is None for _, found in ends):
+        return effect
+    seen = [Domain((f"{CHANNEL}{name}",), ((found[0],), (found[1],))) for name, found in ends if found]
+    return replace(effect, domain=tuple(seen))
+
+
+def _ends(values: NDArray[np.float64]) -> tuple[float, float] | None:
+    known = values[np.isfinite(values)]
+    return (float(known.min()), float(known.max())) if len(known) else None
+
+
 def _validity(run: Run, effects: Sequence[EffectRecord]) -> Validity:
     magnitude = run.magnitude_nT
     seen = magnitude[np.isfinite(magnitude) & np.isfinite(run.reading).all(axis=1)]
@@ -98,9 +115,7 @@ def _temperatures(run: Run, effects: Sequence[EffectRecord]) -> tuple[float, flo
     there = [c.name for c in run.channels if c.quantity == "temperature" and c.role == "dut"]
     used = [name for e in effects if of_temperature(e) for name in e.channels]
     wanted = [name for name in (*used, "temp_dut", *(there if len(there) == 1 else ())) if name in there]
-    values = run.channel(wanted[0]).values if wanted else np.array([])
-    values = values[np.isfinite(values)]
-    return (float(values.min()), float(values.max())) if len(values) else None
+    return _ends(run.channel(wanted[0]).values) if wanted else None
 
 
 def _instruments(run: Run) -> tuple[Mapping[str, str], ...]:

@@ -52,7 +52,7 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     of_file = of_the_file(
         shipped,
         uncertain if shipped is after else uncertainty_of(shipped),
-        [c.family.belongs_to == "sensor" for i, c in enumerate(found.accepted) if i not in unsupported],
+        [c.belongs_to == "sensor" for i, c in enumerate(found.accepted) if i not in unsupported],
     )
     noticed = (*findings(run, problem, found.level), *working_range.findings(run, found.accepted, after))
     tests = {when: residual_tests(fit.problem, rows) for when, fit in (("before", before), ("after", after))}
@@ -175,7 +175,7 @@ def _records(found: Evidence, after: JointFit, uncertain: Sources) -> list[Effec
                 effect=chosen.family.id,
                 channels=term.channels,
                 reference_value=dict(term.reference_value),
-                belongs_to=chosen.family.belongs_to,
+                belongs_to=chosen.belongs_to,
                 parameters=parameters,
                 provisional=bool(others),
                 holdout_rms_before_nT=step.before,
@@ -231,7 +231,7 @@ def _rejected_record(found: Evidence, w: Scored) -> EffectRecord:
         effect=w.candidate.family.id,
         channels=term.channels,
         reference_value=dict(term.reference_value),
-        belongs_to=w.candidate.family.belongs_to,
+        belongs_to=w.candidate.belongs_to,
         parameters=(),
         holdout_rms_before_nT=before,
         holdout_rms_after_nT=after,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -20,16 +21,18 @@ from labcal.loop.data.outliers import at_saturation_limit
 from labcal.loop.nameless import with_empirical
 from labcal.loop.narrative import of_faulty_data
 from labcal.loop.result import ClosedLoop, Finding
-from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
+from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice, rms
 from labcal.loop.selection.final_fit import base_fit, final_fit
 from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.members import told_apart
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
-from labcal.loop.selection.select import Selection, select
+from labcal.loop.selection.select import Selection, select, stepwise
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
 Progress = Callable[[str], None]
+LONG_s = 20.0  # still to go: a person is told
+STILL = 1.5  # times what the first selection took, the rest takes
 
 
 def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: bool = False) -> ClosedLoop:
@@ -40,6 +43,7 @@ def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: b
     `empirical` asks for it, else proposed.
     """
     while True:
+        started_s = time.monotonic()
         progress("fitting the base model")
         problem, level, stuck = prepare(run)
         if (finding := check_data(problem, level)) is not None:
@@ -47,12 +51,14 @@ def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: b
         progress("weighing every effect")
         base_set = candidates_of(run, problem)
         pool = relinearised(base_set)
+        if (left_s := STILL * (time.monotonic() - started_s)) > LONG_s:
+            progress(f"this run takes about {left_s:.0f} s more and may be stopped; {so_far(pool)}")
         selection = select(pool, level)
         gaps = unresolved_gaps(run, _supporting_channels(selection))
         if not gaps.any():
             break
         run = run.select(~gaps)
-    progress("holding out blocks of time")
+    progress(f"holding out blocks of time; {so_far(pool, selection)}")
     found = prove(base_set, pool, selection, level)
     found, after = final_fit(problem, found, selection)
     found = told_apart(found)
@@ -60,6 +66,16 @@ def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: b
     aside = {OUTLIERS.id: int((~found.pool.valid).sum()), SATURATION.id: stuck}
     closed = assemble(run, found, before, after, aside)
     return with_empirical(run, found, closed, before, aside, ship=empirical)
+
+
+def so_far(pool: CandidateSet, selection: Selection | None = None) -> str:
+    """What is known before the proof, in words: the effects selected, and what they leave of the rows searched."""
+    accepted = stepwise(pool)[0] if selection is None else selection.accepted
+    if not accepted:
+        return "so far nothing has the evidence of a name"
+    before, after = (rms(pool.residual(some)[pool.rows]) for some in ((), accepted))
+    named = " and ".join(c.label for c in accepted)
+    return f"so far {named}, not proven yet: {before:.1f} to {after:.1f} times the noise"
 
 
 def _supporting_channels(found: Selection) -> set[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,6 +12,7 @@ from labcal.errors import InputError
 from labcal.model.affine import jacobian
 from labcal.model.calibration import Calibration, EffectRecord
 from labcal.model.effects import Fitted, Scene, load_shipped, of_temperature
+from labcal.model.effects.inputs import channels_of
 from labcal.model.gaps import bridged
 from labcal.model.pieces import Recording, Taken, Walk, remembers
 from labcal.model.plausibility import bends, saturated, second_difference_outliers
@@ -30,7 +31,7 @@ def needed_columns(calibration: Calibration) -> tuple[str, ...]:
     """Columns beside the reading without which the calibration's effects cannot be computed."""
     names = dict.fromkeys(name for record in calibration.effects for name in record.channels)
     for effect in map(load_shipped, calibration.effects):
-        if effect.family.bound_to_run or remembers(effect):
+        if effect.family.is_bound_to_run(effect.term) or remembers(effect):
             names["t_s"] = None
         if remembers(effect):
             names["segment"] = None
@@ -200,10 +201,19 @@ def misfit_variance(calibration: Calibration, noise: float) -> float:
     return float((held_out**2 - expected**2) / (3 if calibration.frame_known else 1))
 
 
-def temperature_channel(calibration: Calibration, names: Mapping[str, Array]) -> str | None:
+def temperature_channel(calibration: Calibration, names: Collection[str]) -> str | None:
     """The column that the calibration's temperature range speaks of."""
     used = [r.channels[0] for r in calibration.effects if of_temperature(r) and r.channels]
     return next((name for name in (*used, "temp_dut") if name in names), None)
+
+
+def ends_of_channels(calibration: Calibration) -> dict[str, tuple[float, float]]:
+    """Between which values each channel was seen that an effect with a name follows; not that of the temperatures."""
+    named = [domain for record in calibration.effects if record.basis is None for domain in record.domain]
+    seen = {name: (d.hull[0][0], d.hull[-1][0]) for d in named for name in channels_of(d.inputs)}
+    if calibration.validity.temperature_C is not None and (warm := temperature_channel(calibration, seen)):
+        del seen[warm]
+    return seen
 
 
 def _noise_variance(calibration: Calibration, reading: Array) -> Array:
@@ -294,6 +304,8 @@ def _growth(calibration: Calibration, readings: Readings, field_nT: Array, flags
     if name is not None and calibration.validity.temperature_C is not None:
         outside = _excess(readings.channels[name], calibration.validity.temperature_C)
         growth += np.where(flags["temperature"], np.nan_to_num(outside, nan=1.0), 0.0)
+    for channel, ends in ends_of_channels(calibration).items():
+        growth += np.nan_to_num(_excess(readings.channels[channel], ends), nan=0.0)
     growth += flags["mode"].astype(float) + flags["rate"].astype(float)
     useless = flags["saturated"] | flags["outlier"]
     floor = max(reading_noise(calibration), 1.0)

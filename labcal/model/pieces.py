@@ -61,7 +61,7 @@ class Recording:
         """Which segment each of the rows is of, counted from the recording's start."""
         return np.searchsorted(self.edges[1:-1], np.arange(rows.start, rows.stop), side="right")
 
-    def out_of_reach(self, rows: slice, lag_s: float) -> Mask:
+    def out_of_reach(self, rows: slice, lag_s: Array | float) -> Mask:
         """Rows whose reading a lag later lies beyond their segment's ends."""
         t_s, number = self.readings.t_s, self.segments(rows)
         assert t_s is not None
@@ -116,7 +116,8 @@ class Walk:
             usable &= ~flags["domain"]
             value[~usable], jacobian[~usable] = 0.0, 0.0
         if self.effect.term.found_by("own secant") is not None:
-            flags["rate"] = self._recording.out_of_reach(rows, float(self.effect.beta[0]))
+            ahead_s = self.effect.family.secant_s(self.effect.term, self._time(rows))
+            flags["rate"] = self._recording.out_of_reach(rows, ahead_s)
             variance[flags["rate"]] += value[flags["rate"]] ** 2
         if (moment := self.effect.term.found_by("changepoints")) is not None:
             unsure = self._beside(moment, rows)
@@ -192,7 +193,7 @@ class Walk:
             word = "temperature" if self.effect.family.of_temperature else ""
             missing = ~np.isfinite(readings.channels[name][rows])
             lacking[word] = lacking[word] | missing if word in lacking else missing
-        if self.effect.family.bound_to_run and readings.t_s is not None:
+        if self.effect.family.is_bound_to_run(self.effect.term) and readings.t_s is not None:
             first, last = self._calibration.span_s
             lacking["time"] = ~((readings.t_s[rows] >= first) & (readings.t_s[rows] <= last))
         own_modes, mode = self.effect.family.modes, readings.rows(rows.start, rows.stop).mode

@@ -19,6 +19,7 @@ from labcal.certificate.flight.content import content_of
 from labcal.errors import InputError
 from labcal.model import Calibration, EffectRecord, Parameter, Validity
 from labcal.model.effects import families, registry
+from labcal.model.smooth import Domain
 from labcal.record import Channel, Run
 from labcal.store import read_bundle
 
@@ -50,6 +51,9 @@ FORMS = {
     "several": (("offset-current", *CURRENT, {f"c{tau}s_{a}": 20.0 + tau for tau in (0, 3, 12) for a in "xyz"}),),
     "heat": (("offset-current-squared", ("i",), {"i": 0.0}, {**C, "tau_s": 8.0}),),
     "curved": (("offset-temperature", *WARM, {**C, "d_x": 1.0, "d_y": 0.5, "d_z": 2.0, "tau_s": 25.0}),),
+    "branches": (("offset-temperature", *WARM, {**C, **each(b=30.0), "r_C": 0.4}),),
+    "branched-slopes": (("offset-temperature", *WARM, {**C, **each(b=30.0, f=4.0), "r_C": 0.4}),),
+    "bent-gains": (("gain-temperature", *WARM, {**each(g=1e-4, h=3e-5), "tau_s": 30.0}),),
     "leading": (("offset-temperature", *WARM, {**C, "tau_s": -40.0}),),
     "gains": (("gain-temperature", *WARM, {"g_x": 1e-4, "g_y": 2e-4, "g_z": -1e-4, "tau_s": 30.0}),),
     "matrix": (("gain-temperature", *WARM, {f"g_{i}{j}": 1e-5 * k for k, (i, j) in enumerate(NINE, 1)}),),
@@ -189,6 +193,15 @@ def test_a_channel_that_is_missing_leaves_its_effect_out_and_u_grows(run: Run, t
     more, u, grown, left_out, no_reading = done.stdout.split()
     assert (done.returncode, float(more), left_out, no_reading) == (0, 50.0, "16", "64")
     assert float(grown) > float(u)
+
+
+@needs_cc
+def test_a_channel_where_its_effect_was_not_seen_grows_u_as_apply_does(run: Run, tmp_path: Path) -> None:
+    made = calibration(*FORMS["current"])
+    seen = replace(made.effects[0], domain=(Domain(("channel:i",), ((0.15,), (0.3,))),))
+    folder = exported(replace(made, effects=(seen,)), run, tmp_path)
+    assert "LABCAL_DOMAIN, &flags" in (folder / "labcal_calibration.c").read_text()
+    assert checked(folder).returncode == 0
 
 
 def test_effects_bound_to_the_run_are_named_and_their_u_is_added(run: Run) -> None:

@@ -1,20 +1,26 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from labcal.errors import InputError
+from labcal.fit import draft_calibration
+from labcal.fit.result import Fit
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter, Validity
 from labcal.model.apply import apply, needed_columns
 from labcal.model.plausibility import saturation_limits
 from labcal.model.readings import Applied, Readings
+from labcal.model.smooth import Domain
 from labcal.record import Dut
+from labcal.store import read_bundle
 
 K = np.array([[1.1, 0.1, 0.0], [0.0, 0.9, -0.1], [0.05, 0.0, 1.0]])
 k = np.array([100.0, -200.0, 300.0])
 NOISE_NT = 10.0
+EXAMPLE = Path(__file__).parents[2] / "examples" / "short-preflight"
 TURN = np.linspace(0, 6, 400)
 FIELD = 30e3 * np.column_stack([np.cos(TURN), np.sin(TURN), 0.3 * np.cos(2 * TURN)])
 
@@ -182,6 +188,37 @@ def test_temperature_outside_the_range_is_flagged() -> None:
     found = apply(cal, readings(channels={"temp_dut": temperature}))
     assert found.flags[3] == "temperature"
     assert found.u_nT[3] == pytest.approx(2 * found.u_nT[4])
+
+
+def test_a_channel_where_its_effect_was_not_seen_is_flagged_and_less_certain() -> None:
+    stated = effect("offset-current", ("i_eps",), {"i_eps": 0.2}, c_x=(50, 2), c_y=(0, 2), c_z=(-10, 2))
+    seen = replace(stated, domain=(Domain(("channel:i_eps",), ((0.1,), (1.1,))),))
+    amps = np.linspace(0.1, 1.1, len(FIELD))
+    amps[200:203] = 0.0, 1.3, np.nan
+    plain, found = (apply(calibration(one), readings(channels={"i_eps": amps})) for one in (stated, seen))
+    assert list(found.flags[199:204]) == ["", "domain", "domain", "", ""]
+    assert np.allclose(found.field_nT, plain.field_nT, atol=1e-9)
+    growth = found.u_nT / plain.u_nT
+    assert growth[[200, 201]] == pytest.approx([1 + 0.1 / 1.0, 1 + 0.2 / 1.0])
+    assert np.delete(growth, [200, 201]) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("hull", [(), ((0.1,),), ((1.1,), (0.1,)), ((0.1, 0.0), (1.1, 1.0))])
+@pytest.mark.parametrize("named", ["channel:i_eps", "channel:other", "rate"])
+def test_a_domain_that_is_not_two_ends_of_an_own_channel_is_refused(named: str, hull: tuple) -> None:
+    stated = effect("offset-current", ("i_eps",), {"i_eps": 0.2}, c_x=(50, 2), c_y=(0, 2), c_z=(-10, 2))
+    strange = replace(stated, domain=(Domain((named,), hull if named == "channel:i_eps" else ((0.1,), (1.1,))),))
+    with pytest.raises(InputError, match="its domain is not two ends of a channel that it follows"):
+        apply(calibration(strange), readings(channels={"i_eps": np.ones(len(FIELD))}))
+
+
+def test_a_draft_says_where_each_effect_was_seen() -> None:
+    run = read_bundle(EXAMPLE / "run.zip")
+    followed = effect("offset-current", ("i_radio",), {"i_radio": 0.2}, c_x=(50, 2), c_y=(0, 2), c_z=(-10, 2))
+    fit = Fit("m", True, affine=AffineMap(K, k), noise_nT=10.0, effects=(followed,))
+    (domain,) = draft_calibration(run, fit, "").effects[0].domain
+    values = run.channel("i_radio").values
+    assert domain == Domain(("channel:i_radio",), ((np.nanmin(values),), (np.nanmax(values),)))
 
 
 def test_a_spike_is_an_outlier_and_a_step_is_none() -> None:

@@ -19,7 +19,7 @@ from labcal.certificate.flight.c_templates import HEADER, SOURCE
 from labcal.certificate.flight.content import Content, Flown, stamps
 from labcal.certificate.flight.vectors import Vectors, seen
 from labcal.errors import InputError
-from labcal.model.apply import reading_noise, temperature_channel
+from labcal.model.apply import ends_of_channels, reading_noise, temperature_channel
 from labcal.model.effects.c_form import CForm, Input, enumerator, given, mode_enumerator, real
 from labcal.model.effects.shape import DELAY
 from labcal.model.plausibility import stated_limits
@@ -352,6 +352,12 @@ def _ranges(program: Program) -> Iterator[str]:
         cold, hot = calibration.validity.temperature_C
         said = f"now.input[{enumerator(one)}], {cold!r}, {hot!r}, 0.0, LABCAL_TEMPERATURE_RANGE"
         yield f"    growth += excess({said}, &flags);"
+    inputs = {one.channel: one for one in program.inputs if one.channel}
+    for channel, (least, most) in ends_of_channels(calibration).items():
+        if channel in inputs:
+            value = f"now.input[{enumerator(inputs[channel])}]"
+            said = f"{value}, {least!r}, {most!r}, 0.0, LABCAL_DOMAIN"
+            yield f"    growth += isfinite({value}) ? excess({said}, &flags) : 0.0;"
     if calibration.validity.modes:
         valid = [mode_enumerator(m) for m in ("", *calibration.validity.modes)]
         yield f"    if ({' && '.join(f'now.mode != {name}' for name in dict.fromkeys(valid))}) {{"

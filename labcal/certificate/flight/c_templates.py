@@ -45,6 +45,7 @@ enum {
     LABCAL_SATURATED = 8,         /* the reading is at its end */
     LABCAL_LEFT_OUT = 16,         /* an effect lacks its input */
     LABCAL_LATE = 32,             /* a delay reaches back before the segment, or LABCAL_HISTORY is too short */
+    LABCAL_DOMAIN = 128,          /* a channel that an effect follows is where it was not seen */
     LABCAL_NO_READING = 64        /* it is not finite, and so is no field */
 };
 

@@ -87,7 +87,7 @@ def content_of(calibration: Calibration, content: bytes, status: str) -> Content
             effect = load_shipped(record)
         except InputError as error:
             raise InputError(f"effects[{place}]: {error.what}") from None
-        if effect.family.bound_to_run:
+        if effect.family.is_bound_to_run(effect.term):
             left_out.append(record)
             continue
         effects.append(Flown(place, record, effect, first))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop.data.linear_problem import LinearProblem
+from labcal.model.calibration import Owner
 from labcal.model.effects import Family, Term, families
 
 Array = NDArray[np.float64]
@@ -29,6 +30,11 @@ class Candidate:
     def cause(self) -> Cause:
         """What would be named."""
         return self.family.id, self.term.channels
+
+    @property
+    def belongs_to(self) -> Owner:
+        """Whose it is."""
+        return self.family.owner(self.term)
 
     @property
     def size(self) -> int:

@@ -51,15 +51,14 @@ def _fixed_noise_gain(
 
 def _on_own_secant(pool: CandidateSet, candidate: Candidate, accepted: Sequence[Candidate]) -> Candidate:
     """A lag's columns are a secant: taken over the lag that they give, until it no longer changes."""
-    secant = candidate.term.found_by("own secant")
-    assert secant is not None
     for _ in range(SECANT_ROUNDS):
-        lag = float(pool.coefficients([*accepted, candidate])[-1])
-        converged = abs(lag - secant.value) < 1e-3 * abs(lag) + 1e-6
-        if converged or abs(lag) < 1e-6:
+        last = candidate.term
+        found = pool.coefficients([*accepted, candidate])[-len(last.parameters) :]
+        if all(abs(v - s.value) < 1e-3 * abs(v) + 1e-6 for v, s in zip(found, last.own_secants(), strict=False)):
             break
-        secant = replace(secant, value=lag)
-        candidate = replace(candidate, term=candidate.term.with_shape(secant))
+        candidate = replace(candidate, term=last.over_own_secants(found))
+        if candidate.term is last:
+            break
     return candidate
 
 

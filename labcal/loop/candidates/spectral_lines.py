@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.loop import policy
+from labcal.loop.candidates.folded_lines import unfolded_line
 from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.noise.periodogram import periodogram, running_median
 from labcal.model.effects import Family, Shape, Term, families
 from labcal.model.effects.regressors import stretches
-from labcal.record import Run
 
 Array = NDArray[np.float64]
 BELOW_NYQUIST = 0.98  # of the highest frequency: beyond, a line and its alias are one
@@ -23,32 +23,52 @@ PEAKS = 3  # frequencies that a periodic effect is tried at
 def spectral_lines(problem: LinearProblem, residual: Array) -> list[Candidate]:
     """What shows as a line, at the highest peaks against their neighbourhood, for a residual (n, q).
 
-    What is transformed is the score of an offset along each body axis: a magnitude alone would show the line split by
-    the turning of the field.
+    What is transformed is the score of an offset along each axis of the frame that the form is fixed to: in any other
+    the turning of the device would split the line.
     """
     able = [family for family in families() if family.found_by("spectral lines") and is_observable(problem, family)]
-    terms = [(family, *term) for family in able for term in _with_a_line(family, problem.run)]
-    if not terms:
-        return []
-    offsets = np.einsum("nqj,nq->nj", problem.whiten, residual)
-    frequency, power = periodogram(problem.scene.t_s, offsets)
-    contrast = np.where(_admissible(problem, frequency), power / running_median(power), 0.0)
+    terms = [(family, *term) for family in able for term in _with_a_line(family, problem)]
     found: list[Candidate] = []
-    for _ in range(PEAKS):
-        peak = int(np.argmax(contrast))
-        if contrast[peak] <= 0:
-            break
-        for family, term, line in terms:
-            at = replace(line, value=float(frequency[peak]), grid=(0.0,))
-            found.append(Candidate(family, term.with_shape(at), len(frequency)))
+    for owner in sorted({family.owner(term) for family, term, _ in terms}):
+        scores = offset_scores(problem, residual, in_cage=owner == "rig")
+        places = _frequencies(problem, scores)
+        for family, term, line in (one for one in terms if one[0].owner(one[1]) == owner):
+            found += [Candidate(family, term.with_shape(replace(line, value=f, grid=(0.0,))), n) for f, n in places]
+    return found
+
+
+def _frequencies(problem: LinearProblem, scores: Array) -> list[tuple[float, int]]:
+    """Where lines are tried [Hz], and of how many frequencies each was chosen."""
+    frequency, power = periodogram(problem.scene.t_s, scores)
+    peaks = _peaks(np.where(_admissible(problem, frequency), power / running_median(power), 0.0))
+    found = [(float(frequency[peak]), len(frequency)) for peak in peaks]
+    parts, t_s = stretches(problem.scene.segment), problem.scene.t_s
+    lowest = policy.POLICY.min_cycles / max(float(np.median([np.ptp(t_s[part]) for part in parts])), 1e-9)
+    above = unfolded_line(t_s, scores, parts, lowest) if problem.bins is None else None
+    return found if above is None else [*found, above]
+
+
+def offset_scores(problem: LinearProblem, residual: Array, *, in_cage: bool) -> Array:
+    """How a residual (n, q) would change with an offset along each axis of the body, or of the cage (n, 3)."""
+    scores = np.einsum("nqj,nq->nj", problem.whiten, residual)
+    rig = problem.scene.rig
+    return scores if rig is None or not in_cage else np.asarray(np.einsum("nji,nj->ni", rig.to_body, scores))
+
+
+def _peaks(contrast: Array) -> list[int]:
+    """Where a spectrum stands highest above its neighbourhood, highest first."""
+    contrast, found = contrast.copy(), list[int]()
+    while len(found) < PEAKS and contrast[peak := int(np.argmax(contrast))] > 0:
+        found.append(peak)
         contrast[max(peak - 8, 0) : peak + 9] = 0.0
     return found
 
 
-def _with_a_line(family: Family, run: Run) -> list[tuple[Term, Shape]]:
-    """The terms that have a frequency, and the frequency."""
-    found = [(term, term.found_by("spectral lines")) for term in family.candidates(run)]
-    return [(term, line) for term, line in found if line is not None]
+def _with_a_line(family: Family, problem: LinearProblem) -> list[tuple[Term, Shape]]:
+    """The terms that have a frequency, and the frequency; those of the rig where the problem knows it."""
+    found = [(term, term.found_by("spectral lines")) for term in family.candidates(problem.run)]
+    known = problem.scene.rig is not None
+    return [(term, line) for term, line in found if line is not None and (known or family.owner(term) != "rig")]
 
 
 def _admissible(problem: LinearProblem, frequency: Array) -> NDArray[np.bool_]:

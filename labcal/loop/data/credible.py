@@ -22,7 +22,7 @@ WILD = 10.0  # times the median: longer residuals are cut before anything is kno
 
 def is_of_the_rig(term: Term) -> bool:
     """Whether the reference drives it."""
-    return any(family.kernel is term.kernel for family in families() if family.belongs_to == "rig")
+    return any(family.owner(term) == "rig" for family in families() if family.kernel is term.kernel)
 
 
 def min_new_share(terms: Sequence[Term], apart_nT: Array, field_nT: Array) -> float:

@@ -43,11 +43,17 @@ def rows_per_bin(problem: LinearProblem) -> int:
     m = min(round(len(problem) / TARGET_ROWS), int(MAX_TURN_RAD / max(fastest, 1e-9)))
     if m < 2:
         return 1
-    frequency, power = periodogram(problem.scene.t_s, problem.y)
-    share = 2 * power / (len(problem) * problem.y.size)
+    rig = problem.scene.rig
+    frames = [problem.y] if rig is None else [problem.y, np.einsum("nji,nj->ni", rig.to_body, problem.y)]
+    return 1 if any(_has_fast_line(problem.scene.t_s, y, m) for y in frames) else m
+
+
+def _has_fast_line(t_s: Array, y: Array, m: int) -> bool:
+    """Whether a whitened residual (n, q) has a line that bins of m rows would lose."""
+    frequency, power = periodogram(t_s, y)
+    share = 2 * power / (len(y) * y.size)
     lines = frequency[(power > LINE_CONTRAST * running_median(power)) & (share > policy.POLICY.material_share)]
-    fast = lines[lines > 0.5 * frequency[-1] / m]
-    return 1 if len(fast) else m
+    return bool((lines > 0.5 * frequency[-1] / m).any())
 
 
 def _bins(problem: LinearProblem, m: int) -> Bins:

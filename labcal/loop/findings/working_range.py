@@ -86,7 +86,7 @@ def findings(run: Run, accepted: Sequence[Candidate], after: JointFit) -> list[F
     """Corrections that are uncertain in the working range, and parameters that the run does not determine."""
     found = []
     for place, (chosen, parameters) in enumerate(zip(accepted, after.parameters(), strict=True)):
-        of = range_uncertainty(run, after, place) if chosen.family.belongs_to == "sensor" else None
+        of = range_uncertainty(run, after, place) if chosen.belongs_to == "sensor" else None
         if of is not None and of.u_worst_nT > after.problem.length_nT(after.problem.residual_nT).max():
             text = f"The correction {chosen.family.id} is uncertain by {of.u_worst_nT:.0f} nT at {of.worst}"
             shipped = "" if of.supported else " It is not written into the calibration."
@@ -98,15 +98,13 @@ def findings(run: Run, accepted: Sequence[Candidate], after: JointFit) -> list[F
             text = (
                 f"Of {chosen.family.id}, {', '.join(loose)} {verb} not pinned down by this run (value below U, k = 2)."
             )
-            found.append(Finding("not-pinned-down", chosen.family.belongs_to, text))
+            found.append(Finding("not-pinned-down", chosen.belongs_to, text))
     return found
 
 
 def unsupported(run: Run, accepted: Sequence[Candidate], after: JointFit) -> frozenset[int]:
     """Numbers of the sensor's effects whose correction is smaller than its uncertainty over the working range."""
-    reaches = [
-        range_uncertainty(run, after, i) if c.family.belongs_to == "sensor" else None for i, c in enumerate(accepted)
-    ]
+    reaches = [range_uncertainty(run, after, i) if c.belongs_to == "sensor" else None for i, c in enumerate(accepted)]
     return frozenset(i for i, r in enumerate(reaches) if r is not None and not r.supported)
 
 

@@ -110,7 +110,7 @@ def _line_search(
     limit = _misfit(here, terms, beta, used) * (1 + 1e-9)
     for _ in range(HALVINGS):
         bare, moved = _stepped(here, terms, beta, step)
-        settled = tuple(_on_own_secant(term, b) for term, b in zip(terms, moved, strict=True))
+        settled = tuple(term.over_own_secants(b) for term, b in zip(terms, moved, strict=True))
         there = _relinearised(bare, settled, moved)
         if _misfit(there, settled, moved, used) <= limit:
             return there, settled, moved
@@ -191,14 +191,6 @@ def _field_slope(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -> 
     here = sum_of_effects(terms, beta, scene)
     moved = (sum_of_effects(terms, beta, scene.moved(step)) for step in SLOPE_STEP_nT * np.eye(3))
     return np.stack([(there - here) / SLOPE_STEP_nT for there in moved], axis=2)
-
-
-def _on_own_secant(term: Term, beta: Array) -> Term:
-    """A lag's secant is taken over the lag itself."""
-    secant = term.found_by("own secant")
-    if secant is not None and abs(float(beta[0])) > 1e-6:
-        return term.with_shape(replace(secant, value=float(beta[0])))
-    return term
 
 
 def _covariance(

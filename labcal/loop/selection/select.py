@@ -185,6 +185,6 @@ def _preference(candidate: Candidate) -> tuple[int, bool]:
     kind = 1 if candidate.family.generic else 0
     if candidate.family.bound_to_run:
         kind = 3
-    elif candidate.family.belongs_to == "rig":
+    elif candidate.belongs_to == "rig":
         kind = 2
     return kind, candidate.family.second_order

@@ -1,4 +1,4 @@
-"""Scale factors, and with them the cross terms, that follow temperature at once or behind it by a time constant."""
+"""Scale factors, and with them the cross terms, that follow temperature: at once or behind it, straight or curved."""
 
 from __future__ import annotations
 
@@ -18,19 +18,36 @@ TAU_S = (10.0, 30.0, 100.0, 300.0)
 
 
 def kernel(term: Term, scene: Scene) -> Array:
-    """E = Σ g_i s_i (T − T_ref) along sensor axis i; with nine parameters along every axis j; T behind by tau_s."""
+    """E = Σ g_i s_i (T − T_ref) along sensor axis i; with nine parameters along every axis j; T behind by tau_s.
+
+    A curved one has Σ h_i s_i (T − T_ref)² beside it.
+    """
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
     s, warm = scene.along_axes_nT, low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)[:, None]
-    if len(term.parameters) == 3:
-        return np.asarray((warm * s)[:, None, :] * scene.axes)
+    if not _is_whole(term):
+        powers = (warm, warm**2) if _is_curved(term) else (warm,)
+        return np.concatenate([(power * s)[:, None, :] * scene.axes for power in powers], axis=2)
     return np.asarray(np.einsum("ji,nk->njik", scene.axes, warm * s).reshape(len(scene), 3, 9))
+
+
+def _is_curved(term: Term) -> bool:
+    return any(name.startswith("h_") for name, _ in term.parameters)
+
+
+def _is_whole(term: Term) -> bool:
+    return len(term.parameters) == 9
 
 
 def in_c(term: Term) -> CForm:
     """The same in C."""
     lines, inputs, state, helpers = filtered(Driven(term))
-    if len(term.parameters) == 3:
-        body = "\n".join(f"along_axis(e[{i}], {i}, warm * now->along[{i}]);" for i in range(3))
+    if not _is_whole(term):
+        powers = ("warm", "warm * warm") if _is_curved(term) else ("warm",)
+        body = "\n".join(
+            f"along_axis(e[{3 * k + i}], {i}, {power} * now->along[{i}]);"
+            for k, power in enumerate(powers)
+            for i in range(3)
+        )
     else:
         body = "\n".join(
             f"along_axis(e[{3 * i + k}], {i}, warm * now->along[{k}]);" for i in range(3) for k in range(3)
@@ -38,17 +55,20 @@ def in_c(term: Term) -> CForm:
     formula = (
         "E = sum of g s (T - T_ref) along the sensor's axes, g [1/degC], s [nT] the field along them, T as inputs say"
     )
+    if _is_curved(term):
+        formula += "; and h s (T - T_ref)^2, h [1/degC^2]"
     return CForm(formula, f"{lines}\n{body}", inputs, state, (*helpers, "along_axis"))
 
 
 def candidates(run: Run) -> list[Term]:
-    """Each temperature that moves: gains alone, at once and behind, and the whole matrix."""
+    """Each temperature that moves: gains alone, at once and behind, straight and curved, and the whole matrix."""
     found = []
     for c in moving(run, ("temperature",)):
         unit = f"1/{c.unit}"
         whole = tuple((f"g_{i}{j}", unit) for i in AXES for j in AXES)
         gains, tau = per_axis("g", unit), (replace(BEHIND, grid=TAU_S),)
-        variants = ((gains, ()), (gains, tau), (whole, ()))
+        curved = (*gains, *per_axis("h", f"{unit}^2"))
+        variants = ((gains, ()), (gains, tau), (whole, ()), (curved, ()), (curved, tau))
         found += [Term(kernel, p, (c.name,), {c.name: middle(c)}, shape) for p, shape in variants]
     return found
 

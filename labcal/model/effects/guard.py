@@ -30,6 +30,8 @@ def guarded(family: Family, where: str) -> Family:
         candidates=_candidates(family, kernel, named),
         time_constants=_blamed(family.time_constants, named),
         reach_s=_blamed(family.reach_s, named),
+        rig_form=_blamed(family.rig_form, named),
+        bound_form=_blamed(family.bound_form, named),
         modes=family.modes and _blamed(family.modes, named),
         in_c=family.in_c and _blamed(family.in_c, named),
     )

@@ -1,6 +1,8 @@
-"""A reading that belongs to an earlier field: the sensor's delay, or a clock that is off."""
+"""A reading that belongs to an earlier field: the sensor's delay, or a clock that is off, or that is off and drifts."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -8,10 +10,15 @@ from labcal.model.effects.axis_tilt import LAG_OR_TILT
 from labcal.model.effects.c_form import CForm
 from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
 from labcal.model.effects.regressors import shifted
-from labcal.model.effects.shape import SECANT, Shape
+from labcal.model.effects.shape import GIVEN, SECANT, Shape
 from labcal.record import Run
 
 OVER = Shape("secant_s", 0.05, "s", kind=SECANT)
+DRIFTS = Shape("secant_ppm", 0.0, "ppm", kind=SECANT)
+FROM = Shape("t_ref_s", 0.0, "s", kind=GIVEN)
+EITHER_WAY = Shape("half_span_s", 0.0, "s", kind=GIVEN)
+LEAST_s = 1e-3  # over less the secant of a lag that passes through nought is taken over this
+PPM = 1e-6
 BACKWARD_IN_C = """\
 const double step_s = now->t_s - state->t_s;
 for (int j = 0; j < 3; ++j) {
@@ -28,13 +35,37 @@ LAG_OR_EDDIES = Confounded(
 
 
 def kernel(term: Term, scene: Scene) -> Array:
-    """The secant of e = a(t) − a(t + lag) over the shape `secant_s`; against a reference e = p(t − lag) − p(t)."""
-    step = term.at(OVER.name)
+    """The secant of e = a(t) − a(t + lag) over `secant_s`; against a reference e = p(t − lag) − p(t).
+
+    A lag that drifts is lag_s + drift_ppm (t − t_ref_s) / 10⁶, its secant in each row over as much there.
+    """
+    step = secant_s(term, scene.t_s)
+    step = np.where(np.abs(step) < LEAST_s, LEAST_s, step) if drifts(term) else step
     if scene.rig is not None:
         p = scene.rig.prediction_nT
-        return np.asarray((shifted(scene.t_s, scene.segment, p, -step) - p)[:, :, None] / step)
-    a = scene.driving_field_nT
-    return np.asarray((a - shifted(scene.t_s, scene.segment, a, step))[:, :, None] / step)
+        secant = (shifted(scene.t_s, scene.segment, p, -step) - p) / step[:, None]
+    else:
+        a = scene.driving_field_nT
+        secant = (a - shifted(scene.t_s, scene.segment, a, step)) / step[:, None]
+    grows = [(scene.t_s - term.at(FROM.name)) * PPM] if drifts(term) else []
+    return np.stack([secant, *(secant * one[:, None] for one in grows)], axis=2)
+
+
+def drifts(term: Term) -> bool:
+    """Whether it grows with time: on the run's own clock only."""
+    return any(shape.name == DRIFTS.name for shape in term.shape)
+
+
+def secant_s(term: Term, t_s: Array) -> Array:
+    """Over which interval the secant of each row is taken (n,)."""
+    grown = term.at(DRIFTS.name) * PPM * (t_s - term.at(FROM.name)) if drifts(term) else 0.0
+    return np.asarray(term.at(OVER.name) + grown + np.zeros(len(t_s)))
+
+
+def reach_s(term: Term) -> float:
+    """How far ahead it looks, at most."""
+    grown = term.at(DRIFTS.name) * PPM * term.at(EITHER_WAY.name) if drifts(term) else 0.0
+    return abs(term.at(OVER.name)) + abs(grown)
 
 
 def in_c(term: Term) -> CForm:
@@ -46,8 +77,13 @@ def in_c(term: Term) -> CForm:
 
 
 def candidates(run: Run) -> list[Term]:
-    """One lag for the whole run."""
-    return [Term(kernel, (("lag_s", "s"),), shape=(OVER,))]
+    """One lag for the whole run; one that drifts."""
+    of_the_run = replace(FROM, value=float(run.t_s[0] + run.t_s[-1]) / 2)
+    shape = (OVER, DRIFTS, of_the_run, replace(EITHER_WAY, value=float(run.t_s[-1] - run.t_s[0]) / 2))
+    return [
+        Term(kernel, (("lag_s", "s"),), shape=(OVER,)),
+        Term(kernel, (("lag_s", "s"), ("drift_ppm", "ppm")), shape=shape),
+    ]
 
 
 FAMILY = Family(
@@ -55,10 +91,13 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(OVER,),
+    shapes=(OVER, DRIFTS, FROM, EITHER_WAY),
     from_vectors=True,
     experiment="turn faster, and backwards: a lag grows with the rate and changes sign with it",
     confounded=(LAG_OR_TILT, LAG_OR_EDDIES),
+    bound_form=drifts,
+    reach_s=reach_s,
+    secant_s=secant_s,
     in_pieces=True,
     in_c=in_c,
     drawn_against="angle",

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from labcal.model.effects.shape import DELAY, SECANT, TIME_CONSTANT
 
 if TYPE_CHECKING:
@@ -25,6 +28,11 @@ def reach_s(term: Term) -> float | None:
     near = [abs(shape.value) for shape in term.shape if shape.kind in (DELAY, SECANT)]
     following = [max(-tau_s, 0.0) * LEAD for tau_s in time_constants(term) if tau_s]
     return max([*near, *following], default=None)
+
+
+def secant_s(term: Term, t_s: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far ahead [s] of each row at t_s (n,) its secant looks."""
+    return np.full(len(t_s), next((shape.value for shape in term.shape if shape.kind is SECANT), 0.0))
 
 
 def nowhere(term: Term) -> float | None:

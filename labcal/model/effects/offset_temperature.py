@@ -1,6 +1,7 @@
 """Sensor offset that follows temperature, straight or curved: at once, behind it by thermal time constants, or ahead.
 
-It is ahead (a negative time constant) where the thermometer is the slower of the two.
+It is ahead (a negative time constant) where the thermometer is the slower of the two. Where heating is unlike cooling,
+as with magnets and glued parts, it has two branches: it passes from one to the other while the temperature turns back.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.model.effects.c_form import CForm
-from labcal.model.effects.c_responses import Driven, filtered, responses_in_c
+from labcal.model.effects.c_responses import Driven, at_once, filtered, responses_in_c
 from labcal.model.effects.following import (
     BEHIND,
     LATE,
@@ -22,18 +23,42 @@ from labcal.model.effects.following import (
     responses,
     time_constants,
 )
+from labcal.model.effects.past import Past
 from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.recursion import clipped_recursion
 from labcal.model.effects.regressors import low_passed, moving, on_each_axis, per_axis
+from labcal.model.effects.shape import THRESHOLD, Shape
 from labcal.record import Run
+from labcal.record.run import Channel
 
 LEADS_S = (-100.0, -30.0, -10.0, -3.0)  # of a thermometer that is slower than the sensor
 TAU_S = (10.0, 30.0, 100.0, 300.0)
 SEVERAL_S = (0, 60, 300)  # a housing and what is inside it
+TURNS = Shape("r_C", 1.0, "degC", kind=THRESHOLD)
+OF_THE_RANGE = (0.005, 0.02, 0.1, 0.3)  # of the run's temperatures: half-widths of a turning back
+OWN_NOISE = 4.0  # standard deviations of a thermometer: a narrower turning would follow its noise
+BRANCH_IN_C = """\
+double branch = state->begun ? state->branch + (q - state->last) : 0.0;
+branch = branch > shape[0] ? shape[0] : branch < -shape[0] ? -shape[0] : branch;
+state->branch = branch;
+state->last = q;
+state->begun = 1;
+on_each_axis(e, (labcal_real)q);
+on_each_axis(e + 3, (labcal_real)(branch / shape[0]));"""
+SLOPE_IN_C = """
+on_each_axis(e + 6, (labcal_real)(branch / shape[0] * q));"""
 RISES = Confounded("a temperature that only rises", "a drift", "warm the device and let it cool again")
 
 
 def kernel(term: Term, scene: Scene) -> Array:
-    """E = c (T − T_ref) + d (T − T_ref)², T through a first-order response of time constant tau_s, or of several."""
+    """E = c (T − T_ref) + d (T − T_ref)², T through a first-order response of time constant tau_s, or of several.
+
+    With two branches E = c (T − T_ref) + b w + f w (T − T_ref), w = 1 where it has been heating by 2 r_C, −1 where it
+    has been cooling.
+    """
+    if term.of(THRESHOLD) is not None:
+        T, w = term.drive(scene), _branch(term, scene)
+        return np.concatenate([on_each_axis(one) for one in (T, w, w * T)][: len(term.parameters) // 3], axis=2)
     if not any(name.startswith("d_") for name, _ in term.parameters):
         return responses(term, scene)
     tau_s = term.at(BEHIND.name) if term.shape else 0.0
@@ -41,8 +66,33 @@ def kernel(term: Term, scene: Scene) -> Array:
     return np.concatenate([on_each_axis(T), on_each_axis(T**2)], axis=2)
 
 
+def _branch(term: Term, scene: Scene) -> Array:
+    """The stop of T of half-width r_C, over r_C (n,): it starts between the branches, and goes on from the past."""
+    T, past, half = term.drive(scene), scene.past or Past(len(scene)), term.at(TURNS.name)
+    if not len(T):
+        return T
+    name = f"branch of {half}"
+    before, stood = past.before.get(name, (T[0], 0.0))
+    steps = np.diff(T, prepend=before)
+    steps[0] += stood
+    stop = clipped_recursion(steps[:, None], half, np.zeros(1, dtype=np.intp))[:, 0]
+    past.after[name] = T[past.own - 1], stop[past.own - 1]
+    return stop / half
+
+
+def _reach_s(term: Term) -> float | None:
+    """As what follows a channel; branches are a state."""
+    return 0.0 if term.of(THRESHOLD) is not None else reach_s(term)
+
+
 def in_c(term: Term) -> CForm:
     """The same in C."""
+    if term.of(THRESHOLD) is not None:
+        declared, channel = at_once(Driven(term))
+        told = "E = (c + f w) (T - T_ref) + b w, c, f [nT/degC], b [nT]; w from 1, heating, to -1 within 2 r_C [degC]"
+        state, sloped = "double last; double branch; int begun;", len(term.parameters) > 6
+        body = f"{declared}\n{BRANCH_IN_C}{SLOPE_IN_C if sloped else ''}"
+        return CForm(told, body, channel, state, ("on_each_axis",))
     formula = "E = c (T - T_ref) + d (T - T_ref)^2, c [nT/degC], d [nT/degC^2] for each axis of B; T as its inputs say"
     if not any(name.startswith("d_") for name, _ in term.parameters):
         return responses_in_c(term, formula, time_constants(term))
@@ -52,14 +102,30 @@ def in_c(term: Term) -> CForm:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Each temperature that moves: prompt, behind, with several time constants, curved, and delayed."""
+    """Each temperature that moves: prompt, behind, with several time constants, curved, branched, delayed."""
     tau, either = replace(BEHIND, grid=TAU_S), replace(BEHIND, grid=(*LEADS_S, *TAU_S))
     found = []
     for c in moving(run, ("temperature",)):
         straight = (instantaneous(c, kernel), first_order(c, kernel, tau))
         found += [straight[0], first_order(c, kernel, either), multi_tau(c, kernel, SEVERAL_S), *map(_curved, straight)]
-        found += delayed_terms(c, kernel, run)
+        found += [*_of_two_branches(c, straight[0]), *delayed_terms(c, kernel, run)]
     return found
+
+
+def _of_two_branches(channel: Channel, straight: Term) -> list[Term]:
+    """Turning back within parts of the range of T, none so narrow that the thermometer's noise would do."""
+    T = channel.values[np.isfinite(channel.values)]
+    noise = 1.4826 * float(np.median(np.abs(np.diff(T, 2)))) / np.sqrt(6) if len(T) > 2 else np.inf
+    least = OWN_NOISE * max(noise, _step(T) / np.sqrt(12))
+    grid = tuple(r for share in OF_THE_RANGE if (r := share * float(np.ptp(T))) >= least)
+    apart = (*straight.parameters, *per_axis("b", "nT"))
+    sloped = (*apart, *per_axis("f", straight.parameters[0][1]))
+    return [replace(straight, parameters=p, shape=(replace(TURNS, grid=grid),)) for p in (apart, sloped) if grid]
+
+
+def _step(T: Array) -> float:
+    """The least change of a thermometer (n,)."""
+    return float(np.min(np.diff(np.unique(T)), initial=np.ptp(T)))
 
 
 def _curved(term: Term) -> Term:
@@ -72,14 +138,14 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(BEHIND, LATE),
+    shapes=(BEHIND, LATE, TURNS),
     adds_up=True,
     time_constants=time_constants,
     experiment="hold the attitude and warm the sensor, then let it cool",
     responds={"heat": 1.0},
     confounded=(RISES,),
     of_temperature=True,
-    reach_s=reach_s,
+    reach_s=_reach_s,
     in_pieces=True,
     in_c=in_c,
 )

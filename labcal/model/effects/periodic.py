@@ -1,4 +1,4 @@
-"""An interference of one frequency on the readings, as the sampling shows it."""
+"""An interference of one frequency, as the sampling shows it: on the readings, or a field that is fixed to the cage."""
 
 from __future__ import annotations
 
@@ -9,24 +9,38 @@ import numpy as np
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.model.effects.regressors import AXES, on_each_axis
 from labcal.model.effects.shape import FREQUENCY, Shape
-from labcal.record import Run, period_s
+from labcal.record import Run, offers, period_s
 
 LINE = Shape("f_Hz", 0.0, "Hz", kind=FREQUENCY)
+CAGE = "cage_"  # begins the names of parameters along the axes of C
 
 
 def kernel(term: Term, scene: Scene) -> Array:
-    """E = c cos(2π f t) + s sin(2π f t), each per body axis."""
+    """E = c cos(2π f t) + s sin(2π f t), each per axis of the body, or of the cage: R (c cos + s sin)."""
     phase = 2 * np.pi * term.at(LINE.name) * scene.t_s
-    return np.concatenate([on_each_axis(np.cos(phase)), on_each_axis(np.sin(phase))], axis=2)
+    waves = np.concatenate([on_each_axis(np.cos(phase)), on_each_axis(np.sin(phase))], axis=2)
+    if not in_the_cage(term):
+        return waves
+    assert scene.rig is not None
+    return np.asarray(scene.rig.to_body @ waves)
+
+
+def in_the_cage(term: Term) -> bool:
+    """Whether the line is a field of the room that the reference does not see: it turns in the body."""
+    return any(name.startswith(CAGE) for name, _ in term.parameters)
 
 
 def candidates(run: Run) -> list[Term]:
     """One frequency between a few cycles a segment and the Nyquist frequency; the loop finds where to look."""
-    if len(run) < 20:
+    if len(run) < 20 or not np.isfinite(nyquist := 0.5 / period_s(run.t_s)):
         return []
-    nyquist = 0.5 / period_s(run.t_s)
-    parameters = tuple((f"{w}_{a}", "nT") for w in ("cos", "sin") for a in AXES)
-    return [Term(kernel, parameters, shape=(replace(LINE, value=nyquist / 2),))] if np.isfinite(nyquist) else []
+    seen = any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments)
+    shape = (replace(LINE, value=nyquist / 2),)
+    return [Term(kernel, _along(frame), shape=shape) for frame in (("", CAGE) if seen else ("",))]
+
+
+def _along(frame: str) -> tuple[tuple[str, str], ...]:
+    return tuple((f"{frame}{wave}_{a}", "nT") for wave in ("cos", "sin") for a in AXES)
 
 
 FAMILY = Family(
@@ -37,6 +51,7 @@ FAMILY = Family(
     shapes=(LINE,),
     repeats=True,
     harmonics=True,
+    rig_form=in_the_cage,
     experiment="record at rest, and again at another sampling rate: an alias moves",
     bound_to_run=True,
 )

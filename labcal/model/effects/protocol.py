@@ -93,6 +93,7 @@ class Scene:
 
 
 Kernel = Callable[["Term", Scene], Array]
+SMALLEST = 1e-6  # values of secants that count as nought
 DrawnAgainst = Literal["time", "angle", "field"]
 Action = Literal[
     "load",  # a load is switched, or the power mode
@@ -146,6 +147,17 @@ class Term:
         """The same form with the shape parameter of this name as it is here."""
         return replace(self, shape=tuple(at if s.name == at.name else s for s in self.shape))
 
+    def own_secants(self) -> list[Shape]:
+        """The intervals that secants are taken over: each is the value of the linear parameter in its place."""
+        return [shape for shape in self.shape if shape.kind.found_by == "own secant"]
+
+    def over_own_secants(self, values: Array) -> Term:
+        """The same form with its secants taken over these values of its linear parameters; over none that vanish."""
+        secants = self.own_secants()
+        if not any(abs(value) > SMALLEST for value in values[: len(secants)]):
+            return self
+        return self.with_values(**{s.name: float(v) for s, v in zip(secants, values, strict=False)})
+
     def stepped(self) -> Term:
         """The same form as it is after its moment: the step came before the run began."""
         moment = self.found_by("changepoints")
@@ -155,6 +167,11 @@ class Term:
         """Its first channel, counted from the reference value (n,)."""
         name = self.channels[0]
         return np.asarray(scene.channels[name] - self.reference_value[name])
+
+
+def no_form(term: Term) -> bool:
+    """No form of a family."""
+    return False
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,6 +207,7 @@ class Family:
     harmonics: bool = False  # what is left of it may be its own overtones
     adds_up: bool = False  # several channels may act at once: they are weighed as a set too
     generic: bool = False  # follows whatever a channel measures: an equivalent cause with a mechanism goes first
+    rig_form: Callable[[Term], bool] = no_form  # forms of a sensor's family that are the rig's
     second_order: bool = False  # of higher order than a cause that may be equivalent: that one goes first
     extends: tuple[str, ...] = ()  # families that it reduces to at zero: its own part needs evidence
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
@@ -202,9 +220,11 @@ class Family:
 
     # What `apply` has to know of a sensor's effect; moments, delays and secants flag the rows beside them by themselves
     bound_to_run: bool = False  # holds on the run's own clock only (drift, step, periodic)
+    bound_form: Callable[[Term], bool] = no_form  # forms bound to the run where others are not
     of_temperature: bool = False  # its channel is the temperature that a calibration's range speaks of
     modes: Callable[[Term], Sequence[str]] | None = None  # the power modes that it has parameters of
     reach_s: Callable[[Term], float | None] = memory.reach_s  # how far it looks; None: at the row itself alone
+    secant_s: Callable[[Term, Array], Array] = memory.secant_s  # how far ahead each row looks, of rows at t_s (n,)
     in_pieces: bool = False  # goes on from `scene.past`, or sees as far as `reach_s` says: a recording may be cut
 
     # How it flies
@@ -212,6 +232,14 @@ class Family:
 
     # How it is drawn
     drawn_against: DrawnAgainst = "time"  # where it has no channel
+
+    def is_bound_to_run(self, term: Term) -> bool:
+        """Whether this form of it holds on the run's own clock only."""
+        return self.bound_to_run or self.bound_form(term)
+
+    def owner(self, term: Term) -> Owner:
+        """Whose this form of it is."""
+        return "rig" if self.rig_form(term) else self.belongs_to
 
     def found_by(self, search: FoundBy) -> bool:
         """Whether this search finds one of its parameters."""

@@ -12,7 +12,9 @@ from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.model.calibration import EffectRecord
 from labcal.model.effects.guard import guarded
+from labcal.model.effects.inputs import CHANNEL
 from labcal.model.effects.protocol import Family, Fitted, Scene
+from labcal.model.smooth import Domain
 
 TRIED = 8  # rows that a shipped effect is tried on
 RESERVED = frozenset({"t_s", "segment", "mode", "dut_x", "dut_y", "dut_z"})  # columns that are no channel
@@ -69,12 +71,14 @@ def load_shipped(record: EffectRecord) -> Fitted:
     """
     fault = f"the effect {record.effect} is not whole"
     loaded = load(record)
-    if loaded.family.belongs_to != "sensor":
-        raise InputError(f"the effect {record.effect} is the {loaded.family.belongs_to}'s, never the sensor's")
+    if (owner := loaded.family.owner(loaded.term)) != "sensor":
+        raise InputError(f"the effect {record.effect} is the {owner}'s, never the sensor's")
     if set(record.channels) != set(record.reference_value) or RESERVED & set(record.channels):
         raise InputError(f"{fault}: each channel needs its reference value, and a name of its own")
     if record.basis is not None and not _is_whole(record):
         raise InputError(f"{fault}: its basis does not belong to its inputs, parameters and domain")
+    if record.basis is None and not all(_is_of_a_channel(record, domain) for domain in record.domain):
+        raise InputError(f"{fault}: its domain is not two ends of a channel that it follows")
     names = [p.name for p in record.parameters]
     if len(set(names)) < len(names) or not _in_order(names):
         raise InputError(f"{fault}: its parameters are there twice, or not in the order x, y, z")
@@ -88,6 +92,13 @@ def load_shipped(record: EffectRecord) -> Fitted:
     if columns.shape != (TRIED, 3, len(loaded.beta)) or not np.isfinite(columns).all():
         raise InputError(f"{fault}: its {len(names)} parameters are not those of its formula, or give no numbers")
     return loaded
+
+
+def _is_of_a_channel(record: EffectRecord, domain: Domain) -> bool:
+    """Whether a domain is two ends, in order, of one of the effect's own channels."""
+    ends = [corner[0] for corner in domain.hull if len(corner) == 1]
+    own = [(f"{CHANNEL}{name}",) for name in record.channels]
+    return domain.inputs in own and len(ends) == len(domain.hull) == 2 and ends[0] <= ends[1]
 
 
 def _is_whole(record: EffectRecord) -> bool:

@@ -163,13 +163,13 @@ def delayed(t_s: Array, segment: NDArray[np.intp], drive: Array, by_s: float) ->
     return np.concatenate(list(parts)) if len(t_s) else drive
 
 
-def shifted(t_s: Array, segment: NDArray[np.intp], values: Array, by_s: float) -> Array:
+def shifted(t_s: Array, segment: NDArray[np.intp], values: Array, by_s: Array | float) -> Array:
     """`values` (n, ...) at t + by_s, a cubic through the neighbours in the same segment; held slope beyond its ends."""
-    out = np.array(values, dtype=float)
+    out, at_s = np.array(values, dtype=float), t_s + by_s
     for rows in stretches(segment):
         t, v = t_s[rows], values[rows]
         if len(t) > 2 and np.all(np.diff(t) > 0):
-            out[rows] = _cubic(t, v, t + by_s)
+            out[rows] = _cubic(t, v, at_s[rows])
     return out
 
 

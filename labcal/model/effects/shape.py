@@ -28,7 +28,7 @@ class Kind:
     `found_by` says where candidates come from. "grid": every point of the parameter's grid. "delay scan": the delay of
     its first channel, which it follows with one parameter for each axis, that takes most off the residual.
     "changepoints": the moments of which that is true, its columns being zero before. "spectral lines": the residual's
-    own frequencies. "own secant": the value of its one linear parameter.
+    own frequencies. "own secant": the value of the linear parameter in its place.
     """
 
     name: str  # for people

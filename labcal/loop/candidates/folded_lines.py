@@ -1,0 +1,74 @@
+"""Lines above the Nyquist frequency, where a recorder that starts anew tells them from their folded images.
+
+In each segment a line shows at its image below the Nyquist frequency, at a phase of its own. Of all the frequencies
+that fold there, the true one alone has the same phase on the clock in every segment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.noise.periodogram import periodogram, running_median
+
+Array = NDArray[np.float64]
+Waves = NDArray[np.complex128]
+HIGHEST_Hz = 65.0  # the mains of any country, and what is slower
+MOST_ORDERS = 65  # of the sampling rate: a slower recorder is not looked at so high
+CONTRAST = 3.0  # times its neighbourhood: a lower peak of all segments is not looked at
+BETTER = 1.5  # times what the image itself takes off, else it is no better known than its image
+PER_RESOLUTION = 4  # frequencies tried for each 1 / (the run's length)
+
+
+def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: float) -> tuple[float, int] | None:
+    """The frequency [Hz] of the highest line that keeps its phase over all segments, and how many were tried.
+
+    For scores (n, axes) at times t_s (n,) in these segments. None where no line shows above `lowest_Hz`, or where its
+    image below the Nyquist frequency keeps its phase as well.
+    """
+    image = _image(t_s, scores, parts, lowest_Hz)
+    if image is None or len(parts) < 2:
+        return None
+    rate = 1 / float(np.median(np.diff(t_s)))
+    orders = range(1, min(int(HIGHEST_Hz / rate), MOST_ORDERS) + 1)
+    folds = [image, *(order * rate + sign * image for order in orders for sign in (-1, 1))]
+    shifts, middles = _shifts(t_s, parts), np.array([t_s[part].mean() for part in parts])
+    between = np.exp(-2j * np.pi * np.outer(shifts, middles))
+    powers = np.array([_in_phase(t_s, scores, parts, f, between) for f in folds])  # (folds, shifts)
+    best, at = np.unravel_index(np.argmax(powers), powers.shape)
+    if best == 0 or powers[best, at] < BETTER * powers[0].max():
+        return None
+    near = folds[best] + shifts
+    exact = [float(np.sum(np.abs(np.exp(-2j * np.pi * f * t_s) @ scores) ** 2)) for f in near]
+    return float(near[int(np.argmax(exact))]), int(powers.size)
+
+
+def _image(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: float) -> float | None:
+    """Where the powers of all segments together stand highest above their neighbourhood [Hz]."""
+    spectra = [periodogram(t_s[part], scores[part]) for part in parts if part.stop - part.start > PER_RESOLUTION]
+    if not spectra:
+        return None
+    grid = max((frequency for frequency, _ in spectra), key=len)
+    power = np.sum([np.interp(grid, frequency, one) for frequency, one in spectra], axis=0)
+    contrast = np.where(grid > lowest_Hz, power / running_median(power), 0.0)
+    peak = int(np.argmax(contrast))
+    return float(grid[peak]) if contrast[peak] > CONTRAST else None
+
+
+def _shifts(t_s: Array, parts: Sequence[slice]) -> Array:
+    """Frequencies beside one that a segment does not resolve from it, as finely as the run does [Hz]."""
+    width = 0.5 / float(np.median([np.ptp(t_s[part]) for part in parts]))
+    step = 1 / (PER_RESOLUTION * float(np.ptp(t_s)))
+    return np.arange(-width, width, step)
+
+
+def _in_phase(t_s: Array, scores: Array, parts: Sequence[slice], f_Hz: float, between: Waves) -> Array:
+    """What a line of one phase takes off, about and up to a factor, at this frequency and beside it (shifts,).
+
+    `between` (shifts, segments) turns each segment back: that a line beside it loses its phase within is left out.
+    """
+    turning = np.exp(-2j * np.pi * f_Hz * t_s)[:, None] * scores
+    sums = np.stack([turning[part].sum(axis=0) for part in parts])
+    return np.asarray(np.sum(np.abs(between @ sums) ** 2, axis=1))
