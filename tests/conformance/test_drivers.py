@@ -75,6 +75,15 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "labjack-t7": [
         bytes.fromhex(h) for h in ("010603E80001", "011003E80002", "0110EA600002", "01059C4000FF", "0110A410")
     ],
+    "mavlink": [  # ARM, a parameter set, a message of MAVLink 2, two frames in one
+        bytes.fromhex(h)
+        for h in (
+            "fe2100ffbe4c" + "00" * 35,
+            "fe1700ffbe17" + "00" * 25,
+            "fd1400000000ff" + "00" * 25,
+            "fe1400ff0014" * 5,
+        )
+    ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "manual": [b"x"],
 }
