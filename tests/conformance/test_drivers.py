@@ -29,6 +29,10 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     "replay": {"file": str(ROOT / "tests" / "drivers" / "replayed.csv")},
     "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
     "scpi-table": {"model": "rohde-schwarz-hmp"},
+    "can-dbc": {
+        "file": str(ROOT / "tests" / "drivers" / "magnetometer.dbc"),
+        "signals": {"x": "Field.Bx", "y": "Field.By", "z": "Field.Bz", "count": "Field.Counter"},
+    },
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
     "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
@@ -62,6 +66,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "text-line": [b"x"],
     "alphalab": [bytes([code, 0, 0, 0, 0, 0]) for code in (0x04, 0x05, 0x0B, 0x0C, 0x0E, 0x14)],
     "metrolab": [b"*RST\n", b":CAL\n", b":SYST:PRES\n", b":INIT;*SAV 1\n", b":MEM:DATA?\n"],
+    "can-dbc": [b"\0"],
     "ccsds": [b"\xc0"],
     "kepco-bop": [b"DIAG:TST?\n", b"diag:tst?\n", b"*RST\n", b"*TST?\n", b"CAL:CURR\n", b"OUTP 1;DIAG:TST?\n"],
     "riden-rd60xx": [bytes.fromhex(h) for h in ("010601001601", "010600360001", "01060013", "000601001601", "0110")],

@@ -220,7 +220,7 @@ def fault_of(name: str, *replies: Any) -> str:
 
 def test_every_driver_is_here_or_only_listens() -> None:
     slow = {"pos-1", "mavlink"}  # what it answers comes with a later look: test_pos1.py, test_mavlink.py
-    listens = {"ccsds", "csv-line", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
+    listens = {"can-dbc", "ccsds", "csv-line", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
     assert set(WIRES) | listens | slow | {"manual"} == set(DRIVERS)
 
 
