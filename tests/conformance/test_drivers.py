@@ -71,6 +71,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "kepco-bop": [b"DIAG:TST?\n", b"diag:tst?\n", b"*RST\n", b"*TST?\n", b"CAL:CURR\n", b"OUTP 1;DIAG:TST?\n"],
     "riden-rd60xx": [bytes.fromhex(h) for h in ("010601001601", "010600360001", "01060013", "000601001601", "0110")],
     "ea-9000": [bytes.fromhex(h) for h in ("00060000", "000F0195", "001001F4", "000501955500", "0005019BFF00")],
+    "ea-ps2000b": [bytes.fromhex(h) for h in ("f100266400017b", "f10036f0f00307", "f100360a0a013b", "f00001000f")],
     "keysight-e36300": [b"*RST\n", b"*SAV 1\n", b"OUTP:PAIR SER\n", b"OUTP:TRAC ON\n", b"CAL:SEC:STAT OFF\n"],
     "korad-ka3005p": [b"SAV1", b"RCL1", b"rcl2\n", b"TRACK1"],
     "newport-esp301": [b"1PR5\r", b"1MV+\r", b"1DH\r", b"SM\r", b"RS\r", b"1PA5;1PR5\r", b"1SN7\r"],
@@ -98,6 +99,7 @@ TO_PANEL = {  # what a supply's driver says last, once zero and off are read bac
     "scpi-table": b"SYST:LOC\n",
     "keysight-e36300": b"SYST:LOC\n",
     "ea-9000": bytes.fromhex("000501920000"),
+    "ea-ps2000b": bytes.fromhex("f1003610000137"),
 }
 ABSOLUTE = {"oriental-az"}  # whose encoder knows its place
 LONGEST = 150  # lines of a driver
@@ -137,7 +139,7 @@ def test_every_driver_stands_in_the_docs_and_every_supply_says_whether_it_has_a_
     named = re.findall(r"^\|( `.*?) \|", (ROOT / "docs" / "bench.md").read_text(), re.MULTILINE)
     assert set(DRIVERS) <= set(re.findall(r"`([\w-]+)`", " ".join(named)))
     watchdogs = (ROOT / "docs" / "instruments.md").read_text().partition("## A supply's own watchdog")[2]
-    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA", "scpi-table": "A table's"}
+    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA", "ea-ps2000b": "EA PS 2000 B", "scpi-table": "A table's"}
     for name in SUPPLIES:
         assert makers.get(name, name.split("-")[0].title()) in watchdogs, name
 
