@@ -23,18 +23,23 @@ REMOTE, OUTPUT = 0x10, 0x01  # bits of its control, each told with itself as mas
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`node`: 0 is the output of a single and the first of a triple, 1 the second (the third cannot be told).
+    """`channel`: 1 is the output of a single and the first of a triple, 2 the second (the third cannot be told).
 
     `gap_s`: the least pause between telegrams.
     """
 
-    node: Literal[0, 1] = 0
+    channel: Literal[1, 2] = 1
     max_current_A: Positive = 3.0
     compliance_V: Positive = 20.0
     zero_current_A: float = 0.02
     ramp_A_per_s: float = 4.0
     gap_s: NotNegative = 0.05
     timeout_s: Positive = 0.5
+
+    @property
+    def node(self) -> int:
+        """The channel as telegrams have it."""
+        return self.channel - 1
 
 
 class EaPs2000B(CurrentSource):
