@@ -158,8 +158,8 @@ WIRES: dict[str, Wire] = {
     ),
     "ea-ps2000b": Wire(
         always(summed("750047"), summed("850047 0105 0000 04FD")), current, 1277 / 25600 * 10,
-        summed("850047 0105 0000 0A00"), before=[(summed("730003"), summed("83000341200000"))],
-        prepare=lambda d: d._full("A"), timeout_s=0.5,
+        summed("850047 0105 0000 0A00"), prepare=current, timeout_s=0.5,
+        before=[(summed("750047"), summed("850047 0105 0000 0000")), (summed("730003"), summed("83000341200000"))],
         nonsense=(summed("810033 0500"), summed("850147 0105 0000 04FD")),
     ),
     "waveshare-relay": Wire(
