@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from drivers.framing.scpi import Scpi
@@ -11,7 +12,8 @@ from labcal.bench.clock import Clock
 from labcal.bench.driver_kit.quantity import decimal
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.driver_kit.settings import Positive
-from labcal.bench.links import Link
+from labcal.bench.links import Link, quoted
+from labcal.errors import InstrumentError
 
 SWITCHED = {"1": 1.0, "0": 0.0, "ON": 1.0, "OFF": 0.0}
 
@@ -92,7 +94,14 @@ class TableSupply(CurrentSource):
         )
         if table.errors:
             self._scpi.empty_errors()
+        for question, pattern in table.expects.items():
+            self._expect(table.to(self.settings.channel, question), pattern)
         return who
+
+    def _expect(self, question: str, pattern: str) -> None:
+        if not re.fullmatch(pattern, reply := self._scpi.query(question), re.IGNORECASE):
+            told = f"{self.name}: {question} is answered {quoted(reply)}, and must be {pattern!r}."
+            raise InstrumentError(told, fault="wrong mode", remedy="Set it at its panel, then begin this step again.")
 
     def query(self, text: str) -> str:
         """Ask; of an answer that is read by its bits, the bit."""

@@ -1,4 +1,4 @@
-"""A history of the field played to the DUT: from a table, or along an orbit in the IGRF."""
+"""A history of the field played to the DUT: from a table, along an orbit in the IGRF, or as a simulator sends it."""
 
 from __future__ import annotations
 
@@ -30,8 +30,9 @@ from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Segment
+from procedures.from_outside import follow
 
-NEEDS, LASTS_MIN = "the DUT at rest in the cage; a table of the field, or an orbit", 10
+NEEDS, LASTS_MIN = "the DUT at rest in the cage; a table of the field, an orbit, or a simulator", 10
 
 Array = NDArray[np.float64]
 EARTH_KM, MU_KM3_S2, DAY_S = 6371.2, 398_600.4418, 86_164.1
@@ -41,18 +42,26 @@ def play_field(
     bench: Bench,
     *,
     file: Annotated[Path | None, "CSV t_s,b_x,b_y,b_z [s, nT in C]; none: the orbit below"] = None,
+    source: Annotated[str | None, "udp://HOST:PORT: as a simulator sends it (docs/field-source.md)"] = None,
     altitude_km: Annotated[float, Limits(150, 40_000, unit="km"), "of the circular orbit"] = 500.0,
     inclination_deg: Annotated[float, Limits(0, 180, unit="deg"), "of the orbit"] = 97.4,
     epoch: Annotated[str, "start, ISO 8601 UTC"] = "2026-01-01T00:00:00",
     attitude: Annotated[Literal["inertial", "nadir"], "how the satellite is held"] = "nadir",
-    duration_s: Annotated[float, Limits(10, 86_400, unit="s"), "of orbit time"] = 600.0,
+    duration_s: Annotated[float, Limits(10, 86_400, unit="s"), "of orbit time, at most of a source"] = 600.0,
     step_s: Annotated[float, Limits(0.5, 600, unit="s"), "between two set-points"] = 10.0,
     speed: Annotated[float, Limits(0.1, 100), "orbit seconds played in one second"] = 1.0,
+    silent_s: Annotated[float, Limits(0.1, 10, unit="s"), "that the source may be silent"] = 1.0,
+    max_age_s: Annotated[float, Limits(0.01, 10, unit="s"), "of a field from the source, beside its quickest"] = 0.5,
     limit_nT: Annotated[float, Limits(0.1, 1e5, unit="nT"), "rms tracking error that passes"] = 100.0,
 ) -> Procedure:
     """Play a field history, with the tracking error recorded."""
     if bench.config.reference.kind != "vector":
         raise InputError("play-field needs a vector reference")
+    if source is not None and file is not None:
+        raise InputError("play-field takes a file or a source, not both")
+    if source is not None:
+        yield from follow(bench, source, duration_s, silent_s, max_age_s, limit_nT)
+        return
     t, b = read_history(file) if file else orbit_field(
         np.arange(0.0, duration_s, step_s), altitude_km, inclination_deg, _utc(epoch), attitude
     )  # fmt: skip

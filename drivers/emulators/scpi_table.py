@@ -58,6 +58,7 @@ class TableEmulator(Answers):
         }
         found[table.ask_output] = lambda t, c, _: self._outputs() if table.output_bit else f"{c.on:d}"
         found |= {question: self._tripped(question) for question in table.trips.values()}
+        found |= {question: self._mode(pattern) for question, pattern in table.expects.items()}
         found |= {words: lambda t, c, _: "" for words in (table.remote, table.local) if words}
         found |= {table.select: self._select} if table.select else {}
         return [(_pattern(words, table), act) for words, act in found.items()]
@@ -89,6 +90,11 @@ class TableEmulator(Answers):
     def _drive(self, t_s: float, channel: Channel) -> str:
         channel.coil.drive(t_s, channel.amps, channel.volts, channel.on)
         return ""
+
+    def _mode(self, pattern: str) -> Act:
+        """It is set as it must be: what the pattern's letters are without its signs."""
+        word = re.sub(r"\\w\*|[()]|\|.*", "", pattern)
+        return lambda t, c, _: word
 
     def _tripped(self, question: str) -> Act:
         names = [name for name, asked in self._table.trips.items() if asked == question]

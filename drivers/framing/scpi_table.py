@@ -84,6 +84,7 @@ class Table:
     on the same line, where the words themselves name no channel. `remote` is said before it is told to act, `local` to
     give it back. `errors` asks for the oldest error, "" where it tells none; `no_error` is how an empty queue reads.
     `trips`: by name, the question that is answered by a 1, or, with `trip_bit`, by a number that has this bit.
+    `expects`: questions, and what each must be answered when it is greeted: a mode that is set at its panel.
     `output_bit`, one a channel: the bit of the answer to `ask_output`. `most_A`, `most_V`: what a channel can deliver.
     """
 
@@ -116,6 +117,7 @@ class Table:
     resolution_A: Positive = 0.001
     resolution_V: Positive = 0.01
     gap_s: NotNegative = 0.0
+    expects: dict[Question, Pattern] = field(default_factory=dict)
     bipolar: bool = False
     can_open: bool = True
 

@@ -29,6 +29,10 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     "replay": {"file": str(ROOT / "tests" / "drivers" / "replayed.csv")},
     "csv-line": {"columns": ("t", "x", "y", "z", "temp_dut", "i_eps"), "serial": "7"},
     "scpi-table": {"model": "rohde-schwarz-hmp"},
+    "can-dbc": {
+        "file": str(ROOT / "tests" / "drivers" / "magnetometer.dbc"),
+        "signals": {"x": "Field.Bx", "y": "Field.By", "z": "Field.Bz", "count": "Field.Counter"},
+    },
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
     "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
@@ -62,10 +66,12 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "text-line": [b"x"],
     "alphalab": [bytes([code, 0, 0, 0, 0, 0]) for code in (0x04, 0x05, 0x0B, 0x0C, 0x0E, 0x14)],
     "metrolab": [b"*RST\n", b":CAL\n", b":SYST:PRES\n", b":INIT;*SAV 1\n", b":MEM:DATA?\n"],
+    "can-dbc": [b"\0"],
     "ccsds": [b"\xc0"],
     "kepco-bop": [b"DIAG:TST?\n", b"diag:tst?\n", b"*RST\n", b"*TST?\n", b"CAL:CURR\n", b"OUTP 1;DIAG:TST?\n"],
     "riden-rd60xx": [bytes.fromhex(h) for h in ("010601001601", "010600360001", "01060013", "000601001601", "0110")],
     "ea-9000": [bytes.fromhex(h) for h in ("00060000", "000F0195", "001001F4", "000501955500", "0005019BFF00")],
+    "ea-ps2000b": [bytes.fromhex(h) for h in ("f100266400017b", "f10036f0f00307", "f100360a0a013b", "f00001000f")],
     "keysight-e36300": [b"*RST\n", b"*SAV 1\n", b"OUTP:PAIR SER\n", b"OUTP:TRAC ON\n", b"CAL:SEC:STAT OFF\n"],
     "korad-ka3005p": [b"SAV1", b"RCL1", b"rcl2\n", b"TRACK1"],
     "newport-esp301": [b"1PR5\r", b"1MV+\r", b"1DH\r", b"SM\r", b"RS\r", b"1PA5;1PR5\r", b"1SN7\r"],
@@ -74,6 +80,15 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "leadshine": [bytes.fromhex(h) for h in ("010618012211", "010618014001", "010660020021", "0110620000060C0041")],
     "labjack-t7": [
         bytes.fromhex(h) for h in ("010603E80001", "011003E80002", "0110EA600002", "01059C4000FF", "0110A410")
+    ],
+    "mavlink": [  # ARM, a parameter set, a message of MAVLink 2, two frames in one
+        bytes.fromhex(h)
+        for h in (
+            "fe2100ffbe4c" + "00" * 35,
+            "fe1700ffbe17" + "00" * 25,
+            "fd1400000000ff" + "00" * 25,
+            "fe1400ff0014" * 5,
+        )
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "manual": [b"x"],
@@ -84,6 +99,7 @@ TO_PANEL = {  # what a supply's driver says last, once zero and off are read bac
     "scpi-table": b"SYST:LOC\n",
     "keysight-e36300": b"SYST:LOC\n",
     "ea-9000": bytes.fromhex("000501920000"),
+    "ea-ps2000b": bytes.fromhex("f1003610000137"),
 }
 ABSOLUTE = {"oriental-az"}  # whose encoder knows its place
 LONGEST = 150  # lines of a driver
@@ -123,7 +139,7 @@ def test_every_driver_stands_in_the_docs_and_every_supply_says_whether_it_has_a_
     named = re.findall(r"^\|( `.*?) \|", (ROOT / "docs" / "bench.md").read_text(), re.MULTILINE)
     assert set(DRIVERS) <= set(re.findall(r"`([\w-]+)`", " ".join(named)))
     watchdogs = (ROOT / "docs" / "instruments.md").read_text().partition("## A supply's own watchdog")[2]
-    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA", "scpi-table": "A table's"}
+    makers = {"tti-pl": "Aim-TTi", "ea-9000": "EA", "ea-ps2000b": "EA PS 2000 B", "scpi-table": "A table's"}
     for name in SUPPLIES:
         assert makers.get(name, name.split("-")[0].title()) in watchdogs, name
 

@@ -80,6 +80,12 @@ def words(value: int) -> list[int]:
     return list(divmod(value & 0xFFFFFFFF, 0x10000))
 
 
+def summed(hexadecimal: str) -> bytes:
+    """A telegram of a PS 2000 B."""
+    body = bytes.fromhex(hexadecimal)
+    return body + bytes(divmod(sum(body), 256))
+
+
 def riden(milliamps: int) -> tuple[bytes, bytes]:
     return read("0103 0008 000B", [500, 500, 480, milliamps, 0, 230, 2400, 0, 0, 1, 1])
 
@@ -150,6 +156,12 @@ WIRES: dict[str, Wire] = {
         read("0003 01F9 0004", [0, 0x0883, 0, 999])[1],
         before=[*EA_TEXT, read("0003 0079 0004", [0x42A0, 0, 0x4270, 0])], prepare=lambda d: d.identify(),
     ),
+    "ea-ps2000b": Wire(
+        always(summed("750047"), summed("850047 0105 0000 04FD")), current, 1277 / 25600 * 10,
+        summed("850047 0105 0000 0A00"), prepare=current, timeout_s=0.5,
+        before=[(summed("750047"), summed("850047 0105 0000 0000")), (summed("730003"), summed("83000341200000"))],
+        nonsense=(summed("810033 0500"), summed("850147 0105 0000 04FD")),
+    ),
     "waveshare-relay": Wire(
         always(rtu("0101 0000 0001"), rtu("0101 01 01")), lambda d: float(d.polarity("x")), -1.0, rtu("0101 01 00"),
         settings={"x": 0},
@@ -219,8 +231,8 @@ def fault_of(name: str, *replies: Any) -> str:
 
 
 def test_every_driver_is_here_or_only_listens() -> None:
-    slow = {"pos-1"}  # what it answers comes with a later look: tests/drivers/test_pos1.py
-    listens = {"ccsds", "csv-line", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
+    slow = {"pos-1", "mavlink"}  # what it answers comes with a later look: test_pos1.py, test_mavlink.py
+    listens = {"can-dbc", "ccsds", "csv-line", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
     assert set(WIRES) | listens | slow | {"manual"} == set(DRIVERS)
 
 

@@ -129,6 +129,44 @@ def test_a_supply_with_both_signs_takes_both_within_its_limit() -> None:
             supply.set_current(-1.01)
 
 
+PBZ = b"KIKUSUI,PBZ40-10,AB000001,IFC02.00.0011 IOC02.00.0015\n"
+
+
+def test_a_pbz_has_both_signs_once_it_says_that_it_is_in_constant_current() -> None:
+    fine = (b"SYST:ERR?\n", b'0,"No error"\n')
+    greeting: list[Exchange] = [(b"*IDN?\n", PBZ), fine, (b"FUNC:MODE?\n", b"CC\n"), (b"VOLT:PROT:STAT?\n", b"LIM\n")]
+    wire = [*greeting, (b"CURR -1.5000\n", SILENT), fine, (b"CURR?\n", b"-1.5000\n")]
+    with scripted(TableSupply, wire, model="kikusui-pbz", max_current_A=5.0) as supply:
+        assert supply.identify().serial == "AB000001"
+        supply.set_current(-1.5)
+        assert not supply.can_open
+
+
+@pytest.mark.parametrize(("mode", "protection"), [(b"CV\n", b"LIM\n"), (b"CC\n", b"TRIP\n")])
+def test_a_pbz_in_another_mode_is_refused(mode: bytes, protection: bytes) -> None:
+    wire: list[Exchange] = [(b"*IDN?\n", PBZ), (b"SYST:ERR?\n", b'0,"No error"\n'), (b"FUNC:MODE?\n", mode)]
+    wire += [(b"VOLT:PROT:STAT?\n", protection)] * (mode == b"CC\n")
+    with scripted(TableSupply, wire, model="kikusui-pbz") as supply, pytest.raises(InstrumentError) as caught:
+        supply.identify()
+    assert caught.value.fault == "wrong mode"
+    assert "Set it at its panel" in caught.value.remedy
+
+
+def test_a_z_plus_is_selected_on_each_line_and_told_to_be_remote() -> None:
+    fine = (b"SYST:ERR?\r\n", b'0,"No error"\r\n')
+    wire = [(b"SYST:SET REM\r\n", SILENT), fine, (b"INST:NSEL 6;:CURR 0.5000\r\n", SILENT), fine,
+            (b"INST:NSEL 6;:CURR?\r\n", b"0.5000\r\n")]  # fmt: skip
+    with scripted(TableSupply, wire, model="tdk-lambda-zplus") as supply:
+        supply.set_current(0.5)
+
+
+def test_an_sm_that_is_programmed_by_its_panel_is_refused() -> None:
+    wire: list[Exchange] = [(b"*IDN?\n", b"DELTA ELEKTRONIKA BV,SM70-CP-450,1,0,H0\n"), (b"SYST:ERR?\n", b"0,None\n"),
+            (b"SYST:REM:CV?\n", b"Ethernet\n"), (b"SYST:REM:CC?\n", b"Front\n")]  # fmt: skip
+    with scripted(TableSupply, wire, model="delta-sm") as supply, pytest.raises(InstrumentError, match="SYST:REM:CC"):
+        supply.identify()
+
+
 def plain(**other: Any) -> dict[str, Any]:
     """A table with the fewest words."""
     words = {
@@ -218,7 +256,7 @@ def test_a_table_of_ones_own_comes_through_bench_serve_as_it_was(tmp_path: Path)
 
 
 def test_every_table_is_shipped_whole_and_says_what_is_unsure() -> None:
-    assert len(names()) >= 9
+    assert len(names()) >= 12
     for name in names():
         text = (TABLES / f"{name}.toml").read_text()
         assert text.startswith("# "), name

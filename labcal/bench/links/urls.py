@@ -10,8 +10,8 @@ from labcal.errors import InputError
 
 SERIAL = ("serial", "modbus-rtu")
 NETWORK = ("tcp", "udp", "modbus-tcp")
-OTHERS = ("usbtmc", "visa", "manual", "emulated")
-NUMBERS = {"baud": 1, "gap_ms": 0, "timeout_ms": 1}  # the least of each
+OTHERS = ("usbtmc", "visa", "can", "manual", "emulated")
+NUMBERS = {"baud": 1, "bitrate": 1, "gap_ms": 0, "timeout_ms": 1}  # the least of each
 CHOICES = {
     "bytesize": ("5", "6", "7", "8"), "parity": ("N", "E", "O", "M", "S"), "stopbits": ("1", "1.5", "2"),
     "rtscts": ("0", "1"), "xonxoff": ("0", "1"), "echo": ("0", "1"),
@@ -79,5 +79,5 @@ def _refuse_values(url: str, options: Mapping[str, str]) -> None:
         if key in CHOICES and value not in CHOICES[key]:
             raise InputError(f"link {url!r}: {key}={value} is none of {', '.join(CHOICES[key])}")
         if key in NUMBERS and not (value.isascii() and value.isdigit() and int(value) >= NUMBERS[key]):
-            what = "baud rate" if key == "baud" else "number of milliseconds"
+            what = {"baud": "baud rate", "bitrate": "bit rate"}.get(key) or "number of milliseconds"
             raise InputError(f"link {url!r}: {key}={value} is no {what}")

@@ -1,4 +1,4 @@
-"""serial://, tcp://, udp://, usbtmc://, visa://: real lines. One that is lost stays so until it is opened anew."""
+"""serial://, tcp://, udp://, usbtmc://, visa://, can://: real lines. One that is lost stays so until opened anew."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import serial
 
 from labcal.bench.clock import Clock
 from labcal.bench.links import devices, hosts
+from labcal.bench.links.canbus import CanPort
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
 from labcal.bench.links.gone import failed, is_gone, not_open, stands
@@ -329,5 +330,7 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
         return UsbtmcPort(address)
     if scheme == "visa":
         return VisaPort(address, options)
+    if scheme == "can":
+        return CanPort(address, options)
     host, port = place(url, scheme, address)
     return UdpPort(host, port) if scheme == "udp" else TcpPort(host, port)
