@@ -65,6 +65,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         environment=header.environment,
         channels=_channels(header, t, items),
         specification=header.specification,
+        administrative=header.administrative,
     )
 
 

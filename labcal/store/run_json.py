@@ -15,7 +15,8 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 
 from labcal.errors import InputError
 from labcal.files.text_safety import checked_text, replace_control
-from labcal.record import Dut, Reference, Run, Segment, Specification
+from labcal.record import Administrative, Dut, Reference, Run, Segment, Specification
+from labcal.record.administrative import without_nothing
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
 from labcal.record.run_id import checked_run_id
@@ -145,13 +146,19 @@ class CertificatePart(_Part):
     issuer: Text | None = None
     date: Day | None = None
     due: Day | None = None
+    U: Text | None = None  # as it states it, with k
     temperature_C: Celsius | None = None  # at which it holds
 
 
 class EnvironmentPart(_Part):
-    """The room, and the field's gradients where device and reference stand."""
+    """The room, the field outside, and its gradients where device and reference stand."""
 
     temperature_C: Celsius | None = None
+    pressure_hPa: Spread | None = None
+    humidity_percent: Annotated[float, Field(ge=0, le=100)] | None = None
+    ambient_nT: Nanotesla | None = None  # magnitude with the coils at zero
+    ambient_variation_nT: Nanotesla | None = None  # of it while it was measured, peak to peak
+    Kp: Annotated[float, Field(ge=0, le=9)] | None = None  # planetary index of those hours
     gradient_nT_per_m: Nanotesla | None = None  # with the coils at zero, of any component along any direction
     gradient_ppm_per_m: Spread | None = None  # of what the coils make
 
@@ -239,6 +246,7 @@ class RunJson(_Part):
     channels: dict[Name, ChannelPart] = {}
     specification: Specification | None = None
     environment: EnvironmentPart | None = None
+    administrative: Administrative | None = None
 
     @model_validator(mode="after")
     def _names(self) -> Self:
@@ -307,6 +315,8 @@ def write_run_json(run: Run) -> bytes:
         header["specification"] = stated_specification(run.specification)
     if run.environment is not None:
         header["environment"] = dict(run.environment)
+    if run.administrative is not None:
+        header["administrative"] = without_nothing(asdict(run.administrative))
     return (json.dumps(replace_control(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 

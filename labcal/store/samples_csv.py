@@ -46,6 +46,7 @@ def read_samples(data: bytes, header: RunJson, *, file: object) -> Run:
         angle_deg=numbers.get("angle_deg"),
         row_mode=_row_mode(table),
         specification=header.specification,
+        administrative=header.administrative,
         environment=header.stated_environment(),
         channels=tuple(
             Channel(name, part.unit, part.quantity, numbers[name], part.role)
