@@ -13,17 +13,17 @@ from collections.abc import Mapping
 from datetime import datetime, timedelta
 from hashlib import sha256
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from labcal.certificate.dcc_conformity import conformity_results
+from labcal.certificate.laboratory import administrative_of, read_laboratory
 from labcal.errors import InputError
 from labcal.files import atomic
-from labcal.files.toml_file import read_toml
 from labcal.model import Calibration, EffectRecord
-from labcal.record import Run
+from labcal.record import Administrative, Run
+from labcal.record.administrative import Address
 from labcal.uncertainty.conformity import stated_lines
 from labcal.version import __version__
 
@@ -50,37 +50,6 @@ SI_NAMES = {
     "arcsec": r"\arcsecond",
     "mrad": r"\milli\radian",
 }
-WANTED = 'name = "…", city = "…", country = "DE", and under [customer] the same three'
-
-Words = Annotated[str, Field(min_length=1, max_length=200)]
-
-
-class Place(BaseModel):
-    """Who, and where: a name, a city, and a country as two letters (ISO 3166-1)."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-    name: Words
-    city: Words
-    country: Annotated[str, Field(pattern=r"\A[A-Z]{2}\z")]
-
-
-class Laboratory(Place):
-    """The laboratory that issues the certificate, and for whom."""
-
-    customer: Place
-
-
-def read_laboratory(path: Path) -> Laboratory:
-    """Read `laboratory.toml`. Raises InputError that says what belongs in it."""
-    if not path.exists():
-        raise InputError(f"a certificate names its laboratory: write this file with {WANTED}", file=path)
-    try:
-        return Laboratory.model_validate(read_toml(path)[1])
-    except ValidationError as error:
-        raise InputError(f"{'.'.join(map(str, error.errors()[0]['loc']))}: expected {WANTED}", file=path) from None
-    except InputError as error:
-        told = f"{error.what}: expected {WANTED}"
-        raise InputError(told, file=path, line=error.line, column=error.column) from None
 
 
 def write_dcc(
@@ -90,10 +59,13 @@ def write_dcc(
     if run is None:
         told = f"a certificate states when it was measured; run {calibration.run_id} is not in this lab's store"
         raise InputError(f"{told} (`labcal import` takes its bundle in)")
-    atomic.write_bytes(out, dcc_xml(calibration, content, name, run, read_laboratory(laboratory)))
+    stated = administrative_of(run.administrative, laboratory)
+    if stated.laboratory is None or stated.customer is None:
+        stated = read_laboratory(laboratory)  # which says what is missing
+    atomic.write_bytes(out, dcc_xml(calibration, content, name, run, stated))
 
 
-def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, laboratory: Laboratory) -> bytes:
+def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, stated: Administrative) -> bytes:
     """The certificate of `calibration`, whose file `name` has the bytes `content`; `run` gives the dates.
 
     Raises InputError where the extra `dcc` is not installed.
@@ -105,7 +77,7 @@ def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, labor
         raise InputError("a certificate in XML needs the extra `dcc`: pip install 'labcal[dcc]'") from None
     d, si = ElementMaker(namespace=DCC, nsmap={"dcc": DCC, "si": SI}), ElementMaker(namespace=SI)
     root = d.digitalCalibrationCertificate(
-        _administrative(d, calibration, content, run, laboratory),
+        _administrative(d, calibration, content, run, stated),
         d.measurementResults(_results(d, si, calibration)),
         d.document(d.fileName(name), d.mimeType("application/json"), d.dataBase64(base64.b64encode(content).decode())),
         schemaVersion="3.2.1",
@@ -113,7 +85,10 @@ def dcc_xml(calibration: Calibration, content: bytes, name: str, run: Run, labor
     return bytes(etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True))
 
 
-def _administrative(d: Any, c: Calibration, content: bytes, run: Run, laboratory: Laboratory) -> Any:
+def _administrative(d: Any, c: Calibration, content: bytes, run: Run, stated: Administrative) -> Any:
+    laboratory, customer = stated.laboratory, stated.customer
+    assert laboratory is not None
+    assert customer is not None
     begin = datetime.fromisoformat(run.started_utc)
     end = begin + timedelta(seconds=float(run.t_s[-1] - run.t_s[0]) if len(run) else 0.0)
     software = d.software(_text(d, "name", "labcal"), d.release(__version__))
@@ -137,11 +112,11 @@ def _administrative(d: Any, c: Calibration, content: bytes, run: Run, laboratory
         d.items(item),
         d.calibrationLaboratory(d.contact(*_place(d, laboratory))),
         d.respPersons(*persons),
-        d.customer(*_place(d, laboratory.customer)),
+        d.customer(*_place(d, customer)),
     )
 
 
-def _place(d: Any, place: Place) -> tuple[Any, Any]:
+def _place(d: Any, place: Address) -> tuple[Any, Any]:
     return _text(d, "name", place.name), d.location(d.city(place.city), d.countryCode(place.country))
 
 

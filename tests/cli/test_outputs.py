@@ -49,6 +49,7 @@ ASKED = {
     "compare --json": ("compare {calibration} {calibration}", "changes.json"),
     "runs --json": ("runs", "runs.json"),
     "audit --json": ("audit", "audit.json"),
+    "numbers --json": ("numbers", "numbers.json"),
     "show --json": ("show {bundle}", "show.json"),
     "import --out": ("import {readings} --from csv --map {mapping}", "imported.zip"),
     "import --map": ("import {readings} --from csv --guess", "guess.toml"),
@@ -59,7 +60,8 @@ ASKED = {
 }
 ELSEWHERE = {"effect new --out"}  # a folder of a package: tests/loop/test_effect_new.py
 READS = {
-    "demo --out": (), "runs --json": (), "audit --json": (), "bench cage --out": (), "bench find --out": (),
+    "demo --out": (), "runs --json": (), "audit --json": (), "numbers --json": (),
+    "bench cage --out": (), "bench find --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
     "verify --json": ("{calibration}",),
     "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),

@@ -1,0 +1,61 @@
+"""Reports of runs and certificates of calibrations, as files for people and for programs."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+from labcal import certificate
+from labcal.certificate.dcc import write_dcc
+from labcal.certificate.report import calibration_page, run_page, write_report
+from labcal.errors import InputError
+from labcal.files.home import home
+from labcal.files.outputs import claim
+from labcal.fit import fit
+from labcal.model import Calibration
+from labcal.session.records import runs
+from labcal.session.signing import CALIBRATIONS, verify
+from labcal.session.sources import paths, run_bundle, run_of
+from labcal.uncertainty.conformity import Changes
+
+THIS_LAB = "this lab's trust list"
+
+
+def report(
+    source: str, out: Path, allowed_signers: Path | None = None, *, before: Path | None = None, force: bool = False
+) -> None:
+    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
+
+    A calibration's page says what changed since that of `before`, else since the lab's own before it, if there is one.
+    """
+    read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
+    [output] = claim("report", out, inputs=read, force=force)
+    with output.writing():
+        if certificate.looks_like_calibration(Path(source)):
+            return _report_calibration(Path(source), out, allowed_signers, before)
+        bundle = run_bundle(source)
+        run = bundle.run()
+        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
+
+
+def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, before: Path | None) -> None:
+    verification = verify(path, allowed_signers)
+    calibration = certificate.parse_calibration(verification.content, path)
+    run = run_of(calibration)
+    if out.suffix.lower() == ".xml":
+        return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out)
+    checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
+    changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
+    return write_report(calibration_page(calibration, verification, checked, run, changed), out)
+
+
+def changed_since(calibration: Calibration) -> Changes | None:
+    """What changed since the calibration before this one of the same DUT in this lab's folder; None where none is.
+
+    None too where this lab's store cannot be read: nothing tells then which was before.
+    """
+    try:
+        started = {run.run_id: run.started_utc for run in runs()}
+    except InputError:
+        return None
+    return certificate.changed_since(calibration, home() / CALIBRATIONS, started)
