@@ -15,7 +15,7 @@ $(VENV)/.run: pyproject.toml
 	@touch $@
 
 $(VENV)/.dev: pyproject.toml $(VENV)/.run
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,dcc]'
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,dcc,paper]'
 	@touch $@
 
 demo: $(VENV)/.run

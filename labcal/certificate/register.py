@@ -20,7 +20,7 @@ from labcal.files.home import own_file, own_folder
 
 State = Literal["taken", "signed", "void"]
 FILE = "certificates.sqlite"
-LONGEST = 12  # of the bench's part
+LONGEST = 16  # of the bench's part
 PATIENCE_S = 15.0
 NEVER = "BEGIN SELECT RAISE(ABORT, 'a certificate number stays in the register'); END"
 MADE = (

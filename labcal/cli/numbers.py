@@ -25,7 +25,7 @@ def numbers(
 
     `approve` takes the next of the bench, LAB-BENCH-YEAR-NNNN, or `sign` where nobody approved.
     """
-    from rich.table import Table
+    from rich.table import Column, Table
 
     from labcal import session
 
@@ -39,8 +39,8 @@ def numbers(
         return None
     if not found:
         return say("no certificate has a number yet")
-    table = Table("number", "taken, UTC", "run", "file", "", box=None)
+    table = Table(Column("number", no_wrap=True), "taken", "run", "file", "", box=None)
     for one in found:
         state = f"void: {one.reason}" if one.state == "void" else one.state
-        table.add_row(one.number, one.utc, one.run_id, one.file, state)
+        table.add_row(one.number, one.utc[:10], one.run_id, one.file, state)
     return console().print(table)

@@ -79,7 +79,7 @@ def void_number(number: str, reason: str) -> None:
 
 def _bench_of(draft: Calibration) -> tuple[str, str]:
     """The laboratory's code and the bench's name that a number begins with; simulated ones have their own series."""
-    header = _header(draft.run_id)
+    header = header_of(draft.run_id)
     stated = None if header is None or header.administrative is None else header.administrative.laboratory
     if stated is None and (home() / LABORATORY).exists():
         stated = read_laboratory(home() / LABORATORY).laboratory
@@ -87,7 +87,8 @@ def _bench_of(draft: Calibration) -> tuple[str, str]:
     return code, "" if header is None else _name(header.bench)
 
 
-def _header(run_id: str) -> RunHeader | None:
+def header_of(run_id: str) -> RunHeader | None:
+    """The head of the record of a run of the local store; None where it is not there."""
     if not (home() / STORE).exists():
         return None
     with suppress(InputError), Store.open() as store:

