@@ -47,11 +47,12 @@ def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, bef
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
+    said = _circumstances(calibration, run)
     if out.suffix.lower() == ".xml":
-        return write_dcc(calibration, verification.content, path.name, run, home() / LABORATORY, out)
+        return write_dcc(calibration, verification, run, said, home() / LABORATORY, out)
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
     changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
-    page = calibration_page(calibration, verification, checked, run, changed, _circumstances(calibration, run))
+    page = calibration_page(calibration, verification, checked, run, changed, said)
     return write_report(page, out)
 
 

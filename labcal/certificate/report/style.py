@@ -84,7 +84,7 @@ def sentence(text: str) -> str:
 
 
 def two_digits(U: float) -> str:
-    """An expanded uncertainty with two significant digits (GUM, 7.2.6; ILAC P14:09/2020, 5.4)."""
+    """An expanded uncertainty with two significant digits (GUM, 7.2.6; ILAC P14:09/2020, 5)."""
     return with_uncertainty(U, U)[1]
 
 
