@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -27,29 +28,40 @@ THIS_LAB = "this lab's trust list"
 
 
 def report(
-    source: str, out: Path, allowed_signers: Path | None = None, *, before: Path | None = None, force: bool = False
+    source: str,
+    out: Path,
+    allowed_signers: Path | None = None,
+    *,
+    before: Path | None = None,
+    tell: Callable[[str], None] = lambda remark: None,
+    force: bool = False,
 ) -> None:
     """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
 
     A calibration's page says what changed since that of `before`, else since the lab's own before it, if there is one.
+    `tell` hears what a DCC lacks, by the clause that asks for it.
     """
     read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
     [output] = claim("report", out, inputs=read, force=force)
     with output.writing():
         if certificate.looks_like_calibration(Path(source)):
-            return _report_calibration(Path(source), out, allowed_signers, before)
+            return _report_calibration(Path(source), out, allowed_signers, before, tell)
         bundle = run_bundle(source)
         run = bundle.run()
         return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
 
 
-def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, before: Path | None) -> None:
+def _report_calibration(
+    path: Path, out: Path, allowed_signers: Path | None, before: Path | None, tell: Callable[[str], None]
+) -> None:
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
     said = _circumstances(calibration, run)
     if out.suffix.lower() == ".xml":
-        return write_dcc(calibration, verification, run, said, home() / LABORATORY, out)
+        for clause in write_dcc(calibration, verification, run, said, home() / LABORATORY, out):
+            tell(f"not stated: {clause}")
+        return None
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
     changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
     page = calibration_page(calibration, verification, checked, run, changed, said)

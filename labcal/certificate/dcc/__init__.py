@@ -14,7 +14,7 @@ from labcal.certificate.dcc.administrative import administrative_data, software
 from labcal.certificate.dcc.circumstances import influence_conditions, measuring_equipments, used_methods
 from labcal.certificate.dcc.parts import DCC, SI, Makers
 from labcal.certificate.dcc.results import MODEL, results
-from labcal.certificate.dcc.rules import objections
+from labcal.certificate.dcc.rules import lacks, objections
 from labcal.certificate.dcc.units import si_unit
 from labcal.certificate.laboratory import WANTED
 from labcal.certificate.report.circumstances import Circumstances
@@ -31,8 +31,8 @@ VERSION = "3.2.1"
 
 def write_dcc(
     calibration: Calibration, found: Verification, run: Run | None, said: Circumstances, laboratory: Path, out: Path
-) -> None:
-    """Write the certificate to `out`, whole or not at all.
+) -> tuple[str, ...]:
+    """Write the certificate to `out`, whole or not at all; returns what it lacks, a clause each.
 
     Raises InputError for a draft, a signature that does not hold, and where dates or issuer are not known (`laboratory`
     is the file that may state them).
@@ -46,7 +46,9 @@ def write_dcc(
     if said.administrative.laboratory is None or said.administrative.customer is None:
         told = f"a certificate names its laboratory and its customer: state both in bench.toml, or here {WANTED}"
         raise InputError(told, file=laboratory)
-    atomic.write_bytes(out, dcc_xml(calibration, found.content, found.file.name, run, said, found.signers))
+    xml = dcc_xml(calibration, found.content, found.file.name, run, said, found.signers)
+    atomic.write_bytes(out, xml)
+    return lacks(xml)
 
 
 def dcc_xml(

@@ -12,6 +12,7 @@ NAMES = {"dcc": DCC, "si": SI}
 CORE = "/*/dcc:administrativeData/dcc:coreData"
 MEASURED = "/*/dcc:measurementResults/dcc:measurementResult"
 RESULTS = f"{MEASURED}/dcc:results/dcc:result"
+INDICATIONS = f"{RESULTS}[@refType='basic_result']/dcc:data/dcc:list"
 JUDGED = f"{RESULTS}/dcc:data/dcc:quantity/dcc:measurementMetaData/dcc:metaData[dcc:conformity]"
 U_OF_ONE = "si:real/si:measurementUncertaintyUnivariate/si:expandedMU"
 U_OF_LIST = "si:realListXMLList/si:measurementUncertaintyUnivariateXMLList/si:expandedMUXMLList"
@@ -59,7 +60,7 @@ RULES = (
     Rule("ISO/IEC 17025:2017, 7.8.4.1 a", "uncertainty of every effect", f"{RESULTS}[@refType='labcal_effect']//"
          "dcc:quantity[@refType='labcal_effectParameter']", U_OF_ONE, optional=True),
     Rule("ISO/IEC 17025:2017, 7.8.4.1 a", "uncertainty of every error of indication",
-         f"{RESULTS}[@refType='basic_result']/dcc:data/dcc:list/dcc:quantity[@refType='basic_measurementError']", U_OF_LIST),
+         f"{INDICATIONS}/dcc:quantity[@refType='basic_measurementError']", U_OF_LIST),
     Rule("ISO/IEC 17025:2017, 7.8.4.1 a", "covariance of the parameters", f"{MEASURED}/dcc:results",
          "dcc:result[@refType='labcal_covariance']//si:covarianceMatrixXMLList"),
     Rule("ISO/IEC 17025:2017, 7.8.4.1 a", "budget", f"{MEASURED}/dcc:results", "dcc:result[@refType='labcal_budget']"),
@@ -103,6 +104,13 @@ RULES = (
 def objections(root: Any) -> tuple[str, ...]:
     """What the certificate `root` (an lxml element) lacks, a clause and what it asks for each; empty where nothing."""
     return tuple(dict.fromkeys(f"{rule.clause}: {rule.says}" for rule in RULES if not _kept(rule, root)))
+
+
+def lacks(xml: bytes) -> tuple[str, ...]:
+    """The same of the certificate whose bytes are `xml`."""
+    from lxml import etree
+
+    return objections(etree.fromstring(xml))
 
 
 def _kept(rule: Rule, root: Any) -> bool:
