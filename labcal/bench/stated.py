@@ -59,7 +59,7 @@ def refuse_overdue(bench: Bench) -> None:
         return
     number = f" {certificate.number}" if certificate.number else ""
     told = f"the reference is overdue: its calibration{number} was due {certificate.due}, and today is {today}"
-    raise InputError(f"{told}; nothing was energised. Calibrate it, then state its new certificate")
+    raise InputError(f"{told}. No procedure begins on this bench: calibrate it, then state its new certificate")
 
 
 def as_positions(

@@ -90,6 +90,6 @@ def test_what_no_certificate_could_print_is_refused_with_its_line(bundle, labora
 def test_an_overdue_reference_stops_every_procedure(tmp_path: Path, home_of_its_own: Path, procedure: str):
     path = tmp_path / "bench.toml"
     path.write_text(with_certificate('number = "M-1", due = 2020-01-05'))
-    with pytest.raises(InputError, match=r"overdue: its calibration M-1 was due 2020-01-05.*nothing was energised"):
+    with pytest.raises(InputError, match=r"overdue: its calibration M-1 was due 2020-01-05.*No procedure begins"):
         session.run(procedure, path, {})
     assert not session.runs()

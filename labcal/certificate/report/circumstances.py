@@ -27,7 +27,7 @@ STATED = (  # keys of [environment], as they are printed
     ("temperature_C", "Temperature", "°C"),
     ("pressure_hPa", "Pressure", "hPa"),
     ("humidity_percent", "Humidity", "%"),
-    ("ambient_nT", "Ambient field, coils at zero", "nT"),
+    ("ambient_nT", "Ambient field, without the coils", "nT"),
     ("ambient_variation_nT", "Its variation, peak to peak", "nT"),
     ("Kp", "Planetary index Kp", ""),
 )
