@@ -12,7 +12,7 @@ from pathlib import Path
 
 from labcal.certificate.dcc.administrative import administrative_data, software
 from labcal.certificate.dcc.circumstances import influence_conditions, measuring_equipments, used_methods
-from labcal.certificate.dcc.parts import DCC, SI, Makers
+from labcal.certificate.dcc.parts import DCC, SI, Makers, one_line
 from labcal.certificate.dcc.results import MODEL, results
 from labcal.certificate.dcc.rules import lacks, objections
 from labcal.certificate.dcc.units import si_unit
@@ -83,7 +83,9 @@ def dcc_xml(
     root = d.digitalCalibrationCertificate(
         administrative_data(m, calibration, content, run, said.administrative, signers),
         d.measurementResults(measured),
-        d.document(d.fileName(name), d.mimeType("application/json"), d.dataBase64(base64.b64encode(content).decode())),
+        d.document(
+            d.fileName(one_line(name)), d.mimeType("application/json"), d.dataBase64(base64.b64encode(content).decode())
+        ),
         schemaVersion=VERSION,
     )
     return bytes(etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True))
