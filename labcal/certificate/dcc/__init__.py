@@ -80,6 +80,7 @@ def dcc_xml(
         influence_conditions(m, run),
         d.results(*results(m, calibration, run)),
     )
+    enclosed = base64.b64encode(content).decode()
     root = d.digitalCalibrationCertificate(
         administrative_data(m, calibration, content, run, said.administrative, signers),
         d.measurementResults(measured),
