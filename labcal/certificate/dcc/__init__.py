@@ -84,9 +84,7 @@ def dcc_xml(
     root = d.digitalCalibrationCertificate(
         administrative_data(m, calibration, content, run, said.administrative, signers),
         d.measurementResults(measured),
-        d.document(
-            d.fileName(one_line(name)), d.mimeType("application/json"), d.dataBase64(base64.b64encode(content).decode())
-        ),
+        d.document(d.fileName(one_line(name)), d.mimeType("application/json"), d.dataBase64(enclosed)),
         schemaVersion=VERSION,
     )
     return bytes(etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True))
