@@ -50,7 +50,7 @@ def issuing(path: Path) -> Iterator[Issue]:
     except BaseException as fault:
         for number in taken:
             if number.encode() not in path.read_bytes():
-                register.void(home(), number, f"{path.name} was not written: {fault or type(fault).__name__}")
+                register.void(home(), number, f"{path.name} was not written: {str(fault) or type(fault).__name__}")
         raise
 
 

@@ -177,8 +177,8 @@ def test_without_the_extra_the_pdf_is_refused_in_a_sentence(
 @pytest.fixture(scope="module")
 def printed(tmp_path_factory: pytest.TempPathFactory) -> SimpleNamespace:
     try:
-        import weasyprint  # noqa: F401
-    except (ImportError, OSError):
+        archival_pdf.typesetter()
+    except InputError:
         pytest.skip("needs the extra `paper` (weasyprint) and the system's Pango, which are not here")
     return SimpleNamespace(folder=tmp_path_factory.mktemp("printed"))
 

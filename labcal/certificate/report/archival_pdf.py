@@ -6,6 +6,7 @@ import logging
 import warnings
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 from labcal.certificate.report.html import html
 from labcal.certificate.report.page import Front, Page
@@ -18,22 +19,32 @@ NEEDED = (
 )
 
 
-def write_archival_pdf(page: Page, front: Front, path: Path) -> None:
-    """Write `page` to `path`; the bytes depend on the content alone. Raises InputError without the extra."""
-    try:
-        from weasyprint import HTML, Attachment, URLFetcher
-    except (ImportError, OSError):  # the package, or the system's Pango
-        raise InputError(NEEDED) from None
+def typesetter() -> Any:
+    """The package that sets a certificate's pages. Raises InputError where it, or the system's Pango, is not there."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of what its next versions will need
+        try:
+            import weasyprint
+        except (ImportError, OSError):
+            raise InputError(NEEDED) from None
     for name in ("weasyprint", "fontTools"):  # what they say of style sheets and fonts is for nobody here
         logging.getLogger(name).setLevel(logging.CRITICAL)
+    return weasyprint
+
+
+def write_archival_pdf(page: Page, front: Front, path: Path) -> None:
+    """Write `page` to `path`; the bytes depend on the content alone. Raises InputError without the extra."""
+    weasyprint = typesetter()
     attached = [
-        Attachment(string=content, name=name, description=said, relationship="Data")
+        weasyprint.Attachment(string=content, name=name, description=said, relationship="Data")
         for name, content, said in front.attached
     ]
     text = html(page)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # it leaves its colour profile open
-        HTML(string=text, url_fetcher=URLFetcher(allowed_protocols=["data"])).write_pdf(  # nothing from elsewhere
+        weasyprint.HTML(
+            string=text, url_fetcher=weasyprint.URLFetcher(allowed_protocols=["data"])
+        ).write_pdf(  # nothing from elsewhere
             path,
             pdf_variant=VARIANT,
             attachments=attached,
