@@ -39,14 +39,9 @@ def write_archival_pdf(page: Page, front: Front, path: Path) -> None:
         weasyprint.Attachment(string=content, name=name, description=said, relationship="Data")
         for name, content, said in front.attached
     ]
-    text = html(page)
+    text, nothing_from_elsewhere = html(page), weasyprint.URLFetcher(allowed_protocols=["data"])
+    own = sha256(text.encode()).hexdigest()[:32].encode()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # it leaves its colour profile open
-        weasyprint.HTML(
-            string=text, url_fetcher=weasyprint.URLFetcher(allowed_protocols=["data"])
-        ).write_pdf(  # nothing from elsewhere
-            path,
-            pdf_variant=VARIANT,
-            attachments=attached,
-            pdf_identifier=sha256(text.encode()).hexdigest()[:32].encode(),
-        )
+        pages = weasyprint.HTML(string=text, url_fetcher=nothing_from_elsewhere)
+        pages.write_pdf(path, pdf_variant=VARIANT, attachments=attached, pdf_identifier=own)
