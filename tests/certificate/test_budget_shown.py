@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from labcal.certificate.calibration_file import calibration_bytes, parse_calibration
 from labcal.certificate.dcc import dcc_xml
+from labcal.certificate.report import Circumstances
 from labcal.certificate.report.budget import budget_blocks, draw_shares, field_blocks, largest
 from labcal.fit import draft_calibration, fit
 from labcal.model import Calibration
@@ -77,7 +78,7 @@ def test_without_a_budget_nothing_is_shown(calibration: Calibration) -> None:
 def test_the_certificate_for_machines_lists_every_contribution(budgeted: Calibration) -> None:
     etree = pytest.importorskip("lxml.etree")
     run = load_bundle(ROOT / "examples" / "short-preflight" / "run.zip").run()
-    lab = Administrative(Laboratory("A lab", "Bern", "CH"), Address("A lab", "Bern", "CH"))
+    lab = Circumstances(Administrative(Laboratory("A lab", "Bern", "CH"), Address("A lab", "Bern", "CH")))
     text = dcc_xml(budgeted, calibration_bytes(budgeted), "cal.json", run, lab)
     names = {"dcc": "https://ptb.de/dcc", "si": "https://ptb.de/si"}
     root = etree.fromstring(text)

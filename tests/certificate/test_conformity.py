@@ -14,7 +14,7 @@ from labcal import session
 from labcal.certificate import Signer, changed_from, changed_since, verify
 from labcal.certificate.calibration_file import calibration_bytes, read_calibration
 from labcal.certificate.dcc import DCC, SI, dcc_xml, si_unit
-from labcal.certificate.report import calibration_page
+from labcal.certificate.report import Circumstances, calibration_page
 from labcal.certificate.report.html import html
 from labcal.cli import execute
 from labcal.errors import InputError
@@ -108,7 +108,7 @@ def run_at(started_utc: str, serial: str = "FM-07") -> Run:
 
 def test_a_dcc_states_conformity_in_the_schema_s_own_words(judged: Calibration):
     etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
-    laboratory = Administrative(Laboratory("A", "Bern", "CH"), Address("X", "Y", "DE"))
+    laboratory = Circumstances(Administrative(Laboratory("A", "Bern", "CH"), Address("X", "Y", "DE")))
     xml = dcc_xml(judged, calibration_bytes(judged), "cal.json", run_at("2026-11-21T23:50:00Z"), laboratory)
     root, names = etree.fromstring(xml), {"dcc": DCC, "si": SI}
     verdicts = [e.text for e in root.iterfind(".//dcc:conformity", names)]

@@ -31,7 +31,7 @@ def results(m: Makers, c: Calibration, run: Run) -> list[Any]:
     return [
         *_indications(m, c, run),
         m.result("K", f"Row by row. {MODEL}", m.d.quantity(K), ref_type="labcal_K"),
-        m.result("k", c.k_means(), m.d.quantity(k), ref_type="labcal_k"),
+        m.result(f"k {c.k_means()}".rstrip(), "", m.d.quantity(k), ref_type="labcal_k"),
         *(_effect(m, i, effect) for i, effect in enumerate(c.effects) if effect.parameters),
         *_joint(m, c, per_reading),
         *conformity_results(m, stated_lines(c)),
@@ -41,7 +41,8 @@ def results(m: Makers, c: Calibration, run: Run) -> list[Any]:
 
 def _indications(m: Makers, c: Calibration, run: Run) -> list[Any]:
     """What the item indicates of a known field, and its error, at the largest field both ways along each axis."""
-    if not c.budget:
+    followed = {name for effect in c.effects for name in effect.channels}
+    if not c.budget or not followed <= {channel.name for channel in run.channels}:
         return []
     points = working_points(c, run)[:DIRECTIONS]
     nominal, readings = c.dut.nominal_nT_per_unit, slopes_at(c, points)[0]
