@@ -210,14 +210,6 @@ def test_the_pdf_is_archival_and_holds_what_was_signed(
         assert "".join(sheet.split()).count("SIMULATED") >= 2  # in the margin, and across the sheet
 
 
-@pytest.mark.slow
-def test_the_same_certificate_gives_the_same_bytes(issued: Calibration, printed: SimpleNamespace):
-    page = page_of(printed.folder / "same.json", issued)
-    for name in ("1.pdf", "2.pdf"):
-        write_report(page, printed.folder / name)
-    assert (printed.folder / "1.pdf").read_bytes() == (printed.folder / "2.pdf").read_bytes()
-
-
 def _fonts(pdf: object) -> list[object]:
     return [font for page in pdf.pages for font in (page.Resources.get("/Font") or {}).values()]
 

@@ -33,7 +33,7 @@ def typesetter() -> Any:
 
 
 def write_archival_pdf(page: Page, front: Front, path: Path) -> None:
-    """Write `page` to `path`; the bytes depend on the content alone. Raises InputError without the extra."""
+    """Write `page` to `path`; it states when the files were put in. Raises InputError without the extra."""
     weasyprint = typesetter()
     attached = [
         weasyprint.Attachment(string=content, name=name, description=said, relationship="Data")
