@@ -15,7 +15,7 @@ $(VENV)/.run: pyproject.toml
 
 $(VENV)/.dev: pyproject.toml $(VENV)/.run
 	@echo "Setting up what the checks need ..."
-	@$(PYTHON) tools/set_up.py $(VENV) --editable '.[dev,dcc]'
+	@$(PYTHON) tools/set_up.py $(VENV) --editable '.[dev,dcc,paper]'
 	@touch $@
 
 demo: $(VENV)/.run

@@ -15,6 +15,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 from labcal.bench import serials
 from labcal.errors import InputError
 from labcal.files.toml_file import read_toml
+from labcal.record.administrative import Address, Equipment, Item, Laboratory
 from labcal.record.physical import LARGEST_CURRENT_A, LARGEST_FIELD_nT
 
 AXES = ("x", "y", "z")
@@ -49,6 +50,13 @@ def _day(value: Any) -> str:
         return date.fromisoformat(str(value)).isoformat()
     except ValueError:
         raise ValueError("must be a date such as 2026-03-02") from None
+
+
+def _days_as_text(value: Any) -> Any:
+    """TOML has dates of its own: a record has their ISO 8601 text."""
+    if isinstance(value, dict):
+        return {name: _days_as_text(one) for name, one in value.items()}
+    return value.isoformat() if type(value) is date else value
 
 
 def _group_name(value: str) -> str:
@@ -157,14 +165,20 @@ class CertificateConfig(_Table):
     number: Text | None = None
     issuer: Text | None = None
     date: Day | None = None
-    due: Day | None = None
+    due: Day | None = None  # after it no procedure begins
+    U: Text | None = None  # as it states it, with k
     temperature_C: Finite | None = None  # at which it holds
 
 
 class EnvironmentConfig(_Table):
-    """The room, and the field's gradients where device and reference stand."""
+    """The room, the field outside, and its gradients where device and reference stand."""
 
     temperature_C: Finite | None = None
+    pressure_hPa: Positive | None = None
+    humidity_percent: Annotated[float, Field(ge=0, le=100, strict=True)] | None = None
+    ambient_nT: Field_nT | None = None  # magnitude with the coils at zero
+    ambient_variation_nT: Field_nT | None = None  # of it while it was measured, peak to peak
+    Kp: Annotated[float, Field(ge=0, le=9, strict=True)] | None = None  # planetary index of those hours
     gradient_nT_per_m: Positive | None = None  # with the coils at zero, of any component along any direction
     gradient_ppm_per_m: Positive | None = None  # of what the coils make
 
@@ -220,6 +234,7 @@ class DutConfig(_Table):
     serial: Text = Field(min_length=1)
     serial_pattern: Annotated[Text, AfterValidator(serials.usable_pattern)] = serials.USUAL  # of a whole serial
     model: Text = ""
+    item: Annotated[Item, BeforeValidator(_days_as_text)] | None = None  # as it came in
     unit: Literal["nT", "count"] = "nT"
     nominal_nT_per_unit: Field_nT = 1.0
     noise_nT: Field_nT | None = None  # of one axis of one sample
@@ -267,6 +282,9 @@ class BenchConfig(_Table):
     dut: DutConfig
     safety: SafetyConfig = SafetyConfig()
     environment: EnvironmentConfig = EnvironmentConfig()
+    laboratory: Laboratory | None = None
+    customer: Address | None = None
+    equipment: tuple[Annotated[Equipment, BeforeValidator(_days_as_text)], ...] = ()
     served: bool = False  # its instruments are emulated ones on ports of this computer: `labcal bench serve` writes it
     instruments: dict[str, InstrumentConfig]
     twin: dict[str, Any] = Field(default={}, exclude=True, repr=False)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from datetime import date
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.bench import Bench
-from labcal.record import Dut, Reference, Run, Segment
+from labcal.errors import InputError
+from labcal.record import Administrative, Dut, Reference, Run, Segment
 from labcal.record.run import Vector
 
 Array = NDArray[np.float64]
@@ -40,6 +43,23 @@ def stated_reference(bench: Bench, serial: str = "") -> Reference:
 def stated_environment(bench: Bench) -> dict[str, float] | None:
     """The room and the gradients; None where nothing is stated."""
     return bench.config.environment.model_dump(exclude_none=True) or None
+
+
+def stated_administrative(bench: Bench) -> Administrative | None:
+    """What the bench states for a certificate; None where nothing is stated."""
+    config = bench.config
+    stated = Administrative(config.laboratory, config.customer, config.dut.item, config.equipment)
+    return None if stated == Administrative() else stated
+
+
+def refuse_overdue(bench: Bench) -> None:
+    """Raise InputError where the reference's certificate says that its calibration was due before today."""
+    certificate, today = bench.config.reference.certificate, bench.clock.utc().date()
+    if certificate is None or certificate.due is None or date.fromisoformat(certificate.due) >= today:
+        return
+    number = f" {certificate.number}" if certificate.number else ""
+    told = f"the reference is overdue: its calibration{number} was due {certificate.due}, and today is {today}"
+    raise InputError(f"{told}. No procedure begins on this bench: calibrate it, then state its new certificate")
 
 
 def as_positions(

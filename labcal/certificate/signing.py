@@ -31,6 +31,7 @@ LARGEST_SIGNATURE_BYTES = 2**14
 Status = Literal["released", "provisional", "unsigned", "invalid", "expired", "superseded"]
 Shown = Callable[[Path, bytes], datetime | None]  # a signature's file and bytes: since when they are shown to be there
 Examine = Callable[[Calibration], object]  # raises InputError where something else does not hold of it
+Revise = Callable[[Calibration], Calibration]
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,11 +158,12 @@ def approve(
     path: Path,
     name: str,
     examine: Examine = lambda draft: None,
-    revise: Callable[[Calibration], Calibration] = lambda draft: draft,
+    revise: Revise = lambda draft: draft,
+    issue: Revise = lambda draft: draft,
 ) -> Calibration:
     """Write `name` among the approvers of the draft at `path`, once `examine` has seen it. Raises InputError.
 
-    `revise` makes of the draft what is approved.
+    `revise` makes of the draft what is approved; `issue` gives it number and date, when all else is well.
 
     Refused after any signature (its bytes would no longer be the signed ones), and for the operator: two persons
     look at a calibration, or it stays PROVISIONAL.
@@ -180,8 +182,9 @@ def approve(
         raise InputError(f"{name} has approved it already", file=path)
     approved = replace(revise(draft), approvers=(*draft.approvers, name))
     examine(approved)
-    atomic.write_bytes(path.resolve(), calibration_bytes(approved))
-    return approved
+    issued = issue(approved)
+    atomic.write_bytes(path.resolve(), calibration_bytes(issued))
+    return issued
 
 
 def check_approvers(calibration: Calibration, path: Path, known: Collection[str]) -> None:
@@ -204,13 +207,15 @@ def sign(
     examine: Examine = lambda calibration: None,
     *,
     shown: Shown = lambda file, signature: None,
+    issue: Revise | None = None,
 ) -> Path:
     """Sign the bytes at `path` as `name` and write the signature beside them; returns its path.
 
     `signers` is the trust list: it tells whose the signatures are that are there already. One whose key is revoked,
     and not `shown` to be from before, is set aside (`….revoked`), and the new one takes its place. `examine` sees the
-    calibration that is about to be signed. Raises InputError for a file that is no calibration, for somebody who has
-    signed it or whose key is revoked, and where an earlier signature does not hold.
+    calibration that is about to be signed; where nobody has, and it has no number, `issue` gives it number and date,
+    which the file then states. Raises InputError for a file that is no calibration, for somebody who has signed it or
+    whose key is revoked, and where an earlier signature does not hold.
     """
     content = read_limited(path, LARGEST_BYTES)
     calibration = parse_calibration(content, path)
@@ -227,6 +232,9 @@ def sign(
         elif earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
     examine(calibration)
+    if issue is not None and not there and calibration.number is None:
+        content = calibration_bytes(issue(calibration))
+        atomic.write_bytes(path.resolve(), content)
     target, armoured_own = spent[0] if spent else _signature_path(path, len(there) + 1), signed(content, key)
     if spent:
         atomic.write_bytes(target.with_name(f"{target.name}.revoked"), target.read_bytes())

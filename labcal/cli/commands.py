@@ -16,6 +16,7 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     gui,
     keys,
     loop,
+    numbers,
     plugins,
     report,
     run,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import typer
@@ -21,8 +22,11 @@ def report(
     ),
     force: bool = FORCE,
 ) -> None:
-    """Write the report of a run or a calibration."""
+    """Write the report of a run, or the certificate of a calibration.
+
+    A certificate as PDF (PDF/A-3b, the signed file inside) needs the extra `paper`, as XML the extra `dcc`.
+    """
     from labcal import session
 
-    session.report(source, out, allowed_signers, before=before, force=force)
+    session.report(source, out, allowed_signers, before=before, tell=partial(say, err=True), force=force)
     say(out)

@@ -6,6 +6,7 @@ Its names are loaded when they are asked for: who only lists runs does not wait 
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from labcal.record.administrative import Administrative
     from labcal.record.header import ChannelSpec, RunHeader
     from labcal.record.observation import Observation, carry, offers
     from labcal.record.run import Channel, Dut, Reference, Run, Segment
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from labcal.record.specification import Limit, Specification
 
 __all__ = [
+    "Administrative",
     "Channel",
     "ChannelSpec",
     "Dut",
@@ -28,6 +30,7 @@ __all__ = [
     "period_s",
 ]
 _OF_OTHERS = {
+    "Administrative": "administrative",
     **dict.fromkeys(("ChannelSpec", "RunHeader"), "header"),
     **dict.fromkeys(("Observation", "carry", "offers"), "observation"),
     "period_s": "sampling",

@@ -67,6 +67,7 @@ def assemble(header: RunHeader, items: Iterable[Item]) -> Run:
         channels=_channels(header, t, items),
         specification=header.specification,
         closures=_closures(items),
+        administrative=header.administrative,
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from labcal.record.administrative import Administrative
 from labcal.record.run import Dut, Quantity, Reference, Role
 from labcal.record.specification import Specification
 
@@ -40,3 +41,4 @@ class RunHeader:
     software: str = ""
     cage_sha256: str | None = None  # of the approved cage calibration's file
     specification: Specification | None = None  # chosen before the measurement
+    administrative: Administrative | None = None

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.record.administrative import Administrative
 from labcal.record.specification import Specification
 
 if TYPE_CHECKING:
@@ -77,7 +78,7 @@ class Reference:
     u_tc_nT_per_K: float | None = None
     drift_nT_per_year: float | None = None
     u_drift_nT_per_year: float | None = None
-    certificate: Mapping[str, str | float] | None = None  # number, issuer, date, due, temperature_C
+    certificate: Mapping[str, str | float] | None = None  # number, issuer, date, due, U, temperature_C
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,10 +114,11 @@ class Run:
     reference_magnitude: Array | None = None  # (n,)
     angle_deg: Array | None = None  # (n,)
     row_mode: NDArray[np.str_] | None = None  # (n,) where rows state it, "" where not
-    environment: Mapping[str, float] | None = None  # temperature_C, gradient_nT_per_m, gradient_ppm_per_m
+    environment: Mapping[str, float] | None = None  # as run.json has it: temperature_C, gradient_nT_per_m …
     channels: tuple[Channel, ...] = ()
     specification: Specification | None = None  # of the DUT, chosen before the run began
     closures: tuple[Closure, ...] = ()  # in `reference.u_offset_nT` whole, as they were recorded
+    administrative: Administrative | None = None
 
     def __post_init__(self) -> None:
         for value in (getattr(self, f.name) for f in fields(self)):

@@ -16,7 +16,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.coils.state import NOT_READ, LabState
 from labcal.bench.driver_kit.roles import Identity
 from labcal.bench.parameters import settings
-from labcal.bench.stated import stated_environment, stated_reference
+from labcal.bench.stated import refuse_overdue, stated_administrative, stated_environment, stated_reference
 from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, RunHeader, Specification
@@ -94,6 +94,7 @@ def run_procedure(
     """
     values = settings(procedure.parameters, given)
     _refuse_modes(bench, values)
+    refuse_overdue(bench)
     identities = bench.identities()
     header = RunHeader(
         run_id=run_id or new_run_id(bench),
@@ -112,6 +113,7 @@ def run_procedure(
         software=f"labcal {__version__}",
         cage_sha256=cage_sha256,
         specification=specification,
+        administrative=stated_administrative(bench),
     )
     writer = store.begin(header, lambda: iso(bench.clock.utc()))
     _tell_lifted(bench, writer, bench.clock.now())
@@ -136,6 +138,7 @@ def resume_run(
     since, or another DUT (`dut_serial` where it is stated) or another bench's instruments stand there.
     """
     header = store.header(run_id)
+    refuse_overdue(bench)
     _refuse_another(bench, procedure, header, dut_serial)
     done, at_s = so_far(store.items(run_id, but="block")), store.end_s(run_id) + GAP_S
     values = {spec.name: spec.restore(header.parameters[spec.name]) for spec in procedure.parameters}

@@ -1,9 +1,9 @@
 """The line in order: bench → procedure → record → fit → loop → certificate. The command line and the window call it.
 
 Beside the line: `sources` (what names a run), `records` (the local store), `importing` (what others wrote), `trust`
-(keys), `signing`, `audited` (who did what), `working_out` (a calibration worked out again from its run), `instruments`
-(the bench without a procedure), `archiving` (finished work of several labs in one place), and `measuring`, where the
-loop closes on the instruments.
+(keys), `signing`, `numbering` (of certificates), `reporting`, `audited` (who did what), `working_out` (a calibration
+worked out again from its run), `instruments` (the bench without a procedure), `archiving` (finished work of several
+labs in one place), and `measuring`, where the loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
-from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -22,14 +21,12 @@ from labcal.bench.coils.cage_file import sha256_of
 from labcal.bench.coils.state import LabState
 from labcal.bench.opening import open_bench
 from labcal.bench.specification import specification_of
-from labcal.certificate import Stated, Verification
-from labcal.certificate.dcc import write_dcc
-from labcal.certificate.report import calibration_page, check_form, closed_loop_page, run_page, write_report
+from labcal.certificate import Stated
+from labcal.certificate.report import check_form, closed_loop_page, write_report
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
-from labcal.files.home import home
 from labcal.files.outputs import claim, writing
-from labcal.fit import Fit, draft_calibration, fit
+from labcal.fit import Fit, draft_calibration
 from labcal.loop import ClosedLoop
 from labcal.model import Calibration
 from labcal.record import Run
@@ -40,6 +37,7 @@ from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import Asked, Taken, import_foreign
 from labcal.session.instruments import approve_cage, coils_off, find_instruments, greetings, look_again, serve_bench
+from labcal.session.numbering import numbers, void_number
 from labcal.session.records import (
     check_store,
     correct_serial,
@@ -49,8 +47,9 @@ from labcal.session.records import (
     keep_photo,
     runs,
 )
-from labcal.session.signing import NOTHING_STATED, SUPERSEDING, approve, sign, signatures
-from labcal.session.sources import Source, is_path, load_run, paths, run_bundle
+from labcal.session.reporting import changed_since, report
+from labcal.session.signing import NOTHING_STATED, approve, sign, verify
+from labcal.session.sources import Source, is_path, load_run, paths, run_bundle, run_of
 from labcal.session.trust import (
     asks_passphrase,
     handed_out,
@@ -61,9 +60,9 @@ from labcal.session.trust import (
     trust_keys,
     trusted_keys,
 )
-from labcal.session.working_out import Progress, keep, made_by, recomputed
+from labcal.session.working_out import keep, made_by
 from labcal.store import Store
-from labcal.uncertainty.conformity import Changes, assess
+from labcal.uncertainty.conformity import assess
 
 __all__ = [
     "FOREIGN_CALIBRATIONS",
@@ -97,6 +96,7 @@ __all__ = [
     "load_run",
     "look_again",
     "new_key",
+    "numbers",
     "one_cause",
     "paths",
     "read_audit",
@@ -113,11 +113,9 @@ __all__ = [
     "trust_keys",
     "trusted_keys",
     "verify",
+    "void_number",
     "with_installed_procedure",
 ]
-
-THIS_LAB = "this lab's trust list"
-CALIBRATIONS = "calibrations"  # the window's drafts and certificates, in labcal's folder
 
 
 def run(
@@ -190,29 +188,6 @@ def hand_out(calibration: Path, folder: Path) -> None:
 def load_calibration(path: Path) -> Calibration:
     """Read a calibration file, checked. Raises InputError."""
     return certificate.read_calibration(path)
-
-
-def verify(
-    calibration: Path,
-    allowed_signers: Path | None = None,
-    run: Source | None = None,
-    progress: Progress = lambda step: None,
-    *,
-    only_kept: bool = False,
-) -> Verification:
-    """Check every signature of the calibration against the lab's trust list, or the one that is named.
-
-    Where one holds it is worked out again from its run, `run` or that of the store; with `only_kept` nothing is.
-    """
-    bundle = None if run is None else run_bundle(run)
-    sha256, chain = (bundle.sha256, bundle.stated_chain) if bundle else (None, None)
-    found = signatures(calibration, allowed_signers, sha256, chain)
-    if found.calibration is None or not found.valid:
-        return found
-    found = replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
-    certificate.keep_superseding(found, home() / SUPERSEDING)
-    folders = [home() / SUPERSEDING, home() / CALIBRATIONS]
-    return replace(found, superseded_by=certificate.superseded_by(found, folders, signatures))
 
 
 def draft(
@@ -348,52 +323,3 @@ def export_calibration(
         for name, written in files.items():
             write_bytes(folder / name, written)
     return content.status
-
-
-def report(
-    source: str, out: Path, allowed_signers: Path | None = None, *, before: Path | None = None, force: bool = False
-) -> None:
-    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
-
-    A calibration's page and DCC say what changed since `before`, else since the lab's own before it, if there is one.
-    """
-    read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
-    [output] = claim("report", out, inputs=read, force=force)
-    with output.writing():
-        if certificate.looks_like_calibration(Path(source)):
-            return _report_calibration(Path(source), out, allowed_signers, before)
-        bundle = run_bundle(source)
-        run = bundle.run()
-        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
-
-
-def _report_calibration(path: Path, out: Path, allowed_signers: Path | None, before: Path | None) -> None:
-    verification = verify(path, allowed_signers)
-    calibration = certificate.parse_calibration(verification.content, path)
-    run = run_of(calibration)
-    changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
-    if out.suffix.lower() == ".xml":
-        return write_dcc(calibration, verification.content, path.name, run, home() / "laboratory.toml", out, changed)
-    checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
-    return write_report(calibration_page(calibration, verification, checked, run, changed), out)
-
-
-def changed_since(calibration: Calibration) -> Changes | None:
-    """What changed since the calibration before this one of the same DUT in this lab's folder; None where none is.
-
-    None too where this lab's store cannot be read: nothing tells then which was before.
-    """
-    try:
-        started = {run.run_id: run.started_utc for run in runs()}
-    except InputError:
-        return None
-    return certificate.changed_since(calibration, home() / CALIBRATIONS, started)
-
-
-def run_of(calibration: Calibration) -> Run | None:
-    """The run a calibration came from, where this store has it unchanged."""
-    try:
-        bundle = run_bundle(calibration.run_id)
-    except InputError:
-        return None
-    return bundle.run() if bundle.sha256 == calibration.run_sha256 else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -15,11 +16,14 @@ from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
 from labcal.session.audited import note_file
+from labcal.session.numbering import check_number, issuing, keep_signed
+from labcal.session.sources import Source, run_bundle
 from labcal.session.trust import handed_out
 from labcal.session.working_out import Progress, recomputed
 
 NOTHING_STATED = Stated()
 SUPERSEDING = "superseding"  # signed calibrations that took the place of others
+CALIBRATIONS = "calibrations"  # the window's drafts and certificates, in labcal's folder
 
 
 def approve(
@@ -27,9 +31,11 @@ def approve(
 ) -> Calibration:
     """Write the approver, somebody of the trust list, into a draft. Raises InputError where its run gives another.
 
-    With what they state beside its numbers.
+    With what they state beside its numbers, and with the number and the date of the certificate.
     """
-    approved = certificate.approve(calibration, name, _same_as_its_run(calibration, progress), stated.on)
+    with issuing(calibration) as issue:
+        examine = _same_as_its_run(calibration, progress)
+        approved = certificate.approve(calibration, name, examine, stated.on, issue)
     note_file("approve", name, calibration)
     return approved
 
@@ -38,7 +44,10 @@ def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lam
     """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
     key = certificate.keys.signing_key(home(), name, passphrase)
     examine = _same_as_its_run(calibration, progress, name)
-    written = certificate.sign(calibration, name, key, handed_out(), examine, shown=shown)
+    with issuing(calibration) as issue:
+        written = certificate.sign(calibration, name, key, handed_out(), examine, shown=shown, issue=issue)
+    content = calibration.read_bytes()
+    keep_signed(certificate.parse_calibration(content, calibration), content)
     note_file("sign", name, calibration, written)
     certificate.keep_superseding(signatures(calibration), home() / SUPERSEDING)
     return written
@@ -48,11 +57,36 @@ def _same_as_its_run(path: Path, progress: Progress, signer: str | None = None) 
     def examine(stated: Calibration) -> None:
         certificate.check_approvers(stated, path, certificate.keys.names(home()))
         certificate.check_roles(stated, path, certificate.keys.trusted(home()), signer)
+        if signer is not None:
+            check_number(stated, path.read_bytes())
         if (found := recomputed(stated, progress=progress)).same is False:
             told = f"its run does not give what it states, and nothing was written ({'; '.join(found.why)})"
             raise InputError(f"{told}: make the draft again", file=path)
 
     return examine
+
+
+def verify(
+    calibration: Path,
+    allowed_signers: Path | None = None,
+    run: Source | None = None,
+    progress: Progress = lambda step: None,
+    *,
+    only_kept: bool = False,
+) -> Verification:
+    """Check every signature of the calibration against the lab's trust list, or the one that is named.
+
+    Where one holds it is worked out again from its run, `run` or that of the store; with `only_kept` nothing is.
+    """
+    bundle = None if run is None else run_bundle(run)
+    sha256, chain = (bundle.sha256, bundle.stated_chain) if bundle else (None, None)
+    found = signatures(calibration, allowed_signers, sha256, chain)
+    if found.calibration is None or not found.valid:
+        return found
+    found = replace(found, recomputed=recomputed(found.calibration, bundle, progress, only_kept=only_kept))
+    certificate.keep_superseding(found, home() / SUPERSEDING)
+    folders = [home() / SUPERSEDING, home() / CALIBRATIONS]
+    return replace(found, superseded_by=certificate.superseded_by(found, folders, signatures))
 
 
 def signatures(

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from labcal.errors import InputError
+from labcal.model import Calibration
 from labcal.record import Run
 from labcal.store import Bundle, Store, bundle_of, load_bundle
 
@@ -52,3 +53,12 @@ def is_path(run: str | Path) -> bool:
         return True
     here = Path(run)
     return "/" in run or "\\" in run or run.lower().endswith(".zip") or here.is_file() or (here / "run.json").is_file()
+
+
+def run_of(calibration: Calibration) -> Run | None:
+    """The run a calibration came from, where this store has it unchanged."""
+    try:
+        bundle = run_bundle(calibration.run_id)
+    except InputError:
+        return None
+    return bundle.run() if bundle.sha256 == calibration.run_sha256 else None

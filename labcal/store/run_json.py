@@ -15,7 +15,8 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 
 from labcal.errors import InputError
 from labcal.files.text_safety import checked_text, replace_control
-from labcal.record import Dut, Reference, Run, Segment, Specification
+from labcal.record import Administrative, Dut, Reference, Run, Segment, Specification
+from labcal.record.administrative import without_nothing
 from labcal.record.closure import Closure, Standstill
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Matrix, Quantity, Role, SegmentKind, Vector
@@ -146,13 +147,19 @@ class CertificatePart(_Part):
     issuer: Text | None = None
     date: Day | None = None
     due: Day | None = None
+    U: Text | None = None  # as it states it, with k
     temperature_C: Celsius | None = None  # at which it holds
 
 
 class EnvironmentPart(_Part):
-    """The room, and the field's gradients where device and reference stand."""
+    """The room, the field outside, and its gradients where device and reference stand."""
 
     temperature_C: Celsius | None = None
+    pressure_hPa: Spread | None = None
+    humidity_percent: Annotated[float, Field(ge=0, le=100)] | None = None
+    ambient_nT: Nanotesla | None = None  # magnitude with the coils at zero
+    ambient_variation_nT: Nanotesla | None = None  # of it while it was measured, peak to peak
+    Kp: Annotated[float, Field(ge=0, le=9)] | None = None  # planetary index of those hours
     gradient_nT_per_m: Nanotesla | None = None  # with the coils at zero, of any component along any direction
     gradient_ppm_per_m: Spread | None = None  # of what the coils make
 
@@ -271,6 +278,7 @@ class RunJson(_Part):
     specification: Specification | None = None
     environment: EnvironmentPart | None = None
     closures: tuple[ClosurePart, ...] = ()
+    administrative: Administrative | None = None
 
     @model_validator(mode="after")
     def _names(self) -> Self:
@@ -346,6 +354,8 @@ def write_run_json(run: Run) -> bytes:
         header["environment"] = dict(run.environment)
     if run.closures:
         header["closures"] = [asdict(closure) for closure in run.closures]
+    if run.administrative is not None:
+        header["administrative"] = without_nothing(asdict(run.administrative))
     return (json.dumps(replace_control(header), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 

@@ -47,6 +47,7 @@ def read_samples(data: bytes, header: RunJson, *, file: object) -> Run:
         row_mode=_row_mode(table),
         specification=header.specification,
         closures=header.record_closures(),
+        administrative=header.administrative,
         environment=header.stated_environment(),
         channels=tuple(
             Channel(name, part.unit, part.quantity, numbers[name], part.role)

@@ -61,6 +61,6 @@ def _of_the_reference(reference: Reference) -> list[str]:
         "zero": reference.u_offset_nT,
         "alignment": reference.u_align_deg if reference.kind == "vector" else 0.0,
         "time": reference.u_time_s,
-        "own calibration": reference.calibration,
+        "own calibration": reference.calibration or reference.certificate,
     }
     return [word for word, value in stated.items() if value is None]

@@ -10,10 +10,13 @@ import pytest
 from matplotlib.figure import Figure
 
 from labcal.certificate.calibration_file import calibration_bytes, parse_calibration
-from labcal.certificate.dcc import Laboratory, Place, dcc_xml
-from labcal.certificate.report.budget import budget_blocks, draw_shares, largest
+from labcal.certificate.dcc import dcc_xml
+from labcal.certificate.report import Circumstances
+from labcal.certificate.report.budget import budget_blocks, draw_shares, field_blocks, largest
 from labcal.fit import draft_calibration, fit
 from labcal.model import Calibration
+from labcal.record import Administrative
+from labcal.record.administrative import Address, Laboratory
 from labcal.store import load_bundle
 from labcal.uncertainty.budget import Budget, Correlation, Row
 
@@ -43,7 +46,7 @@ def test_a_budget_survives_the_file(budgeted: Calibration) -> None:
 
 
 def test_on_paper_the_largest_contribution_comes_first(budgeted: Calibration) -> None:
-    overview, figures, _, in_full, _ = budget_blocks(budgeted)
+    overview, figures, _, in_full, _ = [*field_blocks(budgeted), *budget_blocks(budgeted)]
     assert overview.rows[0][0] == "50 µT along +x"
     assert overview.rows[0][-1] == "reference zero x 57 %, reference scale 31 %" == largest(budgeted.budget[0])
     assert figures.rows[0][:3] == ("scale x", "–", "0.00040")
@@ -74,9 +77,8 @@ def test_without_a_budget_nothing_is_shown(calibration: Calibration) -> None:
 
 def test_the_certificate_for_machines_lists_every_contribution(budgeted: Calibration) -> None:
     etree = pytest.importorskip("lxml.etree")
-    place = Place(name="A lab", city="Bern", country="CH")
     run = load_bundle(ROOT / "examples" / "short-preflight" / "run.zip").run()
-    lab = Laboratory(**place.model_dump(), customer=place)
+    lab = Circumstances(Administrative(Laboratory("A lab", "Bern", "CH"), Address("A lab", "Bern", "CH")))
     text = dcc_xml(budgeted, calibration_bytes(budgeted), "cal.json", run, lab)
     names = {"dcc": "https://ptb.de/dcc", "si": "https://ptb.de/si"}
     root = etree.fromstring(text)

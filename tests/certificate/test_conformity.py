@@ -13,13 +13,14 @@ import pytest
 from labcal import session
 from labcal.certificate import Signer, changed_from, changed_since, verify
 from labcal.certificate.calibration_file import calibration_bytes, read_calibration
-from labcal.certificate.dcc import DCC, SI, Laboratory, Place, dcc_xml, si_unit
-from labcal.certificate.report import calibration_page
+from labcal.certificate.dcc import DCC, SI, dcc_xml, si_unit
+from labcal.certificate.report import Circumstances, calibration_page
 from labcal.certificate.report.html import html
 from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.model import Calibration
-from labcal.record import Dut, Limit, Reference, Run, Segment, Specification
+from labcal.record import Administrative, Dut, Limit, Reference, Run, Segment, Specification
+from labcal.record.administrative import Address, Laboratory
 from labcal.store import bundle_of, save_bundle
 from labcal.testing.made_up_runs import made_up_run
 from labcal.uncertainty.conformity import changes
@@ -100,10 +101,11 @@ def test_the_report_says_what_changed_in_units_of_its_uncertainty(calibration: C
 
 def test_a_dcc_says_what_changed_in_units_of_its_uncertainty(calibration: Calibration) -> None:
     etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
-    laboratory = Laboratory(name="A", city="Bern", country="CH", customer=Place(name="X", city="Y", country="DE"))
+    laboratory = Circumstances(Administrative(Laboratory("A", "Bern", "CH"), Address("X", "Y", "DE")))
     since = changes(calibration, moved(calibration, 300.0))
     run, names = run_at("2026-11-21T23:50:00Z"), {"dcc": DCC, "si": SI}
-    root = etree.fromstring(dcc_xml(calibration, calibration_bytes(calibration), "cal.json", run, laboratory, since))
+    xml = dcc_xml(calibration, calibration_bytes(calibration), "cal.json", run, laboratory, changed=since)
+    root = etree.fromstring(xml)
     told = {
         r.findtext("dcc:name/dcc:content", namespaces=names).removeprefix("since the calibration before: "): r
         for r in root.iterfind(".//dcc:result", names)
@@ -125,7 +127,7 @@ def run_at(started_utc: str, serial: str = "FM-07") -> Run:
 
 def test_a_dcc_states_conformity_in_the_schema_s_own_words(judged: Calibration):
     etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
-    laboratory = Laboratory(name="A", city="Bern", country="CH", customer=Place(name="X", city="Y", country="DE"))
+    laboratory = Circumstances(Administrative(Laboratory("A", "Bern", "CH"), Address("X", "Y", "DE")))
     xml = dcc_xml(judged, calibration_bytes(judged), "cal.json", run_at("2026-11-21T23:50:00Z"), laboratory)
     root, names = etree.fromstring(xml), {"dcc": DCC, "si": SI}
     verdicts = [e.text for e in root.iterfind(".//dcc:conformity", names)]

@@ -8,16 +8,33 @@ import numpy as np
 import pytest
 
 from labcal.certificate.calibration_file import calibration_bytes
-from labcal.certificate.dcc import DCC, SI, Laboratory, Place, dcc_xml, read_laboratory, si_unit
+from labcal.certificate.dcc import DCC, SI, dcc_xml, objections, si_unit
+from labcal.certificate.dcc.rules import RULES
+from labcal.certificate.laboratory import read_laboratory
+from labcal.certificate.report import Circumstances
+from labcal.certificate.signing import sign_simulated
 from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.model import Calibration
-from labcal.record import Dut, Reference, Run, Segment
+from labcal.record import Administrative, Channel, Dut, Reference, Run, Segment
+from labcal.record.administrative import Address, Certified, Equipment, Item, Laboratory
 from labcal.store import bundle_of, save_bundle
-from labcal.uncertainty.conformity import changes
+from labcal.uncertainty.conformity import Changes, changes
+from labcal.uncertainty.working_points import working_points
 
 etree = pytest.importorskip("lxml.etree", reason="needs the extra `dcc` (lxml), which is not installed")
-LABORATORY = Laboratory(name="A lab & co", city="Bern", country="CH", customer=Place(name="X", city="Y", country="DE"))
+LABORATORY = Administrative(Laboratory("A lab & co", "Bern", "CH"), Address("X", "Y", "DE"))
+SAID = Circumstances(
+    Administrative(
+        Laboratory("A lab & co", "Bern", "CH", street="Gasse 4", postcode="3011", email="a@b.example", phone="1",
+                   accreditation="SCS 0999"),
+        Address("X", "Y", "DE"),
+        Item("Fluxworks", "one scratch", "2026-11-20"),
+        (Equipment("thermometer", "Fluke", "1524", "T-77", Certified("T-1", "METAS", "2025-02-01")),),
+    ),
+    "preflight",
+    "cd" * 32,
+)  # fmt: skip
 NAMES = {"dcc": DCC, "si": SI}
 
 
@@ -29,11 +46,16 @@ def run() -> Run:
         True,
         "",
         Dut("FM-07"),
-        Reference("none"),
+        Reference("vector", "H-1", certificate={"number": "M-1", "issuer": "PTB", "date": "2026-01-05"}),
         (Segment("a", "static"),),
         np.array([5.0, 1205.0]),
         np.zeros(2, dtype=np.intp),
         np.zeros((2, 3)),
+        environment={"temperature_C": 22.0, "pressure_hPa": 955.0, "humidity_percent": 41.0, "Kp": 2.0},
+        channels=(
+            Channel("i_eps", "A", "current", np.array([0.0, 1.0])),
+            Channel("t_room", "degC", "temperature", np.array([21.0, 23.0]), "room"),
+        ),
     )
 
 
@@ -65,35 +87,123 @@ def schema(shared: Path) -> object:
     return etree.XMLSchema(etree.parse(str(shared / "schemas" / "dcc-3.2.1.xsd"), parser))
 
 
-def test_the_certificate_obeys_its_schema(calibration: Calibration, run: Run, schema: object):
-    line = {"quantity": "scale x", "value": 1e-05, "U": 0.0, "limit": 0.5, "unit": "%", "rule": "w = U", "risk": 0.0}
-    judged = replace(
-        calibration, specification=tuple({**line, "result": r, "tur": None} for r in ("pass", "conditional-fail"))
-    )
+def xml_of(c: Calibration, run: Run, signers: tuple[str, ...] = ("ada",), changed: Changes | None = None) -> bytes:
+    return dcc_xml(c, calibration_bytes(c), "calibration.json", run, SAID, signers, changed)
+
+
+@pytest.fixture
+def whole(calibration: Calibration, run: Run) -> Calibration:
+    """With something of everything that a DCC can state."""
+    at = {point.says for point in working_points(calibration, run)[:6]}
+    budget = [
+        {"quantity": f"b {axis}", "at": says, "unit": "nT", "U": 17.4, "k": 2.0, "dof": None, "correlations": (),
+         "rows": ({"source": "zero", "type": "B", "distribution": "normal", "u": 8.7, "unit": "nT", "sensitivity": 1.0,
+                   "share": 1.0, "dof": None},)}
+        for says in sorted(at) for axis in "xyz"
+    ]  # fmt: skip
+    line = {"quantity": "scale x", "value": 1e-05, "U": 1e-6, "limit": 0.5, "unit": "%", "rule": "w = U", "risk": 0.0}
+    judged = tuple({**line, "result": result, "tur": None} for result in ("pass", "conditional-fail"))
+    names = (*calibration.covariance_of[:12], "0:c_x", "0:c_y", "0:c_z")
+    return replace(
+        calibration, specification=judged, budget=tuple(budget), number="FL-CAGE-2026-0007", covariance_of=names,
+        covariance=np.diag([1e-10] * 9 + [4.0] * 3 + [0.16] * 3), issued_utc="2026-11-23T09:00:00Z",
+        supersedes="cd" * 32, not_covered=("The reference's time.",),
+    )  # fmt: skip
+
+
+def test_the_certificate_obeys_its_schema(calibration: Calibration, whole: Calibration, run: Run, schema: object):
     bare = replace(calibration, covariance=None, effects=(), operator="", approvers=("Bob",))
     before = replace(calibration, run_id="r-2025-11-02-01")
     since = (None, changes(calibration, before), changes(bare, before))
-    for variant, changed in zip((judged, calibration, bare), since, strict=True):
-        xml = dcc_xml(variant, calibration_bytes(variant), "calibration.json", run, LABORATORY, changed)
-        schema.assertValid(etree.fromstring(xml))
+    for variant, changed in zip((whole, calibration, bare), since, strict=True):
+        schema.assertValid(etree.fromstring(xml_of(variant, run, changed=changed)))
+    nothing = Circumstances(Administrative(SAID.administrative.laboratory, SAID.administrative.customer))
+    unstated = replace(run, environment=None, reference=Reference("none"))
+    xml = dcc_xml(bare, b"{}", "calibration.json", unstated, nothing)
+    schema.assertValid(etree.fromstring(xml))
     broken = etree.fromstring(xml)
     broken.set("schemaVersion", "3.3.0")
     assert not schema.validate(broken)
 
 
-def test_its_numbers_are_the_file_s(calibration: Calibration, run: Run):
-    content = calibration_bytes(calibration)
-    root = etree.fromstring(dcc_xml(calibration, content, "calibration.json", run, LABORATORY))
-    lists = [[float(v) for v in e.text.split()] for e in root.iterfind(".//si:valueXMLList", NAMES)]
-    assert lists == [calibration.affine.K.ravel().tolist(), [120.0, -8.0, 3.0], [112.5, -40.25, 3.0]]
-    expanded = [[float(v) for v in e.text.split()] for e in root.iterfind(".//si:valueExpandedMUXMLList", NAMES)]
-    assert expanded[1:] == [[4.0] * 3, [0.8] * 3]
-    units = [e.text.split()[0] for e in root.iterfind(".//si:unitXMLList", NAMES)]
-    assert units == [r"\nano\tesla", r"\nano\tesla", r"\nano\tesla\per\ampere"]
+def test_no_rule_of_the_public_schematron_calls_it_unacceptable(whole: Calibration, run: Run):
+    validation = pytest.importorskip("dcclib.validation", reason="needs dcclib, which is not installed")
+    found = validation.SchematronValidator.for_dcc().validate_str(xml_of(whole, run).decode())
+    said = [*found.failed_assertions, *found.successful_reports]
+    assert [one.text for one in said if one.role not in ("information", "warning")] == []
+    assert [one.test for one in found.failed_assertions] == ["@schemaVersion='3.3.0'"]  # of which no schema is at hand
+
+
+def numbers(element: object, path: str) -> list[float]:
+    return [float(v) for one in element.iterfind(path, NAMES) for v in one.text.split()]
+
+
+def test_the_correction_can_be_worked_out_from_the_xml_alone(whole: Calibration, run: Run):
+    root = etree.fromstring(xml_of(whole, run))
+    root.remove(root.find("dcc:document", NAMES))  # the enclosed file
+    found = {one.get("refType"): one for one in root.iterfind(".//dcc:result", NAMES)}
+    K = np.reshape(numbers(found["labcal_K"], ".//si:valueXMLList"), (3, 3))
+    k = np.array(numbers(found["labcal_k"], ".//si:valueXMLList"))
+    effect = found["labcal_effect"]
+    assert "Formula: E = c (i * h)(t)" in effect.findtext("dcc:description/dcc:content", namespaces=NAMES)
+    values = {
+        one.findtext("dcc:name/dcc:content", namespaces=NAMES): numbers(one, ".//si:value")[0]
+        for one in effect.iterfind(".//dcc:quantity", NAMES)
+    }
+    readings, current = np.random.default_rng(7).uniform(-60_000, 60_000, (50, 3)), np.linspace(0.0, 1.0, 50)
+    by_hand = readings @ K.T - k - np.outer(current - values["i_eps"], [values[f"c_{axis}"] for axis in "xyz"])
+    b = whole.apply(readings, t_s=np.arange(50.0), segment=["a"] * 50, channels={"i_eps": current}).field_nT
+    np.testing.assert_allclose(by_hand, b, rtol=1e-12, atol=1e-12 * 60_000)
+    C = np.reshape(numbers(found["labcal_covariance"], ".//si:covarianceXMLList/si:valueXMLList"), (15, 15))
+    np.testing.assert_array_equal(C, whole.covariance)
+
+
+def test_its_numbers_are_the_file_s(whole: Calibration, run: Run):
+    content = calibration_bytes(whole)
+    root = etree.fromstring(xml_of(whole, run))
+    core = {one.tag.rpartition("}")[2]: one for one in root.find("dcc:administrativeData/dcc:coreData", NAMES)}
+    told = {name: one.text for name, one in core.items() if one.text and one.text.strip()}
+    assert told["uniqueIdentifier"] == "FL-CAGE-2026-0007"
+    assert (told["beginPerformanceDate"], told["endPerformanceDate"]) == ("2026-11-21", "2026-11-22")
+    assert (told["issueDate"], told["receiptDate"]) == ("2026-11-23", "2026-11-20")
+    assert core["previousReport"].findtext("dcc:value", namespaces=NAMES) == "cd" * 32
+    [main] = root.iterfind(".//dcc:respPerson[dcc:mainSigner]", NAMES)
+    assert main.findtext("dcc:person/dcc:name/dcc:content", namespaces=NAMES) == "ada"
     assert base64.b64decode(root.findtext("dcc:document/dcc:dataBase64", namespaces=NAMES)) == content
-    dates = [root.findtext(f".//dcc:{which}PerformanceDate", namespaces=NAMES) for which in ("begin", "end")]
-    assert dates == ["2026-11-21", "2026-11-22"]
     assert "SIMULATED" in root.findtext(".//dcc:measurementResult/dcc:description/dcc:content", namespaces=NAMES)
+    [k] = root.iterfind(".//dcc:result[@refType='labcal_k']", NAMES)
+    assert numbers(k, ".//si:valueExpandedMUXMLList") == [4.0] * 3
+
+
+def test_the_error_of_indication_is_what_the_reading_says_less_the_field(whole: Calibration, run: Run):
+    root = etree.fromstring(xml_of(whole, run))
+    first = root.find(".//dcc:result[@refType='basic_result']", NAMES)
+    parts = {one.get("refType"): numbers(one, ".//si:valueXMLList") for one in first.iterfind(".//dcc:quantity", NAMES)}
+    field = np.array([60_000.0, 0.0, 0.0])
+    assert parts["basic_referenceValue"] == field.tolist()
+    indicated = 0.5 * np.linalg.solve(whole.affine.K, field + whole.affine.k_nT)
+    np.testing.assert_allclose(parts["basic_measuredValue"], indicated, rtol=1e-12)
+    np.testing.assert_allclose(parts["basic_measurementError"], indicated - field, rtol=1e-9, atol=1e-6)
+
+
+def test_each_of_a_hundred_omissions_is_named_with_its_clause(whole: Calibration, run: Run):
+    xml = xml_of(whole, run)
+    assert objections(etree.fromstring(xml)) == ()
+    root = etree.fromstring(xml)
+    places = [(rule, n, m) for rule in RULES for n, node in enumerate(root.xpath(rule.each, namespaces=NAMES))
+              for m, _ in enumerate(node.xpath(rule.has, namespaces=NAMES)[:1])]  # fmt: skip
+    chosen = np.random.default_rng(17).permutation(len(places))
+    assert len(chosen) >= 100
+    assert {rule.says for rule, *_ in (places[i] for i in range(len(places)))} == {rule.says for rule in RULES}
+    missed = []
+    for i in {*chosen[:100], *(next(j for j, place in enumerate(places) if place[0] is rule) for rule in RULES)}:
+        rule, n, _ = places[i]
+        faulty = etree.fromstring(xml)
+        for gone in faulty.xpath(rule.each, namespaces=NAMES)[n].xpath(rule.has, namespaces=NAMES):
+            gone.getparent().remove(gone)
+        if f"{rule.clause}: {rule.says}" not in objections(faulty):
+            missed.append(rule)
+    assert missed == []
 
 
 @pytest.mark.parametrize(
@@ -104,7 +214,8 @@ def test_its_numbers_are_the_file_s(calibration: Calibration, run: Run):
         ("1/nT", r"\per\nano\tesla"),
         ("1", r"\one"),
         ("count", "|count"),
-        ("nT/A^2", "|nT/A^2"),
+        ("nT/A^2", r"\nano\tesla\per\ampere\tothe{2}"),
+        ("nT/mA", "|nT/mA"),
     ],
 )
 def test_units_have_their_si_names(unit: str, name: str):
@@ -118,26 +229,27 @@ def test_a_laboratory_is_read_or_refused(tmp_path: Path):
     whole = 'name = "A lab & co"\ncity = "Bern"\ncountry = "CH"\n[customer]\nname = "X"\ncity = "Y"\ncountry = "DE"\n'
     path.write_text(whole)
     assert read_laboratory(path) == LABORATORY
-    for broken in (whole.replace("CH", "Swiss"), whole.replace("city", "town"), "name = ", whole.split("[")[0]):
+    for broken in (whole.replace("CH", "Swiss"), whole.replace("city", "town"), "name = "):
         path.write_text(broken)
         with pytest.raises(InputError, match="expected"):
             read_laboratory(path)
 
 
-def test_the_command_needs_the_run_and_the_laboratory(
+def test_the_command_needs_run_laboratory_and_signature(
     calibration: Calibration, run: Run, tmp_path: Path, home_of_its_own: Path, capsys: pytest.CaptureFixture[str]
 ):
-    save_bundle(bundle_of(run), tmp_path / "bundle")
-    made = replace(calibration, run_id=run.run_id, run_sha256=bundle_of(run).sha256)
-    (tmp_path / "cal.json").write_bytes(calibration_bytes(made))
-    command = ["report", str(tmp_path / "cal.json"), "--out", str(tmp_path / "cal.xml")]
+    bare = bundle_of(replace(run, reference=Reference("none")))
+    save_bundle(bare, tmp_path / "bundle")
+    path = tmp_path / "cal.json"
+    path.write_bytes(calibration_bytes(replace(calibration, run_id=run.run_id, run_sha256=bare.sha256)))
+    command = ["report", str(path), "--out", str(tmp_path / "cal.xml"), "--allowed-signers", str(tmp_path / "trust")]
+    (tmp_path / "trust").write_text("")
+    assert execute(command) == 2
+    assert "carries no signature" in capsys.readouterr().err
+    sign_simulated(path, tmp_path / "trust")
     assert execute(command) == 2
     assert "is not in this lab's store" in capsys.readouterr().err
     assert execute(["import", str(tmp_path / "bundle")]) == 0
     assert execute(command) == 2
-    assert "laboratory.toml" in capsys.readouterr().err
-    text = 'name = "A"\ncity = "Bern"\ncountry = "CH"\n[customer]\nname = "X"\ncity = "Y"\ncountry = "DE"\n'
-    (home_of_its_own / "laboratory.toml").write_text(text)
+    assert "names its laboratory" in capsys.readouterr().err
     assert not (tmp_path / "cal.xml").exists()
-    assert execute(command) == 0
-    assert etree.parse(str(tmp_path / "cal.xml")).getroot().tag == f"{{{DCC}}}digitalCalibrationCertificate"

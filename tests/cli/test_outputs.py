@@ -50,6 +50,7 @@ ASKED = {
     "compare --json": ("compare {calibration} {calibration}", "changes.json"),
     "runs --json": ("runs", "runs.json"),
     "audit --json": ("audit", "audit.json"),
+    "numbers --json": ("numbers", "numbers.json"),
     "show --json": ("show {bundle}", "show.json"),
     "import --out": ("import {readings} --from csv --map {mapping}", "imported.zip"),
     "import --map": ("import {readings} --from csv --guess", "guess.toml"),
@@ -64,7 +65,7 @@ ELSEWHERE = {
 }
 READS = {
     "demo --out": (), "self-test --out": (),
-    "runs --json": (), "audit --json": (), "bench cage --out": (), "bench find --out": (),
+    "runs --json": (), "audit --json": (), "numbers --json": (), "bench cage --out": (), "bench find --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
     "verify --json": ("{calibration}",),
     "conformity --json": ("{calibration}", "{specification}"), "compare --json": ("{calibration}",),

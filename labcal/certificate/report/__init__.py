@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from labcal.certificate.report.archival_pdf import write_archival_pdf
 from labcal.certificate.report.calibration import calibration_page
+from labcal.certificate.report.circumstances import Circumstances
 from labcal.certificate.report.closed_loop import closed_loop_page
 from labcal.certificate.report.html import html
 from labcal.certificate.report.page import Page
@@ -13,7 +15,7 @@ from labcal.certificate.report.run import run_page
 from labcal.errors import InputError
 from labcal.files import atomic
 
-__all__ = ["Page", "calibration_page", "check_form", "closed_loop_page", "run_page", "write_report"]
+__all__ = ["Circumstances", "Page", "calibration_page", "check_form", "closed_loop_page", "run_page", "write_report"]
 
 FORMS = (".html", ".pdf")
 
@@ -23,7 +25,7 @@ def write_report(page: Page, path: Path) -> None:
     check_form(path)
     with atomic.replacing(path) as part:
         if path.suffix.lower() == ".pdf":
-            write_pdf(page, part)
+            write_pdf(page, part) if page.front is None else write_archival_pdf(page, page.front, part)
         else:
             part.write_text(html(page), encoding="utf-8", newline="\n")
 

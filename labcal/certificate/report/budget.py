@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from labcal.certificate.report.page import Block, Plot, Table
-from labcal.certificate.report.style import NOTHING, TEXT, decimals_for, ink, number
+from labcal.certificate.report.style import NOTHING, TEXT, decimals_for, ink, number, two_digits
 from labcal.model import Calibration
 
 if TYPE_CHECKING:
@@ -19,8 +19,14 @@ MANY = 1e4  # degrees of freedom beyond which they are as good as infinite
 BAR_IN = 0.17
 
 
+def field_blocks(c: Calibration) -> list[Block]:
+    """U of the field's components over the working range; nothing without a budget."""
+    field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
+    return [_field_table(field)] if field else []
+
+
 def budget_blocks(c: Calibration) -> list[Block]:
-    """Overview of the field and of the sensor's figures, the largest of each in full, the picture; none without one."""
+    """Overview of the sensor's figures, the largest quantity of each kind in full, the picture; none without one."""
     if not c.budget:
         return []
     field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
@@ -30,7 +36,7 @@ def budget_blocks(c: Calibration) -> list[Block]:
     picture = Plot(
         lambda figure: draw_shares(figure, drawn), 0.9 + BAR_IN * len(drawn), "What makes up the variance of each."
     )
-    return [*([_field_table(field)] if field else []), _figures_table(figures), picture, *map(_rows_table, in_full)]
+    return [_figures_table(figures), picture, *map(_rows_table, in_full)]
 
 
 def _of_one_kind(field: Sequence[One], figures: Sequence[One]) -> list[list[One]]:
@@ -43,19 +49,15 @@ def _field_table(field: Sequence[One]) -> Table:
     rows = []
     for point in dict.fromkeys(b["at"] for b in field):
         of_point = [b for b in field if b["at"] == point]
-        decimals = decimals_for([b["U"] for b in of_point])
         worst = max(of_point, key=lambda b: b["U"])
-        rows.append((point, *(number(b["U"], decimals) for b in of_point), _k(worst), largest(worst)))
+        rows.append((point, *(two_digits(b["U"]) for b in of_point), _k(worst), largest(worst)))
     header = ("At", "U(b x) nT", "U(b y) nT", "U(b z) nT", "k", "Largest contributions (to the largest U)")
     note = "U of each component of the field from one reading; about 95 %. All rows of every budget are in the file."
     return Table(header, tuple(rows), frozenset({1, 2, 3, 4}), note)
 
 
 def _figures_table(figures: Sequence[One]) -> Table:
-    rows = tuple(
-        (b["quantity"], b["at"] or NOTHING, number(b["U"], decimals_for([b["U"]])), _k(b), b["unit"], largest(b))
-        for b in figures
-    )
+    rows = tuple((b["quantity"], b["at"] or NOTHING, two_digits(b["U"]), _k(b), b["unit"], largest(b)) for b in figures)
     return Table(("Figure", "At", "U", "k", "Unit", "Largest contributions"), rows, frozenset({2, 3}))
 
 
@@ -75,8 +77,8 @@ def _rows_table(b: One) -> Table:
         for row in sorted(b["rows"], key=lambda row: -row["share"])
     )
     at = f" at {b['at']}" if b["at"] else ""
-    U = number(b["U"], decimals_for([b["U"]]))
-    said = f"{b['quantity']}{at}: U = {U} {b['unit']}, k = {_k(b)}, effective degrees of freedom {dof_text(b['dof'])}."
+    U, dof = f"{two_digits(b['U'])} {b['unit']}", dof_text(b["dof"])
+    said = f"{b['quantity']}{at}: U = {U}, k = {_k(b)}, effective degrees of freedom {dof}."
     if pairs := ", ".join(f"{c['one']} and {c['other']} {c['r']:+.2f}" for c in b["correlations"]):
         said += f" The sources are independent; of the fitted parameters these are correlated: {pairs}."
     header = ("Source", "Type", "Distribution", "u", "Sensitivity", f"|c·u| ({b['unit']})", "Share", "DoF")

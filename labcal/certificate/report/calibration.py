@@ -8,11 +8,22 @@ from hashlib import sha256
 
 import numpy as np
 
-from labcal.certificate.report.budget import budget_blocks
+from labcal.certificate.report.budget import OF_THE_FIELD, budget_blocks, field_blocks
+from labcal.certificate.report.circumstances import (
+    NOTHING_SAID,
+    Circumstances,
+    environment,
+    equipment,
+    how_to_check,
+    identity,
+    people,
+    statements,
+)
 from labcal.certificate.report.conformity import change_blocks, conformity_blocks, conformity_marks
 from labcal.certificate.report.derived import sensor_figures
-from labcal.certificate.report.page import Block, Facts, Headline, Mark, Page, Prose, Table, section, sections
-from labcal.certificate.report.style import NOTHING, decimals_for, number, sentence
+from labcal.certificate.report.front import NO_NUMBER, front_of
+from labcal.certificate.report.page import Block, Facts, Figure, Headline, Mark, Page, Prose, Table, section, sections
+from labcal.certificate.report.style import NOTHING, number, sentence, two_digits, with_uncertainty
 from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.model.effects import find
@@ -26,8 +37,8 @@ _UNKNOWN_RUN = (
     "where the run does not state them. (The run is not in this lab's store, so they cannot be listed here.)"
 )
 RESIDUAL_KEYS = (
-    ("holdout_rms_nT", "rms residual on blocks of time that were held out: without → with the effects"),
-    ("rms_scalar_nT", "rms residual of the magnitude, in sample: raw → calibrated"),
+    ("holdout_rms_nT", "on blocks of time that were held out: without and with the effects"),
+    ("rms_scalar_nT", "of the magnitude, in sample: raw and calibrated"),
 )
 
 
@@ -37,35 +48,44 @@ def calibration_page(
     checked: str,
     run: Run | None = None,
     changed: Changes | None = None,
+    said: Circumstances = NOTHING_SAID,
 ) -> Page:
-    """The page of `calibration`; `verification` of its file was made as `checked` says (when, against whose list).
+    """The certificate of `calibration`; `verification` of its file was made as `checked` says (when, by whose list).
 
     With its `run` at hand the page says which of the reference's uncertainties were never stated; `changed` is what
-    changed since the calibration before.
+    changed since the calibration before, `said` what the record tells beside it.
     """
     dut, lines = calibration.dut, stated_lines(calibration)
+    stated = said.administrative
     return Page(
-        kind="Calibration",
+        kind="Calibration certificate",
         title=dut.serial,
         subtitle=dut.model,
         simulated=calibration.simulated,
         marks=(*_marks(verification), *conformity_marks(lines)),
         headline=_headline(calibration),
-        facts=_facts(calibration),
+        facts=identity(calibration, run, said),
         sections=sections(
+            section("Results", [*field_blocks(calibration), *_parameters(calibration)]),
             section("Is it in specification?", conformity_blocks(lines)),
             section("As found, as left", change_blocks(changed)),
-            section("Parameters", _parameters(calibration)),
-            section("Uncertainty budget", budget_blocks(calibration)),
+            section("Environment", environment(run)),
+            section("Equipment and traceability", equipment(calibration, run, stated)),
             section("Effects of the sensor, corrected by this calibration", effect_tables(calibration.effects)),
+            section("Where it holds", [_validity(calibration)]),
+            section("What is not covered", [Prose(_not_covered(calibration, run))]),
+            section("Uncertainty budget", budget_blocks(calibration)),
             section(
                 "Findings about the rig and the data, not part of the correction", effect_tables(calibration.findings)
             ),
-            section("Where it holds", [_validity(calibration)]),
-            section("What is not covered", [Prose(_not_covered(calibration, run))]),
-            section("Signatures", _signatures(calibration, verification, checked)),
+            section("How well it fits", [_residuals(calibration)]),
+            section("Who stands for it", _signatures(calibration, verification, checked)),
+            section("Statements", [Prose(statements(calibration))]),
+            section("How to check the signatures", [Prose(how_to_check(verification.file.name))]),
         ),
-        footer=f"b = K m − k − Σ effects, in nT of the sensor's own axes. Made by {calibration.software or 'labcal'}.",
+        footer=f"b = K m − k − Σ effects, in nT of the sensor's own axes. Made by {calibration.software or 'labcal'}. "
+        f"End of the certificate {calibration.number or NO_NUMBER}.",
+        front=front_of(calibration, verification, said.images),
     )
 
 
@@ -98,8 +118,8 @@ def _effect_table(effect: EffectRecord) -> Table:
 
 
 def _parameter_row(p: Parameter, kind: str | None = None) -> tuple[str, str, str, str]:
-    decimals, name = decimals_for([COVERAGE * p.u]), f"{p.name} ({kind})" if kind else p.name
-    return name, number(p.value, decimals), number(COVERAGE * p.u, decimals), p.unit.replace("degC", "°C")
+    name = f"{p.name} ({kind})" if kind else p.name
+    return name, *with_uncertainty(p.value, COVERAGE * p.u), p.unit.replace("degC", "°C")
 
 
 def _why(effect: EffectRecord) -> str:
@@ -132,28 +152,30 @@ def _marks(verification: Verification) -> tuple[Mark, ...]:
     return (Mark("SIGNED · VALID", "good"), *provisional)
 
 
-def _headline(c: Calibration) -> Headline | None:
+def _headline(c: Calibration) -> Figure | None:
+    """The largest U of the field's components over the working range; None where no budget tells it."""
+    field = [b for b in c.budget if b["quantity"].startswith(OF_THE_FIELD)]
+    if not field:
+        return None
+    worst = max(field, key=lambda b: b["U"])
+    low, high = (number(b, 0) for b in c.validity.field_nT)
+    caption = (
+        f"largest expanded uncertainty of a component of the field from one reading, k = {worst['k']:.2f} "
+        f"(about 95 %), over the working range of {low} to {high} nT"
+    )
+    return Figure(f"U = {two_digits(worst['U'])}", "nT", caption)
+
+
+def _residuals(c: Calibration) -> Table | None:
+    """What the fit leaves of the run: how well it describes it, which is no uncertainty."""
     before, after = c.metrics.get("before", {}), c.metrics.get("after", {})
-    for key, caption in RESIDUAL_KEYS:
-        if found := headline_of(before.get(key), after.get(key), caption):
-            return found
-    return None
-
-
-def _facts(c: Calibration) -> Facts:
     rows = [
-        ("Reading in", c.dut.unit if c.dut.unit == "nT" else f"counts, {c.dut.nominal_nT_per_unit:g} nT each"),
-        ("Run", c.run_id),
-        ("Operator", c.operator or "–"),
-        ("Approved by", ", ".join(c.approvers) or "nobody yet"),
+        (what, number(before[key]), number(after[key]), "nT")
+        for key, what in RESIDUAL_KEYS
+        if key in before and key in after
     ]
-    rows += [(i.get("role", "instrument").capitalize(), _instrument(i)) for i in c.instruments]
-    return Facts(tuple(rows))
-
-
-def _instrument(stated: object) -> str:
-    assert isinstance(stated, dict)
-    return " ".join(str(value) for name, value in stated.items() if name != "role")
+    note = "Residuals say how well the calibration describes its own run; they are no uncertainty."
+    return Table(("Residual, rms", "Before", "After", "Unit"), tuple(rows), frozenset({1, 2}), note) if rows else None
 
 
 def _parameters(c: Calibration) -> list[Block]:
@@ -161,11 +183,10 @@ def _parameters(c: Calibration) -> list[Block]:
     u = None if c.covariance is None else np.sqrt(np.maximum(np.diag(c.covariance)[:12], 0.0))
     values = np.column_stack([c.affine.K, c.affine.k_nT])
     U = np.full((3, 4), np.nan) if u is None else COVERAGE * np.column_stack([u[:9].reshape(3, 3), u[9:]])
-    dK, dk = decimals_for(U[:, :3].ravel(), 7), decimals_for(U[:, 3])
-    rows = []
+    rows = list[tuple[str, ...]]()
     for axis, value, spread in zip("xyz", values, U, strict=True):
-        rows.append((f"b {axis}", *(number(v, d) for v, d in zip(value, (dK, dK, dK, dk), strict=True))))
-        rows.append(("U", *(number(v, d) for v, d in zip(spread, (dK, dK, dK, dk), strict=True))))
+        cells = [with_uncertainty(*pair) for pair in zip(value, spread, strict=True)]
+        rows += [(f"b {axis}", *(cell[0] for cell in cells)), ("U", *(cell[1] for cell in cells))]
     header = ("", f"K · x{per_unit}", f"K · y{per_unit}", f"K · z{per_unit}", "k (nT)")
     note = (
         f"U is the expanded uncertainty, k = {COVERAGE:.0f} (about 95 %)." if u is not None else "No covariance stated."
@@ -222,4 +243,4 @@ def _signatures(c: Calibration, v: Verification, checked: str) -> list[Block | N
             ("Checked", checked),
         )
     )
-    return [Prose(tuple(v.sentences())), table, facts]
+    return [people(c, v), Prose(tuple(v.sentences())), table, facts]

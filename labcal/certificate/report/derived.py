@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.certificate.report.page import Table
-from labcal.certificate.report.style import decimals_for, number
+from labcal.certificate.report.style import with_uncertainty
 from labcal.model import Calibration
 from labcal.model.sensor_figures import figures_covariance
 from labcal.model.sensor_figures import sensor_figures as figures_of
@@ -17,10 +17,9 @@ def sensor_figures(calibration: Calibration, coverage: float) -> Table:
     values = figures_of(theta).reshape(3, 3)
     variance = np.diag(figures_covariance(theta, calibration.covariance))
     U = coverage * np.sqrt(np.maximum(variance, 0)).reshape(3, 3)
-    decimals = [decimals_for(row, most) for row, most in zip(U, (7, 3, 4), strict=True)]
     rows = []
     for i, (axis, pair) in enumerate(zip("xyz", ("x–y", "y–z", "z–x"), strict=True)):
-        cells = [(number(values[j, i], decimals[j]), number(U[j, i], decimals[j])) for j in range(3)]
+        cells = [with_uncertainty(values[j, i], U[j, i], most) for j, most in enumerate((9, 3, 4))]
         rows.append((axis, *cells[0], *cells[1], pair, *cells[2]))
     header = ("Axis", f"Scale (nT/{unit})", "U", f"Zero reading ({unit})", "U", "Axes", "Off 90° (°)", "U")
     note = "The same calibration as figures of the sensor: m = K⁻¹ (b + k)."

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from labcal.certificate.report.page import Page, Plot
 from labcal.certificate.report.style import WIDTH_IN, plot_style
+
+if TYPE_CHECKING:
+    from markupsafe import Markup
 
 
 def html(page: Page) -> str:
@@ -19,8 +22,16 @@ def html(page: Page) -> str:
         loader=FileSystemLoader(Path(__file__).parent), autoescape=True, undefined=StrictUndefined, trim_blocks=True
     )
     environment.filters["svg"] = lambda plot: Markup(svg(plot))  # our own drawing; its texts are matplotlib's paths
+    environment.filters["css"] = css_string
     context: dict[str, Any] = {"page": page}
     return environment.get_template("page.html.j2").render(context)
+
+
+def css_string(text: str) -> Markup:
+    """`text` as a string of a style sheet: nothing in it ends the string or the sheet."""
+    from markupsafe import Markup
+
+    return Markup('"' + "".join(c if c.isalnum() or c in " .,-" else f"\\{ord(c):x} " for c in text) + '"')
 
 
 def svg(plot: Plot) -> str:

@@ -31,6 +31,31 @@ class Headline:
 
 
 @dataclass(frozen=True, slots=True)
+class Figure:
+    """One number large, and what it is."""
+
+    value: str
+    unit: str
+    caption: str
+
+
+@dataclass(frozen=True, slots=True)
+class Front:
+    """What makes a page a certificate: its number, what stands at the foot of every sheet and across it.
+
+    `images` and `code` (a QR code of what is signed) are data: addresses; `attached` are the files that its PDF holds,
+    by name: bytes and what they are.
+    """
+
+    number: str
+    foot: str
+    stamp: str
+    images: tuple[str, ...] = ()
+    code: str = ""
+    attached: tuple[tuple[str, bytes, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Facts:
     """Names and values, two columns."""
 
@@ -90,8 +115,9 @@ class Page:
     sections: tuple[Section, ...]
     marks: tuple[Mark, ...] = ()
     summary: str = ""
-    headline: Headline | None = None
+    headline: Headline | Figure | None = None
     footer: str = ""
+    front: Front | None = None
 
 
 def section(heading: str, blocks: Sequence[Block | None]) -> Section | None:

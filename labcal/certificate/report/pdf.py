@@ -6,7 +6,7 @@ import textwrap
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, cast
 
-from labcal.certificate.report.page import Block, Facts, Page, Plot, Prose, Table
+from labcal.certificate.report.page import Block, Facts, Headline, Page, Plot, Prose, Table
 from labcal.certificate.report.style import BAD, GOOD, LINE, MUTED, TEXT, WARNING, WIDTH_IN, plot_style
 
 if TYPE_CHECKING:
@@ -129,7 +129,7 @@ def _header(sheets: _Sheets, page: Page) -> None:
     if page.summary:
         sheets.text(page.summary, 10)
         sheets.space(0.1)
-    if page.headline:
+    if isinstance(page.headline, Headline):
         sheets.text(f"{page.headline.before} → {page.headline.after} {page.headline.unit}", 22)
         sheets.space(0.05)
         sheets.text(page.headline.caption, 8, MUTED)

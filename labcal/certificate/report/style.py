@@ -83,6 +83,25 @@ def sentence(text: str) -> str:
     return text and text[0].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
 
 
+def two_digits(U: float) -> str:
+    """An expanded uncertainty with two significant digits (GUM, 7.2.6; ILAC P14:09/2020, 5)."""
+    return with_uncertainty(U, U)[1]
+
+
+def with_uncertainty(value: float, U: float, most: int = 9) -> tuple[str, str]:
+    """A value and its expanded uncertainty, U with two significant digits and the value to the same place.
+
+    At most `most` decimals; of an uncertainty that is zero or not known, three decimals and a dash.
+    """
+    if not (math.isfinite(U) and U > 0):
+        return number(value, 3), number(U, 3)
+    place = 1 - math.floor(math.log10(U))
+    if round(U, place) >= 10.0 ** (2 - place):  # 0.0996 is 0.10
+        place -= 1
+    place = min(place, most)
+    return number(round(value, place), max(0, place)), number(round(U, place), max(0, place))
+
+
 def decimals_for(uncertainties: Iterable[float], most: int = 9) -> int:
     """Decimals that show the smallest of the uncertainties with two digits (GUM, 7.2.6)."""
     real = [u for u in uncertainties if u > 0 and math.isfinite(u)]

@@ -1,0 +1,47 @@
+"""A certificate as PDF/A-3b (ISO 19005-3): set from its HTML, the files it was printed from inside (extra `paper`)."""
+
+from __future__ import annotations
+
+import logging
+import warnings
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from labcal.certificate.report.html import html
+from labcal.certificate.report.page import Front, Page
+from labcal.errors import InputError
+
+VARIANT = "pdf/a-3b"
+NEEDED = (
+    "a certificate in PDF/A needs the extra `paper`: pip install 'labcal[paper]' (it sets pages by Pango, which the "
+    "system has to have); FILE.html is the same certificate, and prints on A4"
+)
+
+
+def typesetter() -> Any:
+    """The package that sets a certificate's pages. Raises InputError where it, or the system's Pango, is not there."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of what its next versions will need
+        try:
+            import weasyprint
+        except (ImportError, OSError):
+            raise InputError(NEEDED) from None
+    for name in ("weasyprint", "fontTools"):  # what they say of style sheets and fonts is for nobody here
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    return weasyprint
+
+
+def write_archival_pdf(page: Page, front: Front, path: Path) -> None:
+    """Write `page` to `path`; it states when the files were put in. Raises InputError without the extra."""
+    weasyprint = typesetter()
+    attached = [
+        weasyprint.Attachment(string=content, name=name, description=said, relationship="Data")
+        for name, content, said in front.attached
+    ]
+    text, nothing_from_elsewhere = html(page), weasyprint.URLFetcher(allowed_protocols=["data"])
+    own = sha256(text.encode()).hexdigest()[:32].encode()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ResourceWarning)  # it leaves its colour profile open
+        pages = weasyprint.HTML(string=text, url_fetcher=nothing_from_elsewhere)
+        pages.write_pdf(path, pdf_variant=VARIANT, attachments=attached, pdf_identifier=own)

@@ -1,0 +1,104 @@
+"""Which number a certificate gets, and when it was issued: at an approval, or at the first signature without one."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import replace
+from datetime import UTC, datetime
+from hashlib import sha256
+from pathlib import Path
+
+from labcal.certificate import register
+from labcal.certificate.laboratory import FILE as LABORATORY
+from labcal.certificate.laboratory import read_laboratory
+from labcal.certificate.register import Numbered
+from labcal.errors import InputError
+from labcal.files.home import home
+from labcal.model import Calibration
+from labcal.record import RunHeader
+from labcal.session.audited import note
+from labcal.store import Store
+from labcal.store.listing import FILE as STORE
+
+Issue = Callable[[Calibration], Calibration]
+SIMULATED, UNNAMED = "SIM", "LAB"
+
+
+@contextmanager
+def issuing(path: Path) -> Iterator[Issue]:
+    """Hand out what gives the draft at `path` its number, if it has none yet, and the time of now.
+
+    A number that was taken and did not come into the file is kept as void, with the reason. Raises InputError for a
+    number that is void or another calibration's.
+    """
+    taken = list[str]()
+
+    def issue(draft: Calibration) -> Calibration:
+        if draft.format == "labcal-calibration/1":
+            return draft  # it has no field for either
+        utc = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
+        if draft.number is None:
+            taken.append(register.take(home(), *_bench_of(draft), draft.run_id, path.name, utc))
+        else:
+            register.check(home(), draft.number, draft.run_id)
+        return replace(draft, number=draft.number or taken[-1], issued_utc=utc)
+
+    try:
+        yield issue
+    except BaseException as fault:
+        for number in taken:
+            if number.encode() not in path.read_bytes():
+                register.void(home(), number, f"{path.name} was not written: {str(fault) or type(fault).__name__}")
+        raise
+
+
+def check_number(calibration: Calibration, content: bytes) -> None:
+    """Raise InputError where what is about to be signed bears a number that is not its own."""
+    if calibration.number is not None:
+        register.check(home(), calibration.number, calibration.run_id, sha256(content).hexdigest())
+
+
+def keep_signed(calibration: Calibration, content: bytes) -> None:
+    """Keep in the register that these bytes were signed with their number."""
+    if calibration.number is not None:
+        register.signed(home(), calibration.number, calibration.run_id, sha256(content).hexdigest())
+
+
+def numbers() -> tuple[Numbered, ...]:
+    """Every certificate number that this lab has given out, void ones too."""
+    return register.listed(home())
+
+
+def void_number(number: str, reason: str) -> None:
+    """Keep a number as void, with its reason. Raises InputError where it was signed with, or is unknown."""
+    register.void(home(), number, reason)
+    note("void", number=number, reason=reason)
+
+
+def _bench_of(draft: Calibration) -> tuple[str, str]:
+    """The laboratory's code and the bench's name that a number begins with; simulated ones have their own series."""
+    header = header_of(draft.run_id)
+    stated = None if header is None or header.administrative is None else header.administrative.laboratory
+    if stated is None and (home() / LABORATORY).exists():
+        stated = read_laboratory(home() / LABORATORY).laboratory
+    code = SIMULATED if draft.simulated else UNNAMED if stated is None else stated.code
+    return code, "" if header is None else _name(header.bench)
+
+
+def header_of(run_id: str) -> RunHeader | None:
+    """The head of the record of a run of the local store; None where it is not there."""
+    if not (home() / STORE).exists():
+        return None
+    with suppress(InputError), Store.open() as store:
+        return store.header(run_id) if store.has(run_id) else None
+    return None
+
+
+def _name(bench: str) -> str:
+    """The name that a bench file states; empty where its text is none."""
+    try:
+        return str(tomllib.loads(bench).get("name", ""))
+    except tomllib.TOMLDecodeError:
+        return ""

@@ -1,0 +1,88 @@
+"""Reports of runs and certificates of calibrations, as files for people and for programs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+
+from labcal import certificate
+from labcal.certificate.dcc import write_dcc
+from labcal.certificate.laboratory import FILE as LABORATORY
+from labcal.certificate.laboratory import administrative_of
+from labcal.certificate.report import Circumstances, calibration_page, run_page, write_report
+from labcal.certificate.report.front import images_in
+from labcal.errors import InputError
+from labcal.files.home import home
+from labcal.files.outputs import claim
+from labcal.fit import fit
+from labcal.model import Calibration
+from labcal.record import Run
+from labcal.session.numbering import header_of
+from labcal.session.records import runs
+from labcal.session.signing import CALIBRATIONS, verify
+from labcal.session.sources import paths, run_bundle, run_of
+from labcal.uncertainty.conformity import Changes
+
+THIS_LAB = "this lab's trust list"
+
+
+def report(
+    source: str,
+    out: Path,
+    allowed_signers: Path | None = None,
+    *,
+    before: Path | None = None,
+    tell: Callable[[str], None] = lambda remark: None,
+    force: bool = False,
+) -> None:
+    """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
+
+    A calibration's page and DCC say what changed since `before`, else since the lab's own before it, if there is one.
+    `tell` hears what a DCC lacks, by the clause that asks for it.
+    """
+    read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
+    [output] = claim("report", out, inputs=read, force=force)
+    with output.writing():
+        if certificate.looks_like_calibration(Path(source)):
+            return _report_calibration(Path(source), out, allowed_signers, before, tell)
+        bundle = run_bundle(source)
+        run = bundle.run()
+        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
+
+
+def _report_calibration(
+    path: Path, out: Path, allowed_signers: Path | None, before: Path | None, tell: Callable[[str], None]
+) -> None:
+    verification = verify(path, allowed_signers)
+    calibration = certificate.parse_calibration(verification.content, path)
+    run = run_of(calibration)
+    said = _circumstances(calibration, run)
+    changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
+    if out.suffix.lower() == ".xml":
+        for clause in write_dcc(calibration, verification, run, said, home() / LABORATORY, out, changed):
+            tell(f"not stated: {clause}")
+        return None
+    checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
+    page = calibration_page(calibration, verification, checked, run, changed, said)
+    return write_report(page, out)
+
+
+def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:
+    """What the record and labcal's folder tell beside the calibration."""
+    stated = administrative_of(run.administrative if run else None, home() / LABORATORY)
+    header = header_of(calibration.run_id) if run else None
+    procedure = (header.procedure, header.source_sha256) if header else ("", "")
+    return Circumstances(stated, *procedure, images_in(home()))
+
+
+def changed_since(calibration: Calibration) -> Changes | None:
+    """What changed since the calibration before this one of the same DUT in this lab's folder; None where none is.
+
+    None too where this lab's store cannot be read: nothing tells then which was before.
+    """
+    try:
+        started = {run.run_id: run.started_utc for run in runs()}
+    except InputError:
+        return None
+    return certificate.changed_since(calibration, home() / CALIBRATIONS, started)

@@ -1,0 +1,223 @@
+"""The certificate on paper: what ISO/IEC 17025:2017, 7.8.2 to 7.8.6, asks for, and what is on every sheet."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
+
+from labcal.certificate import Signer, calibration_bytes, sign, verify
+from labcal.certificate.report import Circumstances, Page, archival_pdf, calibration_page, write_report
+from labcal.certificate.report.front import images_in
+from labcal.certificate.report.html import html
+from labcal.certificate.report.style import with_uncertainty
+from labcal.errors import InputError
+from labcal.model import Calibration
+from labcal.record import Administrative, Channel, Dut, Reference, Run, Segment
+from labcal.record.administrative import Address, Certified, Equipment, Item, Laboratory
+
+NOW = datetime(2026, 11, 21, tzinfo=UTC)
+BY = {"street": "Gasse 4", "postcode": "3011", "code": "FL", "accreditation": "SCS 0999", "place": "hall 2"}
+THERMOMETER = Certified("T-1", "METAS", "2025-02-01", "2026-02-01", "0.05 K")
+OF_REFERENCE = {"number": "M-1", "issuer": "PTB", "date": "2026-01-05", "due": "2027-01-05"}
+STATED = Administrative(
+    Laboratory("Field Laboratory", "Bern", "CH", **BY),
+    Address("Satellite Works", "Bremen", "DE"),
+    Item("Fluxworks", "one scratch", "2026-11-02"),
+    (Equipment("thermometer", "Fluke", "1524", "T-77", THERMOMETER),),
+)
+RUN = Run(
+    "r-2026-11-21-01",
+    "2026-11-20T23:50:00Z",
+    False,
+    "Grace Häberli",
+    Dut("FM-07"),
+    Reference(
+        "vector", "H-1", certificate={"number": "M-1", "issuer": "PTB", "date": "2026-01-05", "due": "2027-01-05"}
+    ),
+    (Segment("a", "static"),),
+    np.array([5.0, 1205.0]),
+    np.zeros(2, dtype=np.intp),
+    np.zeros((2, 3)),
+    environment={"pressure_hPa": 955.0, "ambient_nT": 48_000.0, "ambient_variation_nT": 35.0, "Kp": 2.0},
+    channels=(Channel("t_room", "degC", "temperature", np.array([21.0, 23.0]), "room"),),
+)
+ROW = {
+    "source": "zero",
+    "type": "B",
+    "distribution": "normal",
+    "u": 8.7,
+    "unit": "nT",
+    "sensitivity": 1.0,
+    "share": 1.0,
+}
+BUDGET = {"quantity": "b x", "at": "50 µT along +x", "unit": "nT", "U": 17.4, "k": 2.0, "dof": None,
+          "rows": ({**ROW, "share": 1.0, "dof": None},), "correlations": ()}  # fmt: skip
+
+CLAUSES = [
+    ("7.8.2.1 a", "Calibration certificate"),
+    ("7.8.2.1 b", "Field Laboratory, Gasse 4, CH-3011 Bern"),
+    ("7.8.2.1 c", "Place hall 2"),
+    ("7.8.2.1 d", "No. FL-CAGE-2026-0007"),
+    ("7.8.2.1 d, end", "End of the certificate FL-CAGE-2026-0007."),
+    ("7.8.2.1 e", "Customer Satellite Works, Bremen (DE)"),
+    ("7.8.2.1 f", "Method the laboratory&#39;s own: procedure preflight; estimated by ml"),
+    ("7.8.2.1 g", "magnetometer, Fluxworks, flight model, serial FM-07"),
+    ("7.8.2.1 g, condition", "Condition of the item one scratch"),
+    ("7.8.2.1 h", "Received 2026-11-02"),
+    ("7.8.2.1 i", "Calibrated 2026-11-20 to 2026-11-21"),
+    ("7.8.2.1 j", "Issued 2026-11-21"),
+    ("7.8.2.1 l", "The results relate only to the item named above"),
+    ("7.8.2.1 m", "U = 17 nT largest expanded uncertainty of a component of the field from one reading, k = 2.00"),
+    ("7.8.2.1 o", "Measured by Grace Häberli Approved by bob (has not signed)"),
+    ("7.8.4.1 b", "Temperature 22.0 °C, from 21.0 to 23.0 measured along the run: t_room"),
+    ("7.8.4.1 b", "Pressure 955 hPa"),
+    ("7.8.4.1 b", "Its variation, peak to peak 35 nT"),
+    ("7.8.4.1 c", "thermometer Fluke 1524 T-77 T-1 METAS 2025-02-01 2026-02-01 OVERDUE 0.05 K"),
+    ("7.8.4.3", "Last day of use 2027-11-21: a recommendation that stands here by agreement with the customer"),
+    ("accreditation", "Accreditation SCS 0999"),
+    ("7.8.8", "Supersedes"),
+    ("signatures", "ssh-keygen -Y verify -f allowed_signers -I SIGNER -n labcal-calibration -s cal.json.sshsig"),
+]
+
+
+@pytest.fixture
+def issued(calibration: Calibration) -> Calibration:
+    return replace(
+        calibration, simulated=False, number="FL-CAGE-2026-0007", issued_utc="2026-11-21T09:00:00Z", budget=(BUDGET,),
+        approvers=("bob",), made_by={"command": "fit", "method": "ml", "channels": None, "empirical": False,
+                                     "version": "0.1.0"},
+    )  # fmt: skip
+
+
+def page_of(path: Path, calibration: Calibration, lab: tuple[Signer, ...] = (), run: Run | None = RUN) -> Page:
+    path.write_bytes(calibration_bytes(calibration)) if not lab else None
+    checked = verify(path, lab, frozenset(), NOW)
+    return calibration_page(calibration, checked, "now", run, None, Circumstances(STATED, "preflight", "cd" * 32))
+
+
+def words(page: Page) -> str:
+    return " ".join(re.sub(r"<(style|svg).*?</\1>|<[^>]+>", " ", html(page), flags=re.DOTALL).split())
+
+
+def test_every_clause_is_on_the_certificate(issued: Calibration, tmp_path: Path):
+    page = words(page_of(tmp_path / "cal.json", issued))
+    assert [clause for clause, says in CLAUSES if says not in page] == []
+
+
+def test_what_nobody_stated_is_said_to_be_so(issued: Calibration, tmp_path: Path):
+    path = tmp_path / "cal.json"
+    path.write_bytes(calibration_bytes(replace(issued, number=None, issued_utc=None, budget=())))
+    checked = verify(path, (), frozenset(), NOW)
+    bare = replace(RUN, reference=Reference("vector", "H-1"), environment=None, channels=())
+    page = words(calibration_page(replace(issued, number=None, issued_utc=None, budget=()), checked, "now", bare))
+    for says in ("No. without a number", "Laboratory not stated", "Customer not stated", "not issued: a draft",
+                 "Traceability to the SI is not shown", "Nothing is stated of temperature"):  # fmt: skip
+        assert says in page, says
+    assert "not known here: the run is not in this lab" in words(page_of(path, issued, run=None))
+
+
+@pytest.mark.parametrize(
+    ("value", "U", "printed"),
+    [
+        (12.3456, 0.0996, ("12.35", "0.10")),
+        (1234.6, 123.4, ("1\u202f230", "120")),
+        (-0.00123456, 0.0000213, ("\u22120.001235", "0.000021")),
+        (880.4, 9.96, ("880", "10")),
+        (5.0, 0.0, ("5.000", "0.000")),
+    ],
+)
+def test_U_has_two_digits_and_the_value_ends_where_it_does(value: float, U: float, printed: tuple[str, str]):
+    assert with_uncertainty(value, U) == printed
+
+
+def test_what_is_no_certificate_of_a_real_sensor_says_so_across_the_page(
+    issued: Calibration, tmp_path: Path, lab: tuple[Signer, ...], key: Ed25519PrivateKey
+):
+    path = tmp_path / "cal.json"
+    assert page_of(path, issued).front.stamp == "DRAFT, NOT SIGNED"
+    assert page_of(path, replace(issued, simulated=True)).front.stamp == "SIMULATED · DRAFT, NOT SIGNED"
+    page_of(path, issued)
+    sign(path, "ada", key, lab)
+    assert page_of(path, issued, lab).front.stamp == ""
+    path.write_bytes(path.read_bytes() + b" ")
+    assert page_of(path, issued, lab).front.stamp == "SIGNATURE NOT VALID"
+
+
+def test_what_a_file_says_ends_no_style_sheet(issued: Calibration, tmp_path: Path):
+    evil = replace(issued, number='"; } </style><script>alert(1)</script>')
+    text = html(page_of(tmp_path / "cal.json", evil))
+    assert "<script" not in text
+    assert text.split("<body>")[0].count("</style>") == 1
+
+
+def test_logo_and_mark_come_from_the_lab_s_folder(tmp_path: Path):
+    (tmp_path / "logo.svg").write_text("<svg xmlns='http://www.w3.org/2000/svg'/>")
+    (tmp_path / "accreditation.png").write_bytes(b"x" * 600_000)
+    assert [image[:24] for image in images_in(tmp_path)] == ["data:image/svg+xml;base64"[:24]]
+
+
+def test_without_the_extra_the_pdf_is_refused_in_a_sentence(
+    issued: Calibration, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setitem(__import__("sys").modules, "weasyprint", None)
+    page = page_of(tmp_path / "cal.json", issued)
+    with pytest.raises(InputError, match=r"labcal\[paper\]"):
+        write_report(page, tmp_path / "cal.pdf")
+    write_report(page, tmp_path / "cal.html")
+    assert not (tmp_path / "cal.pdf").exists()
+
+
+@pytest.fixture(scope="module")
+def printed(tmp_path_factory: pytest.TempPathFactory) -> SimpleNamespace:
+    try:
+        archival_pdf.typesetter()
+    except InputError:
+        pytest.skip("needs the extra `paper` (weasyprint) and the system's Pango, which are not here")
+    return SimpleNamespace(folder=tmp_path_factory.mktemp("printed"))
+
+
+def test_the_pdf_is_archival_and_holds_what_was_signed(
+    issued: Calibration, printed: SimpleNamespace, lab: tuple[Signer, ...], key: Ed25519PrivateKey
+):
+    pikepdf = pytest.importorskip("pikepdf")
+    pdfium = pytest.importorskip("pypdfium2")
+    path, out = printed.folder / "cal.json", printed.folder / "cal.pdf"
+    simulated = replace(issued, simulated=True)
+    page_of(path, simulated)
+    sign(path, "ada", key, lab)
+    page = page_of(path, simulated, lab)
+    write_report(page, out)
+    with pikepdf.open(out) as pdf:
+        assert pdf.open_metadata().pdfa_status == "3B"
+        assert [intent.S for intent in pdf.Root.OutputIntents] == ["/GTS_PDFA1"]
+        assert "/DestOutputProfile" in pdf.Root.OutputIntents[0]
+        assert set(map(_embedded, _fonts(pdf))) == {True}
+        held = {name: spec.get_file().read_bytes() for name, spec in pdf.attachments.items()}
+        assert held == {f.name: f.read_bytes() for f in (path, path.with_name("cal.json.sshsig"))}
+        assert {str(spec.UF) for spec in pdf.Root.AF} == set(held)
+        assert not pdf.is_encrypted
+    sheets = [sheet.get_textpage().get_text_range() for sheet in pdfium.PdfDocument(out)]
+    for number, sheet in enumerate(sheets, 1):
+        assert f"page {number} of {len(sheets)}" in sheet
+        assert "FL-CAGE-2026-0007" in sheet
+        assert "".join(sheet.split()).count("SIMULATED") >= 2  # in the margin, and across the sheet
+
+
+def _fonts(pdf: object) -> list[object]:
+    return [font for page in pdf.pages for font in (page.Resources.get("/Font") or {}).values()]
+
+
+def _embedded(font: object) -> bool:
+    descriptor = font.DescendantFonts[0].FontDescriptor if "/DescendantFonts" in font else font.FontDescriptor
+    return any(name in descriptor for name in ("/FontFile", "/FontFile2", "/FontFile3"))
+
+
+def test_needed_names_the_extra():
+    assert "pip install 'labcal[paper]'" in archival_pdf.NEEDED
