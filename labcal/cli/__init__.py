@@ -28,6 +28,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 COMMANDS = (
     *("demo", "gui", "bench", "run", "runs", "show", "import", "export", "check-store", "audit"),
     *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "conformity", "compare"),
+    "study",
     *("plugins", "effect"),
 )
 

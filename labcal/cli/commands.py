@@ -20,6 +20,7 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     run,
     runs,
     signing,
+    study,
 )
 from labcal.version import __version__
 

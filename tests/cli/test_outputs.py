@@ -57,7 +57,10 @@ ASKED = {
     "bench find --out": ("bench find emulated://", "found.toml"),
     "bench cage --out": ("bench cage RUN --as Roe", "cage.json"),
 }
-ELSEWHERE = {"effect new --out"}  # a folder of a package: tests/loop/test_effect_new.py
+ELSEWHERE = {
+    "effect new --out",  # a folder of a package: tests/loop/test_effect_new.py
+    "study --out",  # a folder that is gone on with: tests/study/test_resume.py
+}
 READS = {
     "demo --out": (), "runs --json": (), "audit --json": (), "bench cage --out": (), "bench find --out": (),
     "apply --out": ("{calibration}", "{readings}"), "report --out": ("{calibration}",),
