@@ -16,7 +16,7 @@ from labcal.cli.results import FORCE
 from labcal.cli.screen import console, say
 
 if TYPE_CHECKING:
-    from labcal.study import Done
+    from labcal.study.run import Done
 
 
 @app.command("study", rich_help_panel="Calibration")
@@ -36,7 +36,7 @@ def study(
     Each job that is done is kept in DIR; the same command goes on where one ended, whatever ended it.
     """
     from labcal.errors import InputError
-    from labcal.study import run_study
+    from labcal.study.run import run_study
 
     if scheduler is not None and processes is not None:
         raise InputError("--processes are of this computer; with --scheduler the cluster has its own")

@@ -37,7 +37,7 @@ def _as_done(distributed: Any, client: Any, jobs: Sequence[Job]) -> Iterator[tup
     """The scheduler keeps no row after it was fetched."""
     named = {f"labcal-{job.key}": job for job in jobs}
     futures = client.map(on_worker, jobs, key=list(named), pure=True)
-    for future in distributed.as_completed(futures):
+    for future in distributed.as_completed(futures, loop=client.loop):
         row = future.result()
         future.release()
         yield named[future.key], row

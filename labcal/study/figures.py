@@ -47,7 +47,7 @@ def draw_monte_carlo(figure: FigureBase, summary: Summary, accuracy_deg: float |
         _mark(axes, line, "lab_min", "direction_U_median_deg", color=colour, marker=marker, fillstyle="none")
     if accuracy_deg is not None:
         axes.axhline(accuracy_deg, color=GOOD, lw=0.8, ls="--")
-    axes.set(xlabel="lab time (min)", ylabel="direction (deg)", yscale="log")
+    axes.set(xlabel="lab time (min)", ylabel="direction (deg)", xlim=(0, None), ylim=(0, None))
     _legend(figure, len(summary.lines))
 
 
@@ -58,7 +58,7 @@ def draw_design(figure: FigureBase, summary: Summary) -> None:
         colour, marker = ink(index)
         _mark(axes, line, "lab_min", "direction_U_deg", color=colour, marker=marker, label=named(line))
         _mark(axes, line, "all_lab_min", "all_U_deg", color=MUTED, marker="s")
-    axes.set(xlabel="lab time (min)", ylabel="U of the direction (deg)", yscale="log", xlim=(0, None))
+    axes.set(xlabel="lab time (min)", ylabel="U of the direction (deg)", xlim=(0, None), ylim=(0, None))
     _legend(figure, len(summary.lines))
 
 
@@ -87,7 +87,7 @@ def draw_fleet(figure: FigureBase, rows: Sequence[Row]) -> None:
 def named(line: Row) -> str:
     """Where in the grid a line is, by its values."""
     labels = list(line.items())[: list(line).index("jobs")]
-    return ", ".join(f"{name.rpartition('.')[2]} {value}" for name, value in labels) or "all"
+    return ", ".join(f"{name.rpartition('.')[2].replace('_', ' ')} {value}" for name, value in labels) or "all"
 
 
 def _mark(axes: Axes, line: Row, x: str, y: str, **how: str) -> None:

@@ -22,8 +22,7 @@ from labcal.study.grid import Point, merged, points
 from labcal.study.job import Cell, Job
 from labcal.study.optimal import MOST
 from labcal.study.specification import MOST_JOBS, Blind, Design, Fleet, MonteCarlo, Simulated, texts
-from labcal.twin.config import TwinTruth
-from labcal.twin.effects import NAMES
+from labcal.twin import open_twin
 
 Table = Mapping[str, Any]
 
@@ -53,7 +52,16 @@ def _simulated(study: Simulated, file: Path) -> Iterator[Job]:
         for more in asked:
             for seed in study.all_seeds:
                 labels: dict[str, Cell] = {**point.labels, **more, "seed": seed}
-                yield Job(study.kind, {**common, **more, "seed": seed}, labels)
+                yield _named(Job(study.kind, {**common, **more, "seed": seed}, labels))
+
+
+def _named(job: Job) -> Job:
+    """The same. Raises ValueError where its settings are no JSON: a date, a number that is none."""
+    try:
+        assert job.key
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"lab: {error}: numbers, words, yes and no, lists and tables alone") from None
+    return job
 
 
 def _procedure(study: Simulated, file: Path) -> str:
@@ -109,10 +117,8 @@ def _bench(path: Path | None) -> Table:
 
 
 def _check_bench(table: Table) -> None:
-    """Raise ValidationError or InputError unless it is a bench whose links are all emulated."""
+    """Raise ValueError or InputError unless it is a bench whose links are all emulated, with a lab behind them."""
     config = BenchConfig.model_validate(table)
     if not config.simulated:
         raise InputError("a study runs on a simulated bench alone: every link must be emulated://")
-    twin = TwinTruth.model_validate(table.get("twin", {}))
-    if unknown := sorted({*twin.effects} - {*NAMES}):
-        raise ValueError(f"lab.twin.effects: there is no effect {unknown[0]!r}; there are {', '.join(NAMES)}")
+    open_twin(table.get("twin", {}), 0)

@@ -17,11 +17,11 @@ from fleet import build, bytes_of
 
 from labcal.cli import execute as labcal
 from labcal.errors import InputError
-from labcal.study import run_study
 from labcal.study.engine import on_processes
 from labcal.study.job import Job
+from labcal.study.run import run_study
 
-NUMBER, WAIT_S = 12, 120.0
+NUMBER, WAIT_S = 12, 300.0
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +84,7 @@ def test_what_is_done_is_not_done_again_and_a_larger_study_takes_it(
     for name, content in reference.items():
         (out / name).parent.mkdir(parents=True, exist_ok=True)
         (out / name).write_bytes(content)
-    monkeypatch.setattr("labcal.study.on_processes", lambda *_: pytest.fail("a job was done again"))
+    monkeypatch.setattr("labcal.study.run.on_processes", lambda *_: pytest.fail("a job was done again"))
     assert run_study(study, out, force=True).kept_before == NUMBER
     assert bytes_of(out) == reference
 

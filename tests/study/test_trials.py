@@ -13,11 +13,11 @@ import pytest
 
 from labcal.errors import InputError
 from labcal.fit import fit
-from labcal.study import run_study
 from labcal.study.accuracy import errors
 from labcal.study.engine import on_processes
 from labcal.study.job import Job
 from labcal.study.jobs import jobs_of
+from labcal.study.run import run_study
 from labcal.study.simulated import Recorded, record, truth
 from labcal.study.specification import read_study
 from labcal.study.trials import design, lab_time
