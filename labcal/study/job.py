@@ -27,7 +27,7 @@ class Job:
 
     @cached_property
     def key(self) -> str:
-        """SHA-256 of kind and settings: the same work has the same name on every computer."""
+        """SHA-256 of kind and settings: the same work has the same name wherever it is done."""
         return hashlib.sha256(canonical([self.kind, dict(self.settings)])).hexdigest()
 
     @property

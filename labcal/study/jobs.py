@@ -19,7 +19,7 @@ from labcal.runner.catalogue import Found
 from labcal.session.working_out import version
 from labcal.study.fleet import fleet_jobs
 from labcal.study.grid import Point, merged, points
-from labcal.study.job import Cell, Job
+from labcal.study.job import Cell, Job, canonical
 from labcal.study.optimal import MOST
 from labcal.study.specification import MOST_JOBS, Blind, Design, Fleet, MonteCarlo, Simulated, texts
 from labcal.twin import open_twin
@@ -52,16 +52,7 @@ def _simulated(study: Simulated, file: Path) -> Iterator[Job]:
         for more in asked:
             for seed in study.all_seeds:
                 labels: dict[str, Cell] = {**point.labels, **more, "seed": seed}
-                yield _named(Job(study.kind, {**common, **more, "seed": seed}, labels))
-
-
-def _named(job: Job) -> Job:
-    """The same. Raises ValueError where its settings are no JSON: a date, a number that is none."""
-    try:
-        assert job.key
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"lab: {error}: numbers, words, yes and no, lists and tables alone") from None
-    return job
+                yield Job(study.kind, {**common, **more, "seed": seed}, labels)
 
 
 def _procedure(study: Simulated, file: Path) -> str:
@@ -118,6 +109,10 @@ def _bench(path: Path | None) -> Table:
 
 def _check_bench(table: Table) -> None:
     """Raise ValueError or InputError unless it is a bench whose links are all emulated, with a lab behind them."""
+    try:
+        canonical(table)  # no dates, no numbers that are none
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"lab: {error}") from None
     config = BenchConfig.model_validate(table)
     if not config.simulated:
         raise InputError("a study runs on a simulated bench alone: every link must be emulated://")
