@@ -16,7 +16,11 @@ from labcal.cli.results import FORCE
 from labcal.cli.screen import console, say
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from labcal.study.run import Done
+
+MOST_BESIDE = 4  # points that stand beside each other on a terminal
 
 
 @app.command("study", rich_help_panel="Calibration")
@@ -69,18 +73,10 @@ def _tenths(done: int, of: int) -> None:
 
 
 def _show(done: Done) -> None:
-    from rich.table import Table
+    from labcal.study.table import NO_PARQUET, has_parquet
 
-    from labcal.study.page import cell_text, heading
-    from labcal.study.table import NO_PARQUET, columns, has_parquet
-
-    screen, names = console(), columns(done.summary.lines)
-    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
-    for name in names:
-        table.add_column(heading(name), overflow="fold")
-    for line in done.summary.lines:
-        table.add_row(*(cell_text(line.get(name)) for name in names))
-    screen.print(table)
+    screen = console()
+    screen.print(_table(done))
     screen.print(done.summary.answer, highlight=False)
     earlier = f", {done.kept_before} of them done before" if done.kept_before else ""
     screen.print(f"{done.jobs} jobs{earlier}; {done.without} without a result.", highlight=False)
@@ -88,3 +84,20 @@ def _show(done: Done) -> None:
         screen.print(NO_PARQUET, highlight=False)
     for path in done.files:
         screen.print(f"  {path}", highlight=False, soft_wrap=True)
+
+
+def _table(done: Done) -> Table:
+    """A column for each point of the grid where they are few, else a row."""
+    from rich.table import Table
+
+    from labcal.study.page import cell_text, heading
+    from labcal.study.table import columns
+
+    lines, names = done.summary.lines, columns(done.summary.lines)
+    rows = [[heading(name), *(cell_text(line.get(name)) for line in lines)] for name in names]
+    if len(lines) > MOST_BESIDE:
+        rows = [list(row) for row in zip(*rows, strict=True)]
+    table = Table(*rows[0], box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for row in rows[1:]:
+        table.add_row(*row)
+    return table

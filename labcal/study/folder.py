@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from labcal.files.atomic import write_bytes
-from labcal.study.job import Job, Row, canonical
+from labcal.study.job import Job, Row
 
 JOBS = "jobs"
 
@@ -19,9 +19,13 @@ def open_folder(out: Path) -> None:
         part.unlink(missing_ok=True)
 
 
-def keep(out: Path, job: Job, row: Row) -> None:
-    """Write the row of a job that is done."""
-    write_bytes(_place(out, job), canonical({"job": job.key, "kind": job.kind, "row": row}) + b"\n")
+def keep(out: Path, job: Job, row: Row) -> Row:
+    """Write the row of a job that is done; returns it as it will be read, its columns in their order."""
+    said = {"job": job.key, "kind": job.kind, "row": row}
+    text = json.dumps(said, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    write_bytes(_place(out, job), text.encode() + b"\n")
+    kept: Row = json.loads(text)["row"]
+    return kept
 
 
 def done(out: Path, jobs: Iterable[Job]) -> dict[str, Row]:

@@ -61,8 +61,7 @@ def run_study(
     progress(before, len(jobs))
     left = [job for job in jobs if job.key not in rows]
     for number, (job, row) in enumerate(_engine(left, scheduler, processes, tell), before + 1):
-        folder.keep(out, job, row)
-        rows[job.key] = row
+        rows[job.key] = folder.keep(out, job, row)
         progress(number, len(jobs))
     table = [rows[job.key] for job in jobs]
     summary = summarise(study, jobs, table)

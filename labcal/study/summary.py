@@ -107,7 +107,8 @@ def _design_answer(lines: tuple[Row, ...]) -> tuple[str, bool]:
     said = []
     for line in lines:
         if line["rotations"] is None:
-            said.append(f"{_point(line)}: not by any choice; all rotations give {line['all_U_deg']:.3f}°.")
+            U = _number(line, "all_U_deg")
+            said.append(f"{_point(line)}: not by any choice" + (f"; all rotations give {U:.3f}°." if U else "."))
         else:
             said.append(
                 f"{_point(line)}: {line['rotations']}, {line['lab_min']:.1f} min (all: {line['all_lab_min']:.1f} min)."

@@ -76,7 +76,10 @@ def _found(named: list[Any], right: list[Any], rivals: list[Any]) -> str:
 def design(settings: Mapping[str, Any]) -> Row:
     """The rotations that reach the accuracy in the least lab time, proved by a fit to them alone."""
     recorded = record(settings)
-    known = information(recorded.run)
+    try:
+        known = information(recorded.run)
+    except ValueError as error:
+        return {"why_not": str(error)}
     time, wanted = lab_time(recorded, settings["mount_s"]), settings["accuracy_deg"]
     fields = settings["field_nT"]
     everything = np.ones(len(recorded.run.segments), dtype=np.bool_)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import threading
 
 from labcal.errors import InputError, InstrumentError, LimitNotMet
-from labcal.study.job import Job, Row
+from labcal.study.job import Cell, Job, Row
 
 _one_at_a_time = threading.Lock()  # the threads of a Dask worker share clocks, warnings and temporary files
 
@@ -23,11 +24,16 @@ def work(job: Job) -> Row:
         raise InputError(told)
     with _one_at_a_time, serially():
         try:
-            return _row(job)
+            return {name: _finite(value) for name, value in _row(job).items()}
         except (InstrumentError, LimitNotMet) as error:
             return {"why_not": str(error)}
         except InputError as error:
             return {"why_not": str(error.what)}
+
+
+def _finite(value: Cell) -> Cell:
+    """Nothing where a number is none."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _row(job: Job) -> Row:
