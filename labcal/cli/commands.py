@@ -23,6 +23,7 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     runs,
     self_test,
     signing,
+    study,
 )
 from labcal.version import __version__
 

@@ -24,7 +24,8 @@ def report(
 ) -> None:
     """Write the report of a run, or the certificate of a calibration.
 
-    A certificate as PDF (PDF/A-3b, the signed file inside) needs the extra `paper`, as XML the extra `dcc`.
+    A certificate's PDF is PDF/A-3b with the signed file inside where the extra `paper` is there, else a plain one, and
+    stderr says so; its XML needs the extra `dcc`.
     """
     from labcal import session
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from typing import TypeVar
 
 Item = TypeVar("Item")
@@ -25,3 +26,13 @@ def parallel_map(work: Callable[[Item], Outcome], items: Iterable[Item]) -> list
 
 def _mark_as_worker() -> None:
     _thread.is_worker = True
+
+
+@contextmanager
+def serially() -> Iterator[None]:
+    """What this thread does inside is done on one core: another worker has the next."""
+    before, _thread.is_worker = getattr(_thread, "is_worker", False), True
+    try:
+        yield
+    finally:
+        _thread.is_worker = before

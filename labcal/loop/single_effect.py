@@ -11,7 +11,8 @@ from labcal.loop.candidates.refine import refined
 from labcal.loop.close import candidates_of, prepare
 from labcal.loop.result import Pictures
 from labcal.loop.selection.joint_fit import joint_fit
-from labcal.model import Parameter
+from labcal.model import EffectRecord, Parameter
+from labcal.model.effects import family
 from labcal.record import Run
 
 
@@ -21,6 +22,7 @@ class OneCause:
 
     pictures: Pictures
     parameters: tuple[Parameter, ...]
+    record: EffectRecord  # as a calibration states it, without what it brought
 
 
 def one_cause(run: Run, effect: str, channels: tuple[str, ...]) -> OneCause:
@@ -32,4 +34,8 @@ def one_cause(run: Run, effect: str, channels: tuple[str, ...]) -> OneCause:
         raise InputError(f"this run has nothing to show of {effect} {', '.join(channels)}".rstrip())
     chosen = refined(pool, pool.rank(mine)[0].candidate, ())
     before, after = (joint_fit(problem, terms, pool.valid) for terms in ((), (chosen.term,)))
-    return OneCause(residual_pictures(before.problem, after.problem), after.parameters()[0])
+    parameters, term = after.parameters()[0], chosen.term
+    record = EffectRecord(
+        effect, term.channels, dict(term.reference_value), family(effect).belongs_to, parameters, why="named"
+    )
+    return OneCause(residual_pictures(before.problem, after.problem), parameters, record)

@@ -39,16 +39,17 @@ def report(
     """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
 
     A calibration's page and DCC say what changed since `before`, else since the lab's own before it, if there is one.
-    `tell` hears what a DCC lacks, by the clause that asks for it.
+    `tell` hears what a DCC lacks, by the clause that asks for it, and what a PDF is not.
     """
     read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
     [output] = claim("report", out, inputs=read, force=force)
     with output.writing():
         if certificate.looks_like_calibration(Path(source)):
-            return _report_calibration(Path(source), out, allowed_signers, before, tell)
+            _report_calibration(Path(source), out, allowed_signers, before, tell)
+            return
         bundle = run_bundle(source)
         run = bundle.run()
-        return write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
+        write_report(run_page(run, bundle.sha256, fit(run, holdout=False), bundle.stated_chain), out)
 
 
 def _report_calibration(
@@ -62,10 +63,11 @@ def _report_calibration(
     if out.suffix.lower() == ".xml":
         for clause in write_dcc(calibration, verification, run, said, home() / LABORATORY, out, changed):
             tell(f"not stated: {clause}")
-        return None
+        return
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"
     page = calibration_page(calibration, verification, checked, run, changed, said)
-    return write_report(page, out)
+    if lacking := write_report(page, out):
+        tell(lacking)
 
 
 def _circumstances(calibration: Calibration, run: Run | None) -> Circumstances:

@@ -111,19 +111,19 @@ def _misfit(store: Store, stated: Calibration) -> str | None:
 
 
 def _beside(stated: Calibration, bundle: Bundle, progress: Progress) -> Recomputed:
-    how = _way(stated)
+    how = way_of(stated)
     same = stated.made_by is not None and how["version"] == version()
     if not same and (strange := _stranger(stated, how)) is not None:
         return Recomputed(None, (strange,))
     try:
-        made = _whole_way(bundle, how, progress) if same else _final_fit(stated, bundle, how, progress)
+        made = work_out(bundle, how, progress) if same else _final_fit(stated, bundle, how, progress)
         _keep(made, _whole_place(stated) if same else _final_place(stated))
     except InputError as error:
         return Recomputed(False, (f"{'made_by' if same else 'effects'}: {error}",), holds=not same)
     return whole_way(stated, made) if same else final_fit(stated, made)
 
 
-def _way(stated: Calibration) -> MadeBy:
+def way_of(stated: Calibration) -> MadeBy:
     """How a calibration was made; where it does not say so, the loop's own residuals tell it from a fit."""
     if stated.made_by is not None:
         return stated.made_by
@@ -132,7 +132,7 @@ def _way(stated: Calibration) -> MadeBy:
     return {"command": command, "method": "ml", "channels": None, "empirical": False, "version": ""}
 
 
-def _whole_way(bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
+def work_out(bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
     """All that its command did, by this version."""
     run = bundle.run()
     if how["command"] == CLOSE_LOOP:
@@ -216,7 +216,7 @@ def _whole_place(stated: Calibration) -> Path:
 
 def _final_place(stated: Calibration) -> Path:
     """Where this version's final fit is kept: by the run's content and the effects that are named."""
-    return _place(stated.run_sha256, dict(_way(stated)), version(), [asdict(e) for e in _fitted_effects(stated)])
+    return _place(stated.run_sha256, dict(way_of(stated)), version(), [asdict(e) for e in _fitted_effects(stated)])
 
 
 def _place(*made_from: object) -> Path:

@@ -163,15 +163,16 @@ def test_logo_and_mark_come_from_the_lab_s_folder(tmp_path: Path):
     assert [image[:24] for image in images_in(tmp_path)] == ["data:image/svg+xml;base64"[:24]]
 
 
-def test_without_the_extra_the_pdf_is_refused_in_a_sentence(
+def test_without_the_extra_the_pdf_is_a_plain_one_and_that_is_said(
     issued: Calibration, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setitem(__import__("sys").modules, "weasyprint", None)
     page = page_of(tmp_path / "cal.json", issued)
-    with pytest.raises(InputError, match=r"labcal\[paper\]"):
-        write_report(page, tmp_path / "cal.pdf")
-    write_report(page, tmp_path / "cal.html")
-    assert not (tmp_path / "cal.pdf").exists()
+    assert "labcal[paper]" in write_report(page, tmp_path / "cal.pdf")
+    assert write_report(page, tmp_path / "cal.html") == ""
+    pdfium = pytest.importorskip("pypdfium2")
+    sheets = [sheet.get_textpage().get_text_range() for sheet in pdfium.PdfDocument(tmp_path / "cal.pdf")]
+    assert "FL-CAGE-2026-0007" in "".join(sheets)
 
 
 @pytest.fixture(scope="module")

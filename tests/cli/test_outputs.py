@@ -62,6 +62,7 @@ ASKED = {
 ELSEWHERE = {
     "effect new --out",  # a folder of a package: tests/loop/test_effect_new.py
     *("archive runs --json", "archive calibrations --json", "archive get --out"),  # tests/archive/test_outputs_of_it.py
+    "study --out",  # a folder that is gone on with: tests/study/test_resume.py
 }
 READS = {
     "demo --out": (), "self-test --out": (),

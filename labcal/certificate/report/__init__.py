@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from labcal.certificate.report.archival_pdf import write_archival_pdf
+from labcal.certificate.report.archival_pdf import NEEDED, is_there, write_archival_pdf
 from labcal.certificate.report.calibration import calibration_page
 from labcal.certificate.report.circumstances import Circumstances
 from labcal.certificate.report.closed_loop import closed_loop_page
@@ -20,14 +20,21 @@ __all__ = ["Circumstances", "Page", "calibration_page", "check_form", "closed_lo
 FORMS = (".html", ".pdf")
 
 
-def write_report(page: Page, path: Path) -> None:
-    """Write `page` to `path`, whole or not at all, in the form its ending names. Raises InputError for another."""
+def write_report(page: Page, path: Path) -> str:
+    """Write `page` to `path`, whole or not at all, in the form its ending names. Raises InputError for another.
+
+    Returns what a certificate's PDF is not, in a sentence, where the extra `paper` is not there; "" else.
+    """
     check_form(path)
     with atomic.replacing(path) as part:
-        if path.suffix.lower() == ".pdf":
-            write_pdf(page, part) if page.front is None else write_archival_pdf(page, page.front, part)
-        else:
+        if path.suffix.lower() != ".pdf":
             part.write_text(html(page), encoding="utf-8", newline="\n")
+        elif page.front is not None and is_there():
+            write_archival_pdf(page, page.front, part)
+        else:
+            write_pdf(page, part)
+            return NEEDED if page.front is not None else ""
+    return ""
 
 
 def check_form(path: Path) -> None:

@@ -14,8 +14,8 @@ from labcal.errors import InputError
 
 VARIANT = "pdf/a-3b"
 NEEDED = (
-    "a certificate in PDF/A needs the extra `paper`: pip install 'labcal[paper]' (it sets pages by Pango, which the "
-    "system has to have); FILE.html is the same certificate, and prints on A4"
+    "a plain PDF without the signed file inside: PDF/A needs the extra `paper` (pip install 'labcal[paper]'; it sets "
+    "pages by Pango, which the system has to have)"
 )
 
 
@@ -30,6 +30,15 @@ def typesetter() -> Any:
     for name in ("weasyprint", "fontTools"):  # what they say of style sheets and fonts is for nobody here
         logging.getLogger(name).setLevel(logging.CRITICAL)
     return weasyprint
+
+
+def is_there() -> bool:
+    """Whether the package that sets a certificate's pages is, and the system's Pango."""
+    try:
+        typesetter()
+    except InputError:
+        return False
+    return True
 
 
 def write_archival_pdf(page: Page, front: Front, path: Path) -> None:

@@ -38,8 +38,9 @@ def residual_beside_declared(
 ) -> tuple[Array, Array]:
     """The weighted residual (n, 3) [nT], and what no declared error, the map fitted beside it, could have left.
 
-    What they left is no noise: it is in the uncertainty as theirs. One of which a standard deviation would not show in
-    this noise is not asked: beside a scale of the reference there remains the scale times the residual itself.
+    What they left is no noise: it is in the uncertainty as theirs. What a standard deviation of them, or of a sum of
+    them, would not show in this noise is not asked: beside a scale of the reference there remains the scale times the
+    residual itself, and so it does between two errors that leave nearly the same.
     """
     q, weight = parameterisation.basis.shape[1], np.sqrt(found.weight)[:, None]
     here = weight * _residual(seen, noise, found.theta, found.phase)
@@ -49,9 +50,9 @@ def residual_beside_declared(
     ]
     if not left:
         return here, here
-    D = np.stack([part.ravel() for part in left], axis=1)
-    D = D[:, np.sum(D**2, axis=0) > np.mean(here**2)]
-    return here, np.asarray(here - (D @ np.linalg.lstsq(D, here.ravel(), rcond=1e-9)[0]).reshape(-1, 3))
+    U, size, _ = np.linalg.svd(np.stack([part.ravel() for part in left], axis=1), full_matrices=False)
+    U = U[:, size**2 > np.mean(here**2)]
+    return here, np.asarray(here - (U @ (U.T @ here.ravel())).reshape(-1, 3))
 
 
 def _moved(

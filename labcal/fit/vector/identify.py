@@ -51,7 +51,7 @@ def identify(
     q, largest = parameterisation.basis.shape[1], float(seen.magnitude.max())
     N, noise_induced = (
         _without_phases(found.normal, q),
-        parameterisation.basis.T @ _noise_induced_information(seen, noise, found) @ parameterisation.basis,
+        parameterisation.basis.T @ noise_induced_information(seen, noise, found) @ parameterisation.basis,
     )
     S = N - noise_induced
     values, vectors = np.linalg.eigh(S)
@@ -130,7 +130,7 @@ def _without_phases(N: Array, q: int) -> Array:
     return np.asarray(N[:q, :q] - N[:q, q:] @ np.linalg.pinv(N[q:, q:], rcond=1e-13, hermitian=True) @ N[q:, :q])
 
 
-def _noise_induced_information(seen: Observations, noise: Noise, found: Solution) -> Array:
+def noise_induced_information(seen: Observations, noise: Noise, found: Solution) -> Array:
     """Σ w G ⊗ cov(m̂) (12, 12): the information that the noise left in the estimated readings would seem to give.
 
     cov(m̂) = Σ − Σ Kᵀ G K Σ is linear in G, so the sums of G and of its products serve all rows.
