@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from labcal import loop, session
-from labcal.certificate.report.budget import budget_blocks, draw_shares
+from labcal.certificate.report.budget import budget_blocks
+from labcal.certificate.report.page import Table, draw_shares
 from labcal.fit import draft_calibration
 from labcal.model import Calibration
 from labcal.record import Run
@@ -60,7 +61,7 @@ def lines(made: list[Calibration]) -> list[tuple[str, list[str]]]:
     found = [(f"U({q}){f' at {a}' if a else ''}", [whole(one(c, q, a)) for c in made]) for q, a in wanted]
     for source in ROWS:
         found.append((f"row “{source}” of b x", [row(one(c, "b x", at), source) for c in made]))
-    first = [next(iter(budget_blocks(c)[0].rows)) for c in made]
+    first = [next(block for block in budget_blocks(c) if isinstance(block, Table)).rows[0] for c in made]
     return [*found, ("largest contributions, as printed", [str(cells[-1]) for cells in first])]
 
 

@@ -30,7 +30,7 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.session.archiving import Pushed, own_site, place_of_bundles
 from labcal.session.audited import note
-from labcal.session.signing import SUPERSEDING, signatures
+from labcal.session.signing import CALIBRATIONS, SUPERSEDING, signatures
 from labcal.session.sources import is_path, run_bundle
 from labcal.store import Bundle, RunSummary, Store, zipped
 from labcal.store.listing import FILE as STORE
@@ -38,7 +38,6 @@ from labcal.store.listing import FILE as STORE
 FINISHED = ("finished", "imported")
 REPORTS = (".html", ".pdf", ".xml")
 LARGEST_REPORT = 2**26
-CALIBRATIONS = "calibrations"
 
 
 @dataclass(slots=True)

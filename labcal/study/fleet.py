@@ -17,6 +17,7 @@ from labcal.fit.registry import methods
 from labcal.loop.refit import refit
 from labcal.model import Calibration, EffectRecord
 from labcal.model.effects import find
+from labcal.session.signing import CALIBRATIONS
 from labcal.session.working_out import made_by, version, way_of, work_out
 from labcal.store import Bundle, load_bundle
 from labcal.study.job import Cell, Job, Row
@@ -30,7 +31,7 @@ COVERAGE = 2.0
 def fleet_jobs(study: Fleet) -> tuple[list[Job], list[str]]:
     """A job for each calibration whose run is at hand, by file name; remarks on those whose run is not."""
     _check_way(study)
-    folder = study.calibrations or study.runs or home() / session.CALIBRATIONS
+    folder = study.calibrations or study.runs or home() / CALIBRATIONS
     files = list(_calibrations(folder))
     if not files:
         raise InputError("holds no calibration file", file=folder)

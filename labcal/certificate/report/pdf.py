@@ -169,7 +169,11 @@ def _table(sheets: _Sheets, table: Table) -> None:
     _row(sheets, table, table.header, widths, MUTED)
     sheets.rule()
     for row in table.rows:
-        _row(sheets, table, row, widths, MUTED if row[0] in ("", "U") else TEXT)
+        if len(row) < len(table.header):  # the heading of those below it
+            sheets.need(0.32)
+            sheets.text(" ".join(row), 8, MUTED)
+        else:
+            _row(sheets, table, row, widths, MUTED if row[0] in ("", "U") else TEXT)
     if table.caption:
         sheets.space(0.03)
         sheets.text(table.caption, 7.5, MUTED)
@@ -191,7 +195,8 @@ def _row(sheets: _Sheets, table: Table, row: tuple[str, ...], widths: list[float
 
 def _widths(table: Table) -> list[float]:
     """Column widths [in] that share the sheet by their longest cells; none is starved by a talkative one."""
-    longest = [max(len(row[i]) for row in (table.header, *table.rows)) for i in range(len(table.header))]
+    whole = [row for row in (table.header, *table.rows) if len(row) == len(table.header)]
+    longest = [max(len(row[i]) for row in whole) for i in range(len(table.header))]
     wanted = [min(length, 46) + 2 for length in longest]
     return [WIDTH_IN * w / sum(wanted) for w in wanted]
 

@@ -657,6 +657,14 @@
         <translation>Nullpunkt des Messwerts  nT</translation>
     </message>
     <message>
+        <source>degree of spherical harmonics</source>
+        <translation>Grad der Kugelfunktionen</translation>
+    </message>
+    <message>
+        <source>rms of the residual  nT</source>
+        <translation>rms des Rests  nT</translation>
+    </message>
+    <message>
         <source>Loci on the sphere (Riwanto 2017, figs. 5, 7)</source>
         <translation>Bahnen auf der Kugel (Riwanto 2017, Bilder 5, 7)</translation>
     </message>
@@ -677,6 +685,10 @@
         <translation>Nullpunkt und 3σ, wie Messwerte kommen (Crassidis 2003, Bilder 1, 2)</translation>
     </message>
     <message>
+        <source>Residual on the sphere, by degree (Risbo 2003)</source>
+        <translation>Rest auf der Kugel, nach Grad (Risbo 2003)</translation>
+    </message>
+    <message>
         <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
         <translation>orange: wie gelesen   blau: kalibriert   blass: hinter der Kugel</translation>
     </message>
@@ -691,6 +703,10 @@
     <message>
         <source>the ekf, or the filter that is chosen above</source>
         <translation>das EKF oder das oben gewählte Filter</translation>
+    </message>
+    <message>
+        <source>lines: what scatter alone gives   2: products of two components   3: a cubic</source>
+        <translation>Linien: was Streuung allein gibt   2: Produkte zweier Komponenten   3: kubisch</translation>
     </message>
     <message>
         <source>as read</source>
@@ -2192,6 +2208,10 @@
     <message>
         <source>noise alone</source>
         <translation>Rauschen allein</translation>
+    </message>
+    <message>
+        <source>no fields all round at one magnitude: see field-sphere</source>
+        <translation>keine Felder ringsum bei einem Betrag: siehe field-sphere</translation>
     </message>
     <message>
         <source>finished</source>

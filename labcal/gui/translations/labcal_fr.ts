@@ -657,6 +657,14 @@
         <translation>biais de la lecture  nT</translation>
     </message>
     <message>
+        <source>degree of spherical harmonics</source>
+        <translation>degré des harmoniques sphériques</translation>
+    </message>
+    <message>
+        <source>rms of the residual  nT</source>
+        <translation>rms du résidu  nT</translation>
+    </message>
+    <message>
         <source>Loci on the sphere (Riwanto 2017, figs. 5, 7)</source>
         <translation>Lieux sur la sphère (Riwanto 2017, fig. 5, 7)</translation>
     </message>
@@ -677,6 +685,10 @@
         <translation>Biais et 3σ au fil des lectures (Crassidis 2003, fig. 1, 2)</translation>
     </message>
     <message>
+        <source>Residual on the sphere, by degree (Risbo 2003)</source>
+        <translation>Résidu sur la sphère, par degré (Risbo 2003)</translation>
+    </message>
+    <message>
         <source>orange: as read   blue: calibrated   faint: behind the sphere</source>
         <translation>orange : tel que lu   bleu : étalonné   pâle : derrière la sphère</translation>
     </message>
@@ -691,6 +703,10 @@
     <message>
         <source>the ekf, or the filter that is chosen above</source>
         <translation>l&apos;ekf, ou le filtre choisi ci-dessus</translation>
+    </message>
+    <message>
+        <source>lines: what scatter alone gives   2: products of two components   3: a cubic</source>
+        <translation>lignes : ce que donne la dispersion seule   2 : produits de deux composantes   3 : cubique</translation>
     </message>
     <message>
         <source>as read</source>
@@ -2192,6 +2208,10 @@
     <message>
         <source>noise alone</source>
         <translation>bruit seul</translation>
+    </message>
+    <message>
+        <source>no fields all round at one magnitude: see field-sphere</source>
+        <translation>pas de champs tout autour à un même module : voir field-sphere</translation>
     </message>
     <message>
         <source>finished</source>
