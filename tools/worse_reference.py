@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from labcal import loop, session
-from labcal.certificate.report.budget import budget_blocks
-from labcal.certificate.report.page import Table, draw_shares
+from labcal.certificate.report.budget import budget_blocks, draw_shares
+from labcal.certificate.report.page import Table
 from labcal.fit import draft_calibration
 from labcal.model import Calibration
 from labcal.record import Run

@@ -238,9 +238,10 @@ def test_a_connection_that_was_forgotten_at_its_other_end_is_opened_anew_in_time
 
 
 @pytest.mark.parametrize("missed", range(9))
+@pytest.mark.parametrize("asked", ["", "y"])
 @pytest.mark.parametrize("text", [one_tti(), three_on_one_pair()], ids=["tti", "riden-on-one-pair"])
 def test_a_line_that_comes_back_on_the_way_to_zero_brings_zero_to_each_coil_in_time(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, missed: int
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, asked: str, missed: int
 ) -> None:
     bench = Bench(text, tmp_path, monkeypatch)
     bench.energise({"x": 1.0, "y": 0.6, "z": 0.3})
@@ -257,6 +258,9 @@ def test_a_line_that_comes_back_on_the_way_to_zero_brings_zero_to_each_coil_in_t
 
     wire.when = gone
     monkeypatch.setattr(bench._link, "reopen", reopened)
+    if asked:  # its link is known to be lost, that of the others not yet
+        with pytest.raises(InstrumentError, match="the link is lost"):
+            bench.guardian.measure_current(asked)
     bench.guardian.zero("the session ends", by_session=True)
     while bench.guardian.unresolved:  # as the guardian's process does, and a session that is not content
         bench.clock.wait_until(bench.clock.now() + 0.1)

@@ -34,7 +34,11 @@ def line_down(coils: Sequence[GuardedCoil], others: Sequence[str], tell: Callabl
         doubted = [coil for coil in coils if coil.doubt is not None]
         _write_zeros(doubted, others)
         ended = dict(_ramped([coil for coil in coils if coil.doubt is None], lossy=bool(doubted)))
-        ended |= _each_read_back(doubted, others)
+        lost = [coil for coil in coils if coil.axis in ended and _link_lost(ended[coil.axis])]
+        for coil in lost:
+            coil.doubt = ended[coil.axis].fault
+        _write_zeros(lost, others)
+        ended |= _each_read_back([*doubted, *lost], others)
         for coil in coils:
             coil.settle(ended[coil.axis])
         return list(ended.values())
@@ -176,4 +180,8 @@ def _is_back(coil: GuardedCoil, end: AtZero) -> bool:
         coil.line.reopen()
     except InstrumentError:
         return False
-    return end.fault.fault == "link lost"
+    return _link_lost(end)
+
+
+def _link_lost(end: AtZero) -> bool:
+    return end.current_A is None and end.fault is not None and end.fault.fault == "link lost"
