@@ -30,7 +30,7 @@ from labcal.bench.loading import drivers_of
 from labcal.errors import InputError
 
 LOOK_S = 0.02
-RETRY_S = 0.5
+RETRY_S = 0.2  # after which what is not confirmed at zero is asked again
 FOUND_S = 0.25  # so often it sees whether others can find it
 LONELY_S, SUCCEEDED_S = 20.0, 2.0  # without a session so long after its start, it ends; after that of another
 FREE_S = 2.0  # until the kernel has freed the ports of a process that died

@@ -64,35 +64,43 @@ def _greet(coil: GuardedCoil, within_s: float) -> None:
 
 
 def _write_zeros(coils: Sequence[GuardedCoil], others: Sequence[str]) -> None:
-    """Zero to each of them; once more to whom the link failed, where it came back for one after them."""
-    missed = [coil for coil in coils if not _write_zero(coil, others)]
-    for coil in missed if len(missed) < len(coils) else ():
-        _write_zero(coil, others)
+    """Zero to each of them, then to each again: none waits while another is told it several times.
+
+    Whom the link failed is tried once more, where it came back for one after them.
+    """
+    took = {coil.axis: _write_zero(coil, others) for coil in coils}
+    if any(took.values()):
+        took |= {coil.axis: _write_zero(coil, others) for coil in coils if took[coil.axis] is False}
+    for _ in range(TIMES_TOLD - 1):
+        write_zero({coil.axis: coil.bare for coil in coils if took[coil.axis] and not coil.line.is_connection})
 
 
-def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> bool:
+def _write_zero(coil: GuardedCoil, others: Sequence[str]) -> bool | None:
     """Zero at once, whatever it may answer; who is there is asked only where the link was opened anew.
 
-    A TCP connection on which it is silent is opened anew: the next one may be heard. Returns whether the link took it.
+    A TCP connection on which it is silent is opened anew: the next one may be heard. Returns whether the link took it;
+    None where there is nothing to write to.
     """
     assert coil.doubt is not None
     forgotten = coil.line.is_connection and coil.line.greeted(coil.name) and coil.doubt.fault in REOPENED
-    taken = _takes_zero(coil, others)
-    if taken is None or (taken and not forgotten):
-        return bool(taken)
+    took = _takes_zero(coil, others)
+    if took is None or (took and not forgotten):
+        return took
     try:
         coil.line.reopen()
     except InstrumentError:
         return False
-    return bool(_takes_zero(coil, others))
+    return _takes_zero(coil, others)
 
 
 def _takes_zero(coil: GuardedCoil, others: Sequence[str]) -> bool | None:
-    """Whether the link took zero; None where the file does not say where it is: others on the line need their link."""
+    """Whether the link took zero. None where another instrument is there, which was brought to zero, and where the
+    file does not say where the supply is: others on the line need their link.
+    """
     try:
-        if coil.line.greeted(coil.name) or _may_be_written(coil, others):
-            for _ in range(1 if coil.line.is_connection else TIMES_TOLD):
-                coil.bare.write_current(0.0)
+        if not coil.line.greeted(coil.name) and not _may_be_written(coil, others):
+            return None
+        coil.bare.write_current(0.0)
     except InstrumentError as fault:
         return None if fault.fault == "not reached" else False
     return True
