@@ -16,6 +16,7 @@ from pydantic import BaseModel, TypeAdapter
 
 from labcal.bench import config
 from labcal.bench.config import BenchConfig, InstrumentConfig
+from labcal.record import administrative
 
 ONE = {"type": "number", "exclusiveMinimum": 0}
 PAGE = Path(__file__).parents[1] / "docs" / "bench.schema.json"
@@ -31,7 +32,7 @@ def schema() -> dict[str, Any]:
     """The whole schema, each driver's own settings included."""
     whole = BenchConfig.model_json_schema()
     for name, part in [("BenchConfig", whole), *whole["$defs"].items()]:
-        _explain(part, getattr(config, name))
+        _explain(part, next(getattr(room, name) for room in (config, administrative) if hasattr(room, name)))
     instrument = whole["$defs"][InstrumentConfig.__name__]
     drivers = {e.name: e.load() for e in entry_points(group="labcal.drivers") if e.value.startswith("drivers.")}
     instrument["properties"]["driver"]["examples"] = sorted(drivers)

@@ -56,7 +56,9 @@ def position(bench: Bench, blocks: Sequence[Block]) -> Position:
 
 
 def _channels(blocks: Sequence[Block]) -> dict[str, float]:
-    """The mean of every channel that came with finite values alone."""
-    names = dict.fromkeys(name for block in blocks if block.stream == "channel" for name in block.columns)
+    """The mean of every channel that came, with finite values alone: a slow one may have sent nothing meanwhile."""
+    names = dict.fromkeys(
+        name for block in blocks if block.stream == "channel" and len(block) for name in block.columns
+    )
     means = {name: float(samples(blocks, "channel", name).mean[0]) for name in names}
     return {name: value for name, value in means.items() if np.isfinite(value)}

@@ -11,7 +11,8 @@ from labcal.demo import Demo, demo
 from labcal.demo.folder import CALIBRATION, TRUST, make_room
 from labcal.self_test.result import Check, guarded
 
-SEED, CAUSE = 0, ("offset-current", "i_eps")  # what the simulated DUT of this seed suffers
+SEED = 0
+CAUSE = ("offset-current", "i_eps")  # what the simulated DUT of this seed suffers
 NEAR_NOISE = 1.15  # held-out error over that of noise alone, as in the loop's own verdict
 Begin = Callable[[str], None]
 

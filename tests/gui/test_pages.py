@@ -77,6 +77,7 @@ def test_every_view_of_a_fit_has_something_to_show(qtbot, fitted):
         views.view.activated.emit(n)
         assert views.shown() == FACES[n]
         assert views.faces.currentWidget() is getattr(views, FACES[n])
+    views.view.setCurrentIndex(FACES.index("growth"))
     qtbot.waitUntil(lambda: "ekf" in study.growth or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
     qtbot.waitUntil(lambda: len(views.growth.getPlotItem().listDataItems()) >= 3, timeout=LONG_MS)

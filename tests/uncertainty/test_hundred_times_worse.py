@@ -13,7 +13,7 @@ import wrong_lab
 from trials import as_run, calibrated
 from wrong_lab import Declared
 
-from labcal.certificate.report.budget import budget_blocks
+from labcal.certificate.report.budget import field_blocks
 from labcal.model import Calibration
 
 GOOD = Declared(scale_ppm=50.0, zero_nT=3.0)
@@ -66,7 +66,7 @@ def test_a_zero_s_row_is_a_hundred_times_larger_and_u_with_it(certificates: dict
 
 
 def test_the_rows_on_paper_and_every_reading_follow(certificates: dict[str, Calibration]) -> None:
-    shown = {name: budget_blocks(c)[0].rows[0] for name, c in certificates.items()}
+    shown = {name: field_blocks(c)[0].rows[0] for name, c in certificates.items()}
     U = {name: float(rows[1].replace("\u202f", "")) for name, rows in shown.items()}
     assert U["scale"] > 8 * U["as declared"]
     assert U["zero"] > 4 * U["as declared"]
