@@ -46,7 +46,7 @@ def postgres() -> Iterator[Server]:
         with server() as running:
             yield running
     except NoServerError as reason:
-        pytest.skip(str(reason))
+        pytest.skip(str(reason))  # it says which program is missing, or what it said when it did not start
 
 
 @pytest.fixture(scope="session")

@@ -211,5 +211,5 @@ def test_the_audit_log_goes_along_entry_by_entry_as_it_lies_here(postgres: Serve
     for name in ("a", "b"):
         audit.append(home(), "run", "ada", {"run": name})
         archiving.push(url)
-    there = [(row[3], bytes(row[8]), bytes(row[9])) for row in rows_of(postgres, database)["audit"]]  # type: ignore[arg-type]
+    there = [(row[3], bytes(row[8]), bytes(row[9])) for row in rows_of(postgres, database)["audit"]]
     assert sorted(there) == audit.stored(home())

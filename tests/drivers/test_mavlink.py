@@ -169,7 +169,7 @@ def greeted(**edits: float) -> tuple[Any, MavlinkEmulator, list[bytes]]:
     link = EmulatedLink("emulated://rig", emulator, clock)
     link.never.add(Mavlink.never)
     send = link.send
-    link.send = lambda data: (sent.append(data), send(data))[1]  # type: ignore[method-assign]
+    link.send = lambda data: (sent.append(data), send(data))[1]
     driver = Mavlink("dut", link, clock, settings)
     assert driver.identify().manufacturer == "PX4"
     return driver, emulator, sent

@@ -11,6 +11,7 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QLabel
 
 from labcal.gui.reopened import Shown
+from labcal.gui.theming.theme import STATES
 from labcal.gui.translations import translate
 from labcal.gui.viewmodels.number_format import format_number
 
@@ -48,6 +49,13 @@ def test_a_language_says_everything_that_the_window_says(path):
 def test_what_is_filled_in_stands_in_every_language(path):
     for (_, source), one in messages(path).items():
         assert sorted(FILLED_IN.findall(one.text)) == sorted(FILLED_IN.findall(source))
+
+
+def test_every_verdict_has_its_word_on_lights_tables_and_cards():
+    known = messages(translate.FOLDER / "labcal.ts")
+    assert {verdict for verdict in STATES if verdict.isupper()} <= {
+        source for context, source in known if context == "Words"
+    }
 
 
 @pytest.mark.skipif(LRELEASE is None, reason="this PySide6 comes without lrelease, which makes the .qm file")

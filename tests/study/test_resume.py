@@ -131,13 +131,13 @@ def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[bytes]]
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": tmp_path}
     common = ["--no-dashboard", "--scheduler-file", str(place)]
     tool = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", *common]
-    processes = [subprocess.Popen(tool, **quiet)]  # type: ignore[call-overload]
+    processes = [subprocess.Popen(tool, **quiet)]
     try:
         until(lambda: place.exists() and b"tcp://" in place.read_bytes())
         address = place.read_text().split('"address": "')[1].split('"')[0]
         worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, "--host", "127.0.0.1",
                   "--nthreads", "1", "--no-nanny", "--no-dashboard", "--local-directory", str(tmp_path)]  # fmt: skip
-        workers = [subprocess.Popen(worker, **quiet) for _ in range(2)]  # type: ignore[call-overload]
+        workers = [subprocess.Popen(worker, **quiet) for _ in range(2)]
         processes += workers
         yield address, workers
     finally:

@@ -181,7 +181,8 @@ class StartPage(QWidget):
         shape, state = STATES.get(verdict, ("", ""))
         if days > CAGE_DAYS:
             return self._say("cage", self.tr("▲ due"), words, "warning")
-        return self._say("cage", f"{shape} {self.tr('holds') if verdict == 'PASS' else verdict}", words, state)
+        found = self.tr("holds") if verdict == "PASS" else translated(verdict)
+        return self._say("cage", f"{shape} {found}", words, state)
 
     def _closing_known(self, said: Checked | None) -> None:
         if said is None or said.measurement is None:
@@ -192,7 +193,7 @@ class StartPage(QWidget):
         shape, state = STATES.get(said.verdict, ("", ""))
         U = format_number(2 * worst.u, signed=False)
         value = f"{worst.name}: {format_number(worst.value)} ± {U} {worst.unit}"
-        return self._say("closing", f"{shape} {said.verdict}", f"{value}\n{run_title(said.run)}", state)
+        return self._say("closing", f"{shape} {translated(said.verdict)}", f"{value}\n{run_title(said.run)}", state)
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self._app_state.path.take_runs(runs)

@@ -1580,6 +1580,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>none yet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2059,6 +2063,14 @@
     </message>
     <message>
         <source>FAIL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MARGINAL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CANNOT DECIDE</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1580,6 +1580,10 @@
         <translation>Geprüft {0}, vor {1} Tagen.</translation>
     </message>
     <message>
+        <source>holds</source>
+        <translation>stimmt</translation>
+    </message>
+    <message>
         <source>none yet</source>
         <translation>noch keine</translation>
     </message>
@@ -2090,6 +2094,14 @@
         <translation>NICHT BESTANDEN</translation>
     </message>
     <message>
+        <source>MARGINAL</source>
+        <translation>GRENZFALL</translation>
+    </message>
+    <message>
+        <source>CANNOT DECIDE</source>
+        <translation>UNENTSCHEIDBAR</translation>
+    </message>
+    <message>
         <source>conditional pass</source>
         <translation>bedingt bestanden</translation>
     </message>
@@ -2407,7 +2419,7 @@
     </message>
     <message>
         <source>CANNOT DECIDE where U (k=2) exceeds half the limit: {0}.</source>
-        <translation>NICHT ENTSCHEIDBAR, wo U (k=2) die halbe Grenze übersteigt: {0}.</translation>
+        <translation>UNENTSCHEIDBAR, wo U (k=2) die halbe Grenze übersteigt: {0}.</translation>
     </message>
     <message>
         <source>It did not come to its end, so it has no verdict, and gives no calibration.</source>

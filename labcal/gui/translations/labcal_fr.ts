@@ -1580,6 +1580,10 @@
         <translation>Vérifiée le {0}, il y a {1} jours.</translation>
     </message>
     <message>
+        <source>holds</source>
+        <translation>tient</translation>
+    </message>
+    <message>
         <source>none yet</source>
         <translation>aucun encore</translation>
     </message>
@@ -2088,6 +2092,14 @@
     <message>
         <source>FAIL</source>
         <translation>NON CONFORME</translation>
+    </message>
+    <message>
+        <source>MARGINAL</source>
+        <translation>LIMITE</translation>
+    </message>
+    <message>
+        <source>CANNOT DECIDE</source>
+        <translation>INDÉCIDABLE</translation>
     </message>
     <message>
         <source>conditional pass</source>

@@ -104,6 +104,8 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "{0} changed"),
     QT_TRANSLATE_NOOP("Words", "PASS"),
     QT_TRANSLATE_NOOP("Words", "FAIL"),
+    QT_TRANSLATE_NOOP("Words", "MARGINAL"),
+    QT_TRANSLATE_NOOP("Words", "CANNOT DECIDE"),
     QT_TRANSLATE_NOOP("Words", "conditional pass"),
     QT_TRANSLATE_NOOP("Words", "conditional fail"),
     QT_TRANSLATE_NOOP("Words", "In specification?"),

@@ -43,7 +43,7 @@ class AxisLights(Surface):
             verdict, looks = run.axis_light(axis), run.axis_checks(axis)
             so_far = verdict == "PASS" and not looks["closure"] and run.status != "finished"  # good so far is not good
             shape, state = (("…" if run.alive else "–"), "") if so_far else STATES.get(verdict, NOT_YET)
-            words = verdict if not so_far else "" if run.alive else translated("not complete")
+            words = translated(verdict) if not so_far else "" if run.alive else translated("not complete")
             worst.setText(f"{axis.upper()}  {shape} {words}".strip())
             set_state(worst, state)
             said = [self._look(translated(look), found) for look, found in looks.items()]

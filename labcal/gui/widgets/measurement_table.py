@@ -123,4 +123,4 @@ class Measurements(Table):
         self.set_cell(row, 3, one.unit)
         self.set_cell(row, 4, "–" if one.limit is None else f"{one.limit:g}", right=True)
         shape, state = STATES.get(one.verdict, ("", "text"))
-        self.set_cell(row, 5, f"{shape} {one.verdict}".strip() or "–", colour=getattr(self._theme, state))
+        self.set_cell(row, 5, f"{shape} {translated(one.verdict)}".strip() or "–", colour=getattr(self._theme, state))
