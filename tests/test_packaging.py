@@ -9,10 +9,12 @@ import subprocess
 import sys
 import tarfile
 import time
+import tomllib
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
 
 from labcal.qt_packages import QT_PACKAGES
 
@@ -118,3 +120,10 @@ def test_a_python_that_labcal_does_not_run_on_is_told_at_once(monkeypatch, capsy
     assert set_up.main() == 2
     assert re.search(r"needs Python 3.11 to 3.13, python3 is 3\.", capsys.readouterr().err)
     assert not (tmp_path / "venv").exists()
+
+
+def test_every_dependency_has_an_upper_bound() -> None:
+    told = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    wanted = [*told["dependencies"], *(one for extra in told["optional-dependencies"].values() for one in extra)]
+    bounded = {text: {spec.operator for spec in Requirement(text).specifier} & {"<", "~=", "=="} for text in wanted}
+    assert [text for text, operators in bounded.items() if not operators] == []

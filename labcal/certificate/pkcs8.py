@@ -23,6 +23,8 @@ from cryptography.hazmat.primitives.serialization import (
     load_pem_private_key,
 )
 
+from labcal.files.memory import kept_private
+
 ROUNDS = 600_000  # a third of a second; OWASP's figure for PBKDF2-HMAC-SHA256
 
 _PBES2 = bytes.fromhex("06092a864886f70d01050d")
@@ -55,7 +57,8 @@ def unlocked(pem: bytes, passphrase: str) -> Ed25519PrivateKey:
 
 
 def _bytes(passphrase: str) -> bytes:
-    """UTF-8; bytes of the environment that are none pass as they are."""
+    """UTF-8; bytes of the environment that are none pass as they are. This process keeps its memory from now on."""
+    kept_private()
     return passphrase.encode(errors="surrogateescape")
 
 

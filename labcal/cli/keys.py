@@ -16,6 +16,7 @@ from labcal.cli import app
 from labcal.cli.screen import console, say, say_lines
 from labcal.errors import InputError
 from labcal.files.home import PASSPHRASE
+from labcal.files.memory import kept_private
 
 if TYPE_CHECKING:
     from labcal.certificate import Entry
@@ -132,8 +133,9 @@ def _date(stated: str | None) -> datetime | None:
 def passphrase(question: str, *, again: bool = False) -> str:
     """The passphrase from LABCAL_PASSPHRASE, else asked at the terminal (twice for a new one). Raises InputError.
 
-    It leaves the environment as it is read: nobody whom this process starts is told.
+    It leaves the environment as it is read: nobody whom this process starts is told, nor who reads its memory.
     """
+    kept_private()
     if (stated := os.environ.pop(PASSPHRASE, None)) is not None:
         return stated
     if not sys.stdin.isatty():

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, NoReturn
 from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import ARCHIVE, home
+from labcal.files.memory import kept_private
 from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ def archive_address(given: str | None) -> Address:
     if not stated:
         raise InputError(f"which archive? --archive URL, or the URL in {ARCHIVE} (docs/archive.md)")
     address = parse_address(stated)
+    if address.has_password:
+        kept_private()
     if given is not None and address.has_password:
         told = "everybody on this machine can read a password on a command line"
         raise InputError(f"{told}: put the URL into {ARCHIVE}, or the password into ~/.pgpass; and change it now")
