@@ -14,6 +14,7 @@ from labcal.bench.parameters import Limits
 from labcal.bench.steps import Procedure, Work, coils_off, listen, measured, note, record, recorded
 from labcal.bench.streams.running import Running
 from labcal.bench.streams.samples import Samples, samples
+from labcal.earth.wmm import FIRST_YEAR, LAST_YEAR, wmm
 from labcal.errors import InstrumentError
 from labcal.record.run import Segment
 from labcal.record.stream import Block, Event, Measurement, Stream
@@ -48,6 +49,7 @@ def ambient(
         for n in range(1, harmonics + 1):
             faults += yield from _alias(bench, stream, 1 / seen.period_s, n * mains_hz, rate_deg_per_s / 360)
     verdict = "the room is not fit for the job: " + "; ".join(faults) if faults else "the room is fit for the job"
+    verdict += yield from _beside_the_model(bench, room["reference"])
     yield Event(bench.clock.now(), "ambient", verdict, {"faults": faults})
 
 
@@ -122,6 +124,28 @@ def _components(bench: Bench, room: Running, drift_nT_per_min: float, noise_nT: 
         yield from measured(bench, f"noise density {name}", per_root_Hz, per_root_Hz / root, "nT/√Hz")
         beyond += [m for m in (drift, quiet) if m.verdict == "FAIL"]
     return [f"{m.name} {m.value:.3g} {m.unit}" for m in beyond]
+
+
+def _beside_the_model(bench: Bench, room: Running) -> Work[str]:
+    """Magnitude and what the World Magnetic Model expects at the bench's place; returns how they compare, in words.
+
+    Nothing fails by it: a building's iron is worth more than the model's uncertainty. Silent where no place is stated.
+    """
+    found, (site, today) = float(np.linalg.norm(room.mean)), (bench.config.site, bench.clock.utc().date())
+    if site is None:
+        return ""
+    if not FIRST_YEAR <= today.year < LAST_YEAR:
+        return f"; of {today.year} no field is expected: WMM is here from {FIRST_YEAR} to {LAST_YEAR}"
+    expected = wmm(site.latitude_deg, site.longitude_deg, site.height_m, today)
+    u = float(np.linalg.norm(room.u_mean * room.mean) / found)
+    yield from measured(bench, "magnitude", found, u, "nT")
+    yield from measured(bench, f"magnitude by {expected.model}", expected.magnitude_nT, expected.u_magnitude_nT, "nT")
+    apart = found - expected.magnitude_nT
+    said = f"; its {found:.0f} nT are {abs(apart):.0f} nT {'above' if apart > 0 else 'below'} what {expected.model}"
+    said += f" expects outdoors ({expected.magnitude_nT:.0f} nT, U = {2 * expected.u_magnitude_nT:.0f} nT, k = 2)"
+    if abs(apart) <= 2 * expected.u_magnitude_nT:
+        return said
+    return said + ": iron near by, or the reference's unit and scale"
 
 
 def _alias(bench: Bench, stream: str, rate_hz: float, mains_hz: float, turn_hz: float) -> Work[list[str]]:

@@ -18,7 +18,7 @@ from labcal.files.atomic import write_text
 HEAD = """# The public face
 
 `import labcal` gives what a notebook or a script needs. It is light: the rooms behind a name are loaded when it is
-first asked for. Everything else in the package is a room that may change; [labcal/session](../labcal/session.py) is
+first asked for. Everything else in the package is a room that may change; [labcal/session](../labcal/session/) is
 where to read on. [examples/notebook.py](../examples/notebook.py) uses all of it.
 
 Runs are named as on the command line, by a run id of the local store or the path of a bundle, or given as the run

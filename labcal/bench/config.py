@@ -183,6 +183,14 @@ class EnvironmentConfig(_Table):
     gradient_ppm_per_m: Positive | None = None  # of what the coils make
 
 
+class SiteConfig(_Table):
+    """Where on Earth the bench stands: what field is expected there."""
+
+    latitude_deg: Annotated[float, Field(ge=-90, le=90, strict=True)]
+    longitude_deg: Annotated[float, Field(ge=-180, le=360, strict=True)]
+    height_m: Annotated[float, Field(ge=-1000, le=10_000, strict=True)] = 0.0  # above the sea
+
+
 class ReferenceConfig(_Table):
     """The reference sensor as far as it is stated. `cage_from_sensor` turns its axes into C."""
 
@@ -282,6 +290,7 @@ class BenchConfig(_Table):
     dut: DutConfig
     safety: SafetyConfig = SafetyConfig()
     environment: EnvironmentConfig = EnvironmentConfig()
+    site: SiteConfig | None = None
     laboratory: Laboratory | None = None
     customer: Address | None = None
     equipment: tuple[Annotated[Equipment, BeforeValidator(_days_as_text)], ...] = ()

@@ -87,9 +87,9 @@ class ReadingPart(Source):
 
 
 class ReferencePart(Source):
-    """The reference: columns of a sensor, a known site's value, or IGRF at a place and date."""
+    """The reference: columns of a sensor, a known site's value, or IGRF or WMM at a place and date."""
 
-    kind: Literal["vector", "scalar", "site", "igrf", "none"]
+    kind: Literal["vector", "scalar", "site", "igrf", "wmm", "none"]
     columns: Three | None = None
     column: Name | None = None
     unit: FieldUnit | None = None
@@ -113,7 +113,7 @@ class ReferencePart(Source):
     def _whole(self) -> Self:
         needs = {
             "vector": ("columns", "unit", "frame"), "scalar": ("column", "unit"), "site": ("value_nT",),
-            "igrf": ("latitude_deg", "longitude_deg"), "none": (),
+            "igrf": ("latitude_deg", "longitude_deg"), "wmm": ("latitude_deg", "longitude_deg"), "none": (),
         }[self.kind]  # fmt: skip
         for name in needs:
             if getattr(self, name) is None:

@@ -10,11 +10,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from labcal.earth.igrf import igrf_nT
+from labcal.earth.wmm import wmm
 from labcal.errors import InputError
 from labcal.importers.attitude import one_attitude
 from labcal.importers.doubts import Clock
 from labcal.importers.mapping import Mapping, SegmentPart
-from labcal.importers.model_field import day_of, igrf_nT
+from labcal.importers.model_field import day_of
 from labcal.record import Channel, Dut, Reference, Run, Segment
 from labcal.record.run_id import as_file_name
 
@@ -159,13 +161,20 @@ def _reference(
 
 
 def _model(mapping: Mapping, started_utc: str, stated: dict[str, object]) -> Array:
-    """The field of the model, and its name as the reference's serial."""
+    """The field of the model; its name as the reference's serial, and its error model where nothing else is stated."""
     part, when = mapping.reference, day_of(mapping.reference.date, started_utc)
     assert part.latitude_deg is not None
     assert part.longitude_deg is not None
     place = f"{part.latitude_deg:g} deg N, {part.longitude_deg:g} deg E, {part.height_m:g} m"
-    stated["serial"] = part.serial or f"IGRF at {place}, {when.isoformat()}, {part.cage.upper()}"
-    return igrf_nT(part.latitude_deg, part.longitude_deg, part.height_m, when, part.cage)
+    at = f"at {place}, {when.isoformat()}, {part.cage.upper()}"
+    if part.kind == "igrf":
+        stated["serial"] = part.serial or f"IGRF {at}"
+        return igrf_nT(part.latitude_deg, part.longitude_deg, part.height_m, when, part.cage)
+    expected = wmm(part.latitude_deg, part.longitude_deg, part.height_m, when, part.cage)
+    stated["serial"] = part.serial or f"{expected.model} {at}"
+    if part.u_offset_nT is None:
+        stated["u_offset_nT"] = float(np.sqrt(np.mean(expected.u_nT**2)))
+    return expected.field_nT
 
 
 def _in_the_body(

@@ -167,6 +167,18 @@ def test_the_igrf_at_a_place_and_date_is_the_reference(tmp_path: Path) -> None:
     assert abs(run.magnitude_nT[0] - 48_828) < 30
 
 
+def test_the_wmm_is_a_reference_with_its_error_model(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for folder in ("igrf", "wmm"):
+        (tmp_path / folder).mkdir()
+    igrf = imported(tmp_path / "igrf", "ulog", foreign.tumble())
+    monkeypatch.setitem(MAPPINGS, "ulog", MAPPINGS["ulog"].replace('kind = "igrf"', 'kind = "wmm"'))
+    run = imported(tmp_path / "wmm", "ulog", foreign.tumble())
+    assert run.reference.serial.startswith("WMM20")
+    assert 0 < abs(run.magnitude_nT[0] - igrf.magnitude_nT[0]) < 60
+    assert igrf.reference.u_offset_nT is None
+    assert 100 < run.reference.u_offset_nT < 150
+
+
 @pytest.mark.parametrize("name", MAPPINGS)
 def test_a_file_that_is_cut_or_damaged_is_one_sentence(
     name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]

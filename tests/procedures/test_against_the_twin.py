@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -217,3 +219,20 @@ def test_a_dial_without_a_motor_is_turned_by_a_person_until_no_sector_is_missing
     asked = [i.drawing["angle_deg"] for i in found.items if isinstance(i, Prompt) and "angle_deg" in i.drawing]
     assert asked == pytest.approx([0.0, *(15.0 * n - 7.5 for n in range(1, 25))], abs=0.1)
     assert found.measured["z-50uT: missing sectors"].verdict == "PASS"
+
+
+@pytest.mark.parametrize(
+    ("earth_nT", "said"),
+    [
+        ("[20000.0, 1100.0, -43950.0]", r"U = 276 nT, k = 2\)$"),
+        ("[20000.0, 1100.0, -43000.0]", "nT below what WMM20.*iron near by"),
+        ("[200.0, 11.0, -437.0]", "iron near by, or the reference's unit and scale"),
+    ],
+)
+def test_ambient_says_what_the_model_of_the_earth_expects_there(ran: Run, earth_nT: str, said: str) -> None:
+    place = ("[dut]\nserial", "[site]\nlatitude_deg = 47.0\nlongitude_deg = 8.0\nheight_m = 500.0\n[dut]\nserial")
+    found = ran("ambient", f"ambient = {{ earth_nT = {earth_nT} }}", edits=[place], duration_s=10)
+    assert re.search(said, found.event("ambient").text)
+    expected = next(m for name, m in found.measured.items() if name.startswith("magnitude by WMM"))
+    assert expected.value == pytest.approx(48_250, abs=250)  # IGRF there, of another package
+    assert found.value("magnitude") == pytest.approx(np.linalg.norm(json.loads(earth_nT)), abs=30)

@@ -228,12 +228,13 @@ def write(folder: Path, by_system: Mapping[str, list[Wheel]], python: str) -> No
 
 
 def needed_files(wheels: Iterable[Wheel]) -> Iterator[str]:
-    """What labcal reads at work and no network may be asked for, where it is missing: the coefficients of IGRF."""
+    """What labcal reads at work and no network may be asked for, where it is missing: the coefficients of IGRF, WMM."""
     for wheel in wheels:
-        if wheel.name == "ppigrf":
-            with zipfile.ZipFile(wheel.file) as archive:
-                if not any(name.endswith(".shc") for name in archive.namelist()):
-                    yield f"{wheel.file.name} has no coefficients of IGRF"
+        for name, ending, model in (("ppigrf", ".shc", "IGRF"), ("pygeomag", ".COF", "WMM")):
+            if wheel.name == name:
+                with zipfile.ZipFile(wheel.file) as archive:
+                    if not any(file.endswith(ending) for file in archive.namelist()):
+                        yield f"{wheel.file.name} has no coefficients of {model}"
 
 
 def main() -> int:
