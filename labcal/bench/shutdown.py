@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import signal
+import threading
 import time
-from collections.abc import Callable
-from contextlib import AbstractContextManager, closing, nullcontext, suppress
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, closing, contextmanager, nullcontext, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
 
 Meanwhile = Callable[[], AbstractContextManager[object]]
 FREE_S = 5.0
+ENDS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 UNTOUCHED = (
     "no guardian drives this bench and no coil was touched. Correct the file and say off again, or switch the supplies "
     "off by hand"
@@ -37,6 +40,25 @@ def coils_off(path: Path, meanwhile: Meanwhile = nullcontext) -> list[AtZero]:
     ports are opened here, and held against everybody meanwhile. Raises InputError where no guardian lives and the file
     does not say where the supplies are.
     """
+    with _unbroken():
+        return _brought_down(path, meanwhile)
+
+
+@contextmanager
+def _unbroken() -> Iterator[None]:
+    """Neither Ctrl-C nor a terminal that closes breaks off the way to zero: nobody else might be left to go on."""
+    if threading.current_thread() is not threading.main_thread():  # a thread beside it hears no signals
+        yield
+        return
+    before = {number: signal.signal(number, signal.SIG_IGN) for number in ENDS}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
     deadline = time.monotonic() + FREE_S
     while time.monotonic() < deadline:
         with suppress(OSError):

@@ -28,8 +28,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 COMMANDS = (
     *("demo", "gui", "self-test", "bench", "run", "runs", "show", "import", "export", "check-store", "audit"),
-    *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "conformity", "compare"),
-    *("push", "archive", "study", "plugins", "effect"),
+    *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "numbers", "conformity"),
+    *("compare", "push", "archive", "study", "plugins", "effect"),
 )
 
 
@@ -63,10 +63,12 @@ def main() -> None:
 
 def execute(arguments: list[str]) -> int:
     """Run one command, such as ["runs"]; every fault ends in one sentence on stderr. Returns the exit code."""
-    import labcal.cli.commands  # noqa: F401  registers every command on `app`
-
     try:
+        import labcal.cli.commands  # noqa: F401  registers every command on `app`
+
         code = app(arguments, prog_name="labcal", standalone_mode=False)
+        if code == STOPPED:  # typer answers Ctrl-C with this code and no word
+            return _say("stopped", STOPPED)
         return code if isinstance(code, int) else DONE
     except UsageFault as error:
         return _say_usage(error)

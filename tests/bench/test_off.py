@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -45,6 +46,28 @@ def test_without_a_guardian_it_opens_the_ports_itself_and_gives_them_back(lab: S
     links = read_config(lab.file).guarded_links
     assert ports.hold(links)
     ports.let_go()
+
+
+OFF_AND_A_SIGNAL = """
+import os, signal, sys
+from labcal.bench import shutdown
+from labcal.cli import execute
+sought = shutdown.guarding
+def interrupted(path):
+    os.kill(os.getpid(), getattr(signal, sys.argv[1]))
+    return sought(path)
+shutdown.guarding = interrupted
+sys.exit(execute(["bench", "off", sys.argv[2]]))
+"""
+
+
+@POSIX
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_neither_ctrl_c_nor_a_closed_terminal_breaks_off_the_way_to_zero(name: str) -> None:
+    words = [sys.executable, "-c", OFF_AND_A_SIGNAL, name, str(EXAMPLE)]
+    told = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert told.returncode == 0, told
+    assert told.stdout.count("zero, open") == 3
 
 
 def test_what_is_wrong_with_one_supply_keeps_no_other_from_zero(tmp_path: Path) -> None:

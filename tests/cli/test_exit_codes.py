@@ -35,6 +35,18 @@ def test_every_fault_ends_in_one_sentence_and_its_code(monkeypatch, capsys, faul
     assert said.count("\n") == 1
 
 
+def test_ctrl_c_within_a_command_is_told(monkeypatch, capsys):
+    monkeypatch.setattr("labcal.cli.numbers.claim", raiser(KeyboardInterrupt()))
+    assert cli.execute(["numbers"]) == 130
+    assert capsys.readouterr().err == "labcal: stopped\n"
+
+
+def test_ctrl_c_while_the_commands_load_is_told(monkeypatch, capsys):
+    monkeypatch.setattr("builtins.__import__", raiser(KeyboardInterrupt()))
+    assert cli.execute([]) == 130
+    assert capsys.readouterr().err == "labcal: stopped\n"
+
+
 def test_a_fault_of_our_own_is_a_sentence_and_a_file_with_the_details(monkeypatch, capsys, home_of_its_own):
     monkeypatch.setattr(cli, "app", raiser(ZeroDivisionError("division by zero")))
     assert cli.execute([]) == 2

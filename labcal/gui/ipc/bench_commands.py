@@ -87,7 +87,9 @@ def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
     from labcal import session
     from labcal.bench.coils.doubt import doubt_of
 
-    ended, doubt = session.coils_off(Path(asked.bench)), doubt_of(Path(asked.bench))
+    with channel.on_the_way_to_zero():
+        ended = session.coils_off(Path(asked.bench))
+    doubt = doubt_of(Path(asked.bench))
     return SwitchedOff(tuple(CoilEnd(a.axis, a.current_A, a.words, a.fault is None, a.read_s) for a in ended), doubt)
 
 

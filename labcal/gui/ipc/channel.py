@@ -7,6 +7,7 @@ import queue
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TextIO
 
 from labcal.bench.coils.state import LabState
@@ -77,6 +78,15 @@ class Channel:
         """The run has ended and the links are closed."""
         self.flush()
         self._on_bench = False
+
+    @contextmanager
+    def on_the_way_to_zero(self) -> Iterator[None]:
+        """A window that hangs up meanwhile is obeyed when the coils are down: nobody else might bring them there."""
+        self._on_bench = True
+        try:
+            yield
+        finally:
+            self._on_bench = False
 
     def send_item(self, item: Item) -> None:
         """Hand an item on: samples in batches, everything else at once."""
