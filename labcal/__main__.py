@@ -1,5 +1,5 @@
 """`python -m labcal`: the command line where the folder of scripts is on no path."""
 
-from labcal.cli import main
+from labcal.start import main
 
 main()

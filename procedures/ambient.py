@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from labcal.bench.bench import Bench
 from labcal.bench.driver_kit.roles import Paced
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Procedure, Work, coils_off, listen, measured, note, record, recorded
+from labcal.bench.steps import Procedure, Work, coils_off, listen, measured, note, record, recorded, take_ambient
 from labcal.bench.streams.running import Running
 from labcal.bench.streams.samples import Samples, samples
 from labcal.earth.wmm import FIRST_YEAR, LAST_YEAR, wmm
@@ -44,6 +44,7 @@ def ambient(
     yield from coils_off(bench)
     faults = yield from _mains(bench, mains_hz, harmonics, mains_s, mains_nT)
     room = yield from _heard(bench, duration_s)
+    take_ambient(bench, room["reference"].mean)
     faults += yield from _components(bench, room["reference"], drift_nT_per_min, noise_nT)
     for stream, seen in room.items():
         for n in range(1, harmonics + 1):

@@ -95,7 +95,7 @@ def read_history(path: Path) -> tuple[Array, Array]:
     """Times (n,) [s] and fields (n, 3) [nT, C] of a CSV file. Raises InputError with line and column."""
     columns = ("t_s", "b_x", "b_y", "b_z")
     if not path.is_file():
-        raise InputError("there is no such file", file=path)
+        raise InputError("is no regular file" if path.exists() else "there is no such file", file=path)
     with path.open(newline="", encoding="utf-8") as lines:
         rows = csv.DictReader(lines)
         for name in columns:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.streams.samples import Samples, samples
@@ -166,10 +166,15 @@ def measure_ambient(bench: Bench, seconds: float, *, name: str = "zero") -> Work
     reference = samples(blocks, "reference")
     for column, value, u in zip(reference.columns, reference.mean, reference.u_mean, strict=True):
         yield from measured(bench, f"{name}: {column}", value, u, "nT")
-    if len(reference.columns) == 3:
-        bench.cage.ambient_nT = reference.mean
-        bench.cage.check.take_ambient(reference.mean, bench.clock.now())
+    take_ambient(bench, reference.mean)
     return blocks
+
+
+def take_ambient(bench: Bench, mean_nT: NDArray[np.float64]) -> None:
+    """What a vector reference saw at the coils' zero, (3,) in C, is the cage's ambient field from now on."""
+    if len(mean_nT) == 3:
+        bench.cage.ambient_nT = mean_nT
+        bench.cage.check.take_ambient(mean_nT, bench.clock.now())
 
 
 def attempt(bench: Bench, name: str, work: Callable[[], Work[T]]) -> Work[T | None]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager
@@ -10,7 +11,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Protocol
 
 from labcal.cli.screen import console, say
-from labcal.errors import InputError
+from labcal.errors import InputError, Stopped
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -92,7 +93,11 @@ class Lines(Nothing):
             return
         verdict = {"verdict": item.verdict} if isinstance(item, Measurement) else {}
         said = {"item": type(item).__name__.lower(), **asdict(item), **verdict}
-        say(json.dumps(said, default=str), err=True)
+        try:
+            say(json.dumps(said, default=str), err=True)
+        except BrokenPipeError:
+            sys.stderr = open(os.devnull, "w")  # noqa: SIM115  what is said at the end finds nobody, and must not fail
+            raise Stopped("nobody reads the progress any more") from None
 
 
 class Bar(Nothing):

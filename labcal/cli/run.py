@@ -101,6 +101,9 @@ def _pairs(settings: Sequence[str]) -> dict[str, str]:
     for key, equals, _ in pairs:
         if not equals or not key:
             raise InputError(f"--set {key}: expected KEY=VALUE")
+    keys = [key.strip() for key, _, _ in pairs]
+    if twice := next((key for key in keys if keys.count(key) > 1), None):
+        raise InputError(f"--set {twice} is there twice: which of them?")
     return {key.strip(): value for key, _, value in pairs}
 
 

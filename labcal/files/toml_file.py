@@ -44,9 +44,10 @@ def read_toml(path: Path) -> tuple[str, dict[str, Any]]:
 def _bytes(path: Path) -> bytes:
     """The file's first bytes. A pipe would be waited for, a device has no end: neither is a file of this kind."""
     handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    if not stat.S_ISREG(os.fstat(handle).st_mode):
+        os.close(handle)
+        raise InputError("is not a regular file", file=path)
     with os.fdopen(handle, "rb") as file:
-        if not stat.S_ISREG(os.fstat(handle).st_mode):
-            raise InputError("is not a regular file", file=path)
         return file.read(MOST_BYTES + 1)
 
 

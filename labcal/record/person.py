@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from labcal.errors import InputError
+
+LONGEST = 100
 _BETWEEN = re.compile(r"[\s._-]+")  # what one person writes in a name today, and leaves out tomorrow
 _LOOKS_LIKE = str.maketrans(  # small letters of other scripts, and what they are taken for
     "авеһікмнорстухѕјԁԛԝӏ" + "αβεζικνορτυχ",
@@ -12,6 +15,12 @@ _LOOKS_LIKE = str.maketrans(  # small letters of other scripts, and what they ar
 )
 _SPELLED_OUT = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "å": "aa", "ø": "oe", "æ": "ae", "œ": "oe"})
 _WITHOUT = str.maketrans({"ø": "o", "æ": "a", "œ": "o", "ł": "l", "đ": "d"})  # what does not come apart
+
+
+def check_operator(name: str) -> None:
+    """Raise InputError where `name` is not what a person is called on one line of a certificate; none is a name too."""
+    if len(name) > LONGEST or not (name.isprintable() or not name):
+        raise InputError(f"the operator's name must be one printable line of at most {LONGEST} letters")
 
 
 def same_person(one: str, other: str) -> bool:

@@ -21,6 +21,7 @@ from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
+from labcal.record.person import check_operator
 from labcal.record.stream import NOT_KEPT, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
 from labcal.runner.control import Control
@@ -93,6 +94,7 @@ def run_procedure(
     wrong later is in the Outcome, and so is how the coils were left.
     """
     values = settings(procedure.parameters, given)
+    check_operator(operator)
     _refuse_modes(bench, values)
     refuse_overdue(bench)
     identities = bench.identities()

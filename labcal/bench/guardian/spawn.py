@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import subprocess
 import sys
 from contextlib import suppress
@@ -38,6 +39,10 @@ def spawn(bench: Briefing, *options: str) -> subprocess.Popen[bytes]:
 def _log() -> IO[bytes]:
     """Where its last words go; nowhere, if there is no place for a log: coils come to zero without one too."""
     try:
-        return file_at_home("guardian.log").open("ab")
+        log = os.open(file_at_home("guardian.log"), os.O_WRONLY | os.O_APPEND | getattr(os, "O_NONBLOCK", 0))
+        if stat.S_ISREG(os.fstat(log).st_mode):  # a pipe would be waited for once it is full
+            return os.fdopen(log, "ab")
+        os.close(log)
     except OSError:
-        return Path(os.devnull).open("ab")
+        pass
+    return Path(os.devnull).open("ab")
