@@ -29,7 +29,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 COMMANDS = (
     *("demo", "gui", "self-test", "bench", "run", "runs", "show", "import", "export", "check-store", "audit"),
     *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "conformity", "compare"),
-    *("push", "archive", "study", "plugins", "effect"),
+    *("push", "archive", "study", "charts", "rr", "intervals", "intercompare", "fleet", "watch", "plugins", "effect"),
 )
 
 

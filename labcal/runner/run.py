@@ -85,10 +85,12 @@ def run_procedure(
     control: Control | None = None,
     tell: Tell = lambda item: None,
     show: Show = lambda state: None,
+    first: tuple[str, str, Mapping[str, Any]] | None = None,
 ) -> Outcome:
     """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
 
     `filled` are keywords that no text can state, such as a calibration that was read from its file.
+    `first` is an event (kind, text, data) that the record begins with.
     Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
     wrong later is in the Outcome, and so is how the coils were left.
     """
@@ -117,6 +119,8 @@ def run_procedure(
     )
     writer = store.begin(header, lambda: iso(bench.clock.utc()))
     _tell_lifted(bench, writer, bench.clock.now())
+    if first is not None:
+        writer.write(Event(bench.clock.now(), *first))
     return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
 
 
