@@ -138,7 +138,8 @@ def _sigma(spread: Array, n: NDArray[np.intp], *, single: bool) -> float:
     """Sigma of one value from the spreads of a baseline; of one point where `single`."""
     if single:
         return float(np.nanmean(spread)) / D2 * float(np.sqrt(np.median(n)))
-    return float(np.mean(np.array([s / c4(int(m)) for s, m in zip(spread, n, strict=True)])))
+    each = spread / np.array([c4(int(m)) for m in n])
+    return float(each.mean())
 
 
 def _spread_limits(sigma: Array, n: NDArray[np.intp], *, single: bool) -> tuple[Array, Array, Array]:

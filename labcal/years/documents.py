@@ -25,7 +25,7 @@ def charts_document(found: Charts) -> dict[str, Any]:
         "false_alarms": {
             "average_run_length": {str(rule): average_run_length((rule,)) for rule in rules}
             | {"any": average_run_length(rules)},
-            "spread_rate": spread_false_alarm_rate(n),
+            "spread_rate": spread_false_alarm_rate(n) if n > 1 else None,  # a moving range alarms nobody
         },
         "points": [[run.run_id for run in point] for point in found.points],
         "charts": [_chart(name, found.units.get(name, ""), one) for name, one in found.of.items()],

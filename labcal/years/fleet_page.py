@@ -144,7 +144,7 @@ def draw_batches(figure: FigureBase, one: OfBatches) -> None:
     axes.plot([b.own_mean for b in shown], at, "o", ms=5, fillstyle="none", color=MUTED)
     axes.axvline(0, color=MUTED, lw=0.6)
     axes.set(xlabel=one.unit, yticks=at, yticklabels=[f"{b.name} ({b.devices})" for b in shown])
-    axes.invert_yaxis()
+    axes.set_ylim(len(shown) - 0.5, -0.5)
 
 
 def fleet_document(found: Fleet) -> dict[str, Any]:

@@ -95,12 +95,12 @@ def test_a_table_that_is_none_is_refused(
 def test_a_drift_is_seen_and_each_method_says_when_to_come_back(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """3 nT a year on x, nothing on y; 20 nT are permitted."""
+    """3 nT a year on x, nothing on y; 12 nT are permitted."""
     draw = np.random.default_rng(2)
     made = [calibrated(day=365.25 * i, offset_nT=(3.0 * i + draw.normal(0, 1), draw.normal(0, 1), 0.0))
             for i in range(8)]  # fmt: skip
     kept(tmp_path, *made)
-    found = asked(["intervals", "EM-1", str(tmp_path), "--permitted", "offset=20 nT"], capsys)
+    found = asked(["intervals", "EM-1", str(tmp_path), "--permitted", "offset=12 nT"], capsys)
     figures = {one["quantity"]: one for one in found["figures"]}  # type: ignore[attr-defined]
     low, high = figures["offset x"]["drift"]["interval"]
     assert low < 3.0 < high
