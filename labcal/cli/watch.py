@@ -42,7 +42,8 @@ def watch(
     if folder is not None and not folder.is_dir():
         raise InputError("is no folder", file=folder)
     claim("watch", *(path for path in (json_path(json),) if path), force=force)
-    ways = [*([Mail(tuple(mail), sender, smtp)] if mail else []), *map(Webhook, webhook)]
+    ways: list[Mail | Webhook] = [Mail(tuple(mail), sender, smtp)] if mail else []
+    ways += [Webhook(url) for url in webhook]
     if not once:
         watching(Source(folder, archive), out, ways, every, _say)
     found = look(Source(folder, archive, 0.0), out, ways, (lambda one: None) if json == "-" else _say)

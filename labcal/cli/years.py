@@ -24,7 +24,6 @@ TOO_MUCH = 30.0  # percent of the total variation, beyond which a gage is not fi
 PANEL = "Years"
 FORMS = (".html", ".pdf", ".png")
 OUT = typer.Option(None, "--out", metavar="FILE", help="A page, .html or .pdf; its figures alone as .png.")
-PAGE = typer.Option(None, "--out", metavar="FILE", help="A page, .html or .pdf.")
 ARCHIVE = typer.Option(None, "--archive", metavar="URL", help="Ask the archive, not this lab's folder.")
 
 
@@ -70,7 +69,7 @@ def rr(
     quantity: str | None = typer.Option(None, help="The figure of the runs (offset x), or what the table has."),
     tolerance: float | None = typer.Option(None, metavar="WIDTH", help="Width of the tolerance, in the figure's unit."),
     json: str | None = JSON,
-    out: Path | None = PAGE,
+    out: Path | None = OUT,
     force: bool = FORCE,
 ) -> int:
     """Gage R&R by a crossed ANOVA: DUT, operator, mounting. Exit code 1: more than 30 % of all variation is the gage's.
@@ -90,10 +89,10 @@ def rr(
     from labcal.years.study_of_gage import rows_of_runs, rows_of_table, studied
 
     named = quantity or ("value" if table else "offset x")
-    rows, unit = (rows_of_table(table), "") if table else rows_of_runs(runs or [], named, _working)
+    rows, unit, simulated = (rows_of_table(table), "", False) if table else rows_of_runs(runs or [], named, _working)
     if not rows:
         raise InputError("has no rows", file=table)
-    study = studied(rows, named, unit, tolerance)
+    study = studied(rows, named, unit, tolerance, simulated=simulated)
     _give("rr", study_document(study), study_page(study), json, out, read, force=force)
     return NEGATIVE if study.found.percent_rr > TOO_MUCH else DONE
 
@@ -149,7 +148,7 @@ def intercompare(
         help="The reference is this bench's; three of its calibrations show the standard's drift.",
     ),
     json: str | None = JSON,
-    out: Path | None = PAGE,
+    out: Path | None = OUT,
     force: bool = FORCE,
 ) -> int:
     """Compare benches by a travelling standard: E_n of each figure. Exit code 1: one is beyond ±1."""

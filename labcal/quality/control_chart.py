@@ -17,8 +17,8 @@ from scipy.stats import chi2, f, norm
 from labcal.quality.western_electric import ALL, broken_rules
 
 Array = NDArray[np.float64]
-D2 = 2 / np.sqrt(np.pi)  # mean of the range of two normal values, in sigma
-D3 = np.sqrt(2 - 4 / np.pi)  # its standard deviation
+D2 = 2 / float(np.sqrt(np.pi))  # mean of the range of two normal values, in sigma
+D3 = float(np.sqrt(2 - 4 / np.pi))  # its standard deviation
 FEWEST = 8  # points of a baseline, below which no limit is drawn
 DAYS_DIFFER = 0.01  # level of the test whether means vary by more than single values explain
 
@@ -138,8 +138,8 @@ def _sigma(spread: Array, n: NDArray[np.intp], *, single: bool) -> float:
     """Sigma of one value from the spreads of a baseline; of one point where `single`."""
     if single:
         return float(np.nanmean(spread)) / D2 * float(np.sqrt(np.median(n)))
-    each = spread / np.array([c4(int(m)) for m in n])
-    return float(each.mean())
+    constants = np.array([c4(int(m)) for m in n])
+    return float(np.mean(spread / constants))
 
 
 def _spread_limits(sigma: Array, n: NDArray[np.intp], *, single: bool) -> tuple[Array, Array, Array]:

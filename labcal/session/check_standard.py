@@ -60,7 +60,7 @@ class Charts:
 def charts(stated: CheckStandardConfig, *, bench: str | None = None, simulated: bool | None = None) -> Charts:
     """The charts of what the local store has of the check standard, of one bench's runs where it is named.
 
-    Raises InputError where the store cannot be read.
+    Raises InputError where the store cannot be read, or simulated runs stand among real ones.
     """
     measured, values, left_out = list[RunSummary](), list[Mapping[str, Figure]](), list[str]()
     for run in _runs(stated, bench, simulated):
@@ -141,6 +141,8 @@ def _runs(stated: CheckStandardConfig, bench: str | None, simulated: bool | None
         found = [r for r in store.runs() if r.dut_serial == stated.serial and r.status in MEASURED]
         found = [r for r in found if r.procedure in (stated.procedure, "")]
         found = [r for r in found if simulated is None or r.simulated == simulated]
+        if len({r.simulated for r in found}) > 1:
+            raise InputError(f"of {stated.serial} there are simulated and real runs: name its bench file")
         mine = [r for r in found if bench is None or _bench_of(store, r) == bench]
     return sorted(mine, key=lambda run: run.started_utc)
 

@@ -62,7 +62,14 @@ def study_document(study: Study) -> dict[str, Any]:
     """`labcal-gage/1`."""
     told = asdict(study.found)
     head = {"format": "labcal-gage/1", "quantity": study.quantity, "unit": study.unit}
-    return {**head, "levels": dict(study.levels), "repeats": study.repeats, **told, "remarks": list(study.remarks)}
+    return {
+        **head,
+        "levels": dict(study.levels),
+        "repeats": study.repeats,
+        "simulated": study.simulated,
+        **told,
+        "remarks": list(study.remarks),
+    }
 
 
 def trend_document(serial: str, found: Sequence[Trend]) -> dict[str, Any]:

@@ -141,21 +141,37 @@ def study_page(study: Study) -> Page:
     between = f"95 %: {number(low, 1)} to {number(high, 1)} %"
     said = f"The gage takes {number(found.percent_rr, 1)} % of the total variation ({between}) and tells "
     said += f"{found.categories} categories apart."
+    drawn = Plot(lambda figure: draw_components(figure, study), 2.4, "Share of the total standard deviation, 95 %.")
     tone = "good" if found.percent_rr < 10 else "warning" if found.percent_rr <= 30 else "bad"
     return Page(
         kind="Gage R&R",
         title=f"Gage R&R of {study.quantity}",
         subtitle=", ".join(f"{n} × {name}" for name, n in study.levels) + f", {study.repeats} a cell",
-        simulated=False,
+        simulated=study.simulated,
         marks=(Mark(f"{found.percent_rr:.0f} % R&R", tone),),  # type: ignore[arg-type]
         summary=said,
         facts=Facts(BY),
         sections=sections(
-            section("Components of variation", [components_table(study)]),
+            section("Components of variation", [drawn, components_table(study)]),
             section("Analysis of variance", [anova_table(study)]),
             section("Remarks", [Prose(study.remarks)] if study.remarks else []),
         ),
     )
+
+
+def draw_components(figure: FigureBase, study: Study) -> None:
+    """A bar for each component but the total, with its interval; what a gage may take as lines."""
+    axes = figure.subplots()
+    shown = [c for c in study.found.components if c.source != "total"]
+    share = np.array([c.percent for c in shown])
+    low, high = np.array([c.percent_interval for c in shown]).T
+    around = np.maximum([share - low, high - share], 0.0)
+    at = np.arange(len(shown))
+    axes.barh(at, share, xerr=around, color=INKS[0], error_kw={"lw": 0.8, "ecolor": MUTED})
+    for bound, colour in ((10, GOOD), (30, BAD)):
+        axes.axvline(bound, color=colour, lw=0.8, ls="--")
+    axes.set(xlabel="% of the total variation", xlim=(0, 105), yticks=at, yticklabels=[c.source for c in shown])
+    axes.invert_yaxis()
 
 
 def components_table(study: Study) -> Table:
@@ -246,8 +262,8 @@ def draw_trends(figure: FigureBase, found: Sequence[Trend], dates: Sequence[date
     years = np.array([when.year + (when.timetuple().tm_yday - 1) / DAYS_A_YEAR for when in dates])
     for trend, colour in zip(found, INKS, strict=False):
         U = 2 * np.nan_to_num(trend.u)
-        how = {"fmt": "o", "ms": 3, "lw": 0.8, "color": colour, "label": trend.quantity}
-        axes.errorbar(years, trend.values - trend.values[0], U, **how)
+        change = trend.values - trend.values[0]
+        axes.errorbar(years, change, U, fmt="o", ms=3, lw=0.8, color=colour, label=trend.quantity)
         if isinstance(trend.drift, Drift):
             ends = np.array([years[0], years[-1]])
             line = [trend.drift.at(float(y - years[-1] + trend.drift.t_last))[0] - trend.values[0] for y in ends]

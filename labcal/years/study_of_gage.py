@@ -7,7 +7,7 @@ import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
-from math import isfinite
+from math import isfinite, prod
 from pathlib import Path
 
 import numpy as np
@@ -40,9 +40,12 @@ class Study:
     repeats: int
     found: GageRR
     remarks: tuple[str, ...]
+    simulated: bool = False
 
 
-def studied(rows: Sequence[Row], quantity: str, unit: str, tolerance: float | None = None) -> Study:
+def studied(
+    rows: Sequence[Row], quantity: str, unit: str, tolerance: float | None = None, *, simulated: bool = False
+) -> Study:
     """The study of these rows. Raises InputError where a cell is empty or a factor has one level alone."""
     used, remarks = _factors(rows)
     cells: dict[tuple[str, ...], list[float]] = {}
@@ -50,21 +53,23 @@ def studied(rows: Sequence[Row], quantity: str, unit: str, tolerance: float | No
         cells.setdefault(tuple(row.levels[i] for i in used), []).append(row.value)
     names = tuple(FACTORS[i] for i in used)
     levels = [sorted({cell[i] for cell in cells}) for i in range(len(used))]
-    everywhere = list(product(*levels))
-    if missing := [cell for cell in everywhere if cell not in cells]:
-        said = "; ".join(f"{n} {v}" for n, v in zip(names, missing[0], strict=True))
-        raise InputError(f"every DUT is measured by every operator in every mounting: nothing is there of {said}"
-                         f" ({len(missing)} of {len(everywhere)} are missing)")  # fmt: skip
+    if (many := prod(map(len, levels))) > len(cells):
+        empty = next(cell for cell in product(*levels) if cell not in cells)
+        said = "; ".join(f"{n} {v}" for n, v in zip(names, empty, strict=True))
+        told = f"nothing is there of {said} ({many - len(cells)} of {many} are missing)"
+        raise InputError(f"every DUT is measured by every operator in every mounting: {told}")
     repeats = min(len(values) for values in cells.values())
     if extra := sum(len(values) - repeats for values in cells.values()):
         remarks.append(f"{extra} later repeats are left out: each cell has {repeats}")
     shape = [*(len(one) for one in levels), repeats]
-    values = np.array([cells[cell][:repeats] for cell in everywhere]).reshape(shape)
+    values = np.array([cells[cell][:repeats] for cell in product(*levels)]).reshape(shape)
     try:
         found = gage_rr(values, names, tolerance=tolerance)
     except ValueError as fault:
         raise InputError(f"{quantity}: {fault}") from None
-    return Study(quantity, unit, tuple(zip(names, map(len, levels), strict=True)), repeats, found, tuple(remarks))
+    return Study(
+        quantity, unit, tuple(zip(names, map(len, levels), strict=True)), repeats, found, tuple(remarks), simulated
+    )
 
 
 def _factors(rows: Sequence[Row]) -> tuple[list[int], list[str]]:
@@ -79,14 +84,14 @@ def _factors(rows: Sequence[Row]) -> tuple[list[int], list[str]]:
 
 def rows_of_runs(
     runs: Sequence[str], quantity: str, progress: Callable[[str], None] = lambda one: None
-) -> tuple[list[Row], str]:
-    """A row for each run, and the quantity's unit; a run whose segments share one mounting is in it.
+) -> tuple[list[Row], str, bool]:
+    """A row for each run, in its mounting where its segments share one; the unit; whether the runs are simulated.
 
-    Raises InputError where a run gives no figures, or is named twice.
+    Raises InputError where a run gives no figures, is named twice, or is simulated among real ones.
     """
     if len(set(runs)) < len(runs):
         raise InputError(f"the run {next(r for r in runs if runs.count(r) > 1)} is named twice")
-    rows, unit = [], ""
+    rows, unit, kinds = list[Row](), "", set[bool]()
     for name in runs:
         progress(name)
         run, found = session.load_run(name), figures_of_run(name)
@@ -96,7 +101,10 @@ def rows_of_runs(
         mounting = mountings.pop() if len(mountings) == 1 else ""
         rows.append(Row((run.dut.serial, run.operator, mounting), found[quantity].value))
         unit = found[quantity].unit
-    return rows, unit
+        kinds.add(run.simulated)
+        if len(kinds) > 1:
+            raise InputError("simulated and real runs are no study: name those that belong together")
+    return rows, unit, True in kinds
 
 
 def rows_of_table(path: Path) -> list[Row]:
@@ -104,11 +112,14 @@ def rows_of_table(path: Path) -> list[Row]:
     if path.stat().st_size > LARGEST_BYTES:
         raise InputError(f"is larger than {LARGEST_BYTES >> 20} MiB", file=path)
     reader = csv.DictReader(io.StringIO(path.read_text(encoding="utf-8-sig")))
-    heads = [head.strip().lower() for head in reader.fieldnames or ()]
-    if missing := [name for name in ("dut", "value") if name not in heads]:
-        raise InputError(f"has no column {missing[0]!r}; it needs {', '.join(COLUMNS)}", file=path, line=1)
-    reader.fieldnames = heads
-    return [_row(one, path, line) for line, one in enumerate(reader, 2)]
+    try:
+        heads = [head.strip().lower() for head in reader.fieldnames or ()]
+        if missing := [name for name in ("dut", "value") if name not in heads]:
+            raise InputError(f"has no column {missing[0]!r}; it needs {', '.join(COLUMNS)}", file=path, line=1)
+        reader.fieldnames = heads
+        return [_row(one, path, reader.line_num) for one in reader]
+    except csv.Error as fault:
+        raise InputError(f"is no CSV: {fault}", file=path, line=reader.line_num) from None
 
 
 def _row(one: dict[str, str | None], path: Path, line: int) -> Row:

@@ -80,7 +80,12 @@ def look(source: Source, out: Path, ways: Sequence[Way], say: Say = lambda one: 
     kept = _read(out / STATE)
     found = []
     for key, name, bundle in source.new(frozenset(kept), out):
-        one = _worked_out(key, name, bundle, out)
+        try:
+            place = bundle()
+        except InputError as away:  # of an archive: it is asked again at the next look
+            say(f"{name}: {away}")
+            continue
+        one = _worked_out(key, name, place, out)
         say(one.in_words())
         found.append(one)
         kept[key] = one
@@ -113,10 +118,9 @@ def watch(
         wait(every_s)
 
 
-def _worked_out(key: str, name: str, bundle: Callable[[], Path], out: Path) -> Watched:
+def _worked_out(key: str, name: str, place: Path, out: Path) -> Watched:
     """One run fitted, looped and drafted; whatever is wrong with it is what it needs eyes for."""
     try:
-        place = bundle()
         run = session.load_run(place)
         stem = f"{session.run_bundle(place).sha256[:12]}"
         draft, report = out / f"{stem}.json", out / f"{stem}.html"

@@ -38,6 +38,10 @@ def test_a_gage_that_is_fine_and_one_that_is_not(table: Path, capsys: pytest.Cap
     assert found["levels"] == {"DUT": 6, "operator": 3, "mounting": 3}
     assert found["percent_rr"] < 10  # type: ignore[operator]
     assert found["percent_tolerance"] < 5  # type: ignore[operator]
+    picture = table.with_name("rr.png")
+    assert labcal(["rr", "--table", str(table), "--out", str(picture)]) == 0
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    capsys.readouterr()
     near = table.with_name("near.csv")
     rows = [line.split(",") for line in table.read_text().splitlines()]
     near.write_text("\n".join(",".join([*row[:3], row[3] if i == 0 else str(float(row[3]) / 1e9 + (i * 7 % 13))])
@@ -65,6 +69,7 @@ def test_a_study_of_runs_takes_their_operators_and_serials(tmp_path: Path, capsy
     found = asked(["rr", *runs, "--quantity", "offset x"], capsys)
     assert found["levels"] == {"DUT": 2, "operator": 2}
     assert found["unit"] == "nT"
+    assert found["simulated"] is run.simulated
     assert found["percent_rr"] < 5  # type: ignore[operator]
     assert labcal(["rr", *runs, "--quantity", "offset q"]) == 2
     assert labcal(["rr", runs[0], runs[0]]) == 2
@@ -78,6 +83,7 @@ def test_a_study_of_runs_takes_their_operators_and_serials(tmp_path: Path, capsy
         ("dut,operator,value\nA,b,nan\n", "is no number"),
         ("dut,operator,value\n", "no rows"),
         ("", "no column"),
+        (f"dut,value\nA,{'1' * 140_000}\n", "is no CSV"),
         ("dut,operator,value\nA,b,1\nA,c,2\n", "two DUTs"),
         ("dut,operator,value\nA,b,1\nB,b,2\n", "nothing was repeated"),
         ("dut,operator,value\nA,b,1\nB,b,1\nA,b,1\nB,b,1\n", "all values are the same"),
