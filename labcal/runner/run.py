@@ -8,6 +8,7 @@ import tomllib
 import traceback
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -169,7 +170,12 @@ def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
 
 def new_run_id(bench: Bench) -> str:
     """The UTC time of its start and four letters: 20261121T070000-3f9c."""
-    return f"{bench.clock.utc():%Y%m%dT%H%M%S}-{secrets.token_hex(2)}"
+    return run_id_at(bench.clock.utc())
+
+
+def run_id_at(utc: datetime) -> str:
+    """The same of a moment."""
+    return f"{utc:%Y%m%dT%H%M%S}-{secrets.token_hex(2)}"
 
 
 def _drive(

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
+from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -33,7 +34,7 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
-from labcal.runner.run import new_run_id
+from labcal.runner.run import run_id_at
 from labcal.session.audited import note, note_file, note_run, read_audit
 from labcal.session.check_standard import Override, admitted
 from labcal.session.fits import filter_history, fit_run
@@ -148,16 +149,16 @@ def run(
     found, texts, filled = find(procedure), dict(given or {}), dict[str, Any]()
     if found.takes("calibration") and "calibration" in texts:
         filled["calibration"] = load_calibration(Path(texts.pop("calibration")))
+    named = run_id or run_id_at(datetime.now(UTC))
+    first = admitted(bench, dut, found.name, named, override)  # before any instrument is spoken to
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
-        named = run_id or new_run_id(lab)
-        first = admitted(bench, dut, found.name, named, override)
         if first is not None and override is not None:
             note("override", override.who, run=named, because=override.because, key=override.key)
         outcome = run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
-            specification=specification_of(lab.config, bench), run_id=named, control=control, tell=tell, show=show,
-            first=first,
+            specification=specification_of(lab.config, bench), run_id=run_id if first is None else named,
+            control=control, tell=tell, show=show, first=first,
         )  # fmt: skip
         return note_run(outcome, kept, operator) if store is None else outcome
 
