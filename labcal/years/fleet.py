@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +42,7 @@ class OfBatches:
     unit: str
     sensors: int
     found: int
+    found_in: Mapping[str, int]  # batch: sensors
     pooled: Pooled
     worst: float  # the batch that is farthest from zero, in its u
 
@@ -128,11 +129,27 @@ def _of_batches(
     """The hierarchical estimate. Where the effect was not found it is taken as 0 with the median u of where it was."""
     found = [f for one in everybody if (f := one.effects.get(name)) is not None and f.unit == unit]
     typical = float(np.median([one.u for one in found if one.u is not None] or [0.0]))
-    columns = {batch: ([*zip(*(_value(one, name, unit, typical) for one in group), strict=True)]) for batch, group in
-               groups.items()}  # fmt: skip
-    pooled = pool({batch: (pair[0], pair[1]) for batch, pair in columns.items()})
+    columns = {
+        batch: (
+            [_value(one, name, unit, typical)[0] for one in group],
+            [_value(one, name, unit, typical)[1] for one in group],
+        )
+        for batch, group in groups.items()
+    }
+    found_in = {batch: sum(name in one.effects for one in group) for batch, group in groups.items()}
+    unseen = {batch: 1 - count / len(groups[batch]) for batch, count in found_in.items()}
+    pooled = _with_unseen(pool(columns), unseen, min(abs(one.value) for one in found))
     worst = max(abs(one.value) / one.u if one.u > 0 else 0.0 for one in pooled.batches)
-    return OfBatches(model, name, unit, len(everybody), len(found), pooled, worst)
+    return OfBatches(model, name, unit, len(everybody), len(found), found_in, pooled, worst)
+
+
+def _with_unseen(pooled: Pooled, unseen: Mapping[str, float], smallest: float) -> Pooled:
+    """With u wider by what the sensors hide in which nothing was found: all may have as much as the smallest found.
+
+    That is common to a batch, so it does not average out: rectangular, times their share.
+    """
+    batches = [replace(b, u=float(np.hypot(b.u, unseen[b.name] * smallest / np.sqrt(3)))) for b in pooled.batches]
+    return replace(pooled, batches=tuple(batches))
 
 
 def _value(one: Calibrated, name: str, unit: str, typical: float) -> tuple[float, float]:

@@ -24,6 +24,7 @@ POOLED = (
     "Each batch is drawn towards what its model has in common, the more the less it says by itself (REML within, the "
     "spread of batches integrated over its likelihood). U is 2 u (k = 2).",
     "A sensor in which the effect was not found counts as 0, with the median u of those in which it was.",
+    "All such sensors of a batch may hide as much as the smallest that was found: U is wider by that.",
 )
 
 
@@ -80,7 +81,7 @@ def effect_table(found: Fleet) -> Table:
     rows = []
     for one in found.effects:
         for batch in one.pooled.batches[:MOST_BATCHES]:
-            share = f"{one.found} of {one.sensors}"
+            share = f"{one.found_in[batch.name]} of {batch.devices}"
             pooled = with_uncertainty(batch.value, COVERAGE * batch.u)
             rows.append((one.parameter, one.model, batch.name, str(batch.devices), *pooled, one.unit, share))
     header = ("Parameter", "Model", "Batch", "Sensors", "Value", "U", "Unit", "Found in")

@@ -36,6 +36,9 @@ def test_the_worst_batch_and_the_worst_sensor_come_first(fleet: Path, capsys: py
     assert first["name"] == "C"
     assert first["value"] == pytest.approx(3.1, abs=3 * first["u"])
     assert first["u"] < 0.5
+    for one in found["effects"][0]["pooled"]["batches"][1:]:
+        assert abs(one["value"] - {"A": 0.2, "B": 0.1}[one["name"]]) < 2 * one["u"]  # hidden in most of them
+        assert found["effects"][0]["found_in"][one["name"]] < 6
     assert (found["outliers"][0]["serial"], found["outliers"][0]["quantity"]) == ("B-4", "offset x")
 
 
