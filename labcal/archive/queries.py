@@ -10,7 +10,7 @@ from sqlalchemy import ColumnElement, Label, Select, Subquery, and_, func, liter
 from sqlalchemy.sql.elements import KeyedColumnElement
 
 from labcal.archive.server import Archive
-from labcal.archive.tables import CALIBRATION, DOCUMENT, INSTRUMENT, PARAMETER, RUN
+from labcal.archive.tables import CALIBRATION, DOCUMENT, EFFECT, INSTRUMENT, PARAMETER, RUN
 from labcal.errors import InputError
 
 COVERAGE = 2.0  # k of U, as in `labcal compare`
@@ -188,3 +188,17 @@ def _plain(archive: Archive, asked: Select[Any]) -> list[dict[str, Any]]:
 
 def _told(value: Any) -> Any:
     return value.isoformat(timespec="milliseconds").replace("+00:00", "Z") if isinstance(value, datetime) else value
+
+
+def parameters(archive: Archive, wanted: Wanted) -> list[dict[str, Any]]:
+    """The figures, and the parameters of effects, of the calibrations that are wanted, the oldest first."""
+    c, p, e = MEASURED.c, PARAMETER.c, EFFECT.c
+    mine = and_(p.site == c.site, p.calibration == c.sha256, p["of"] != "map")
+    found = and_(e.site == c.site, e.calibration == c.sha256, e.effect == p["of"])
+    effect = select(func.max(e.belongs_to)).where(found).scalar_subquery().label("belongs_to")
+    channels = select(func.max(e.channels)).where(found).scalar_subquery().label("channels")
+    listed = select(*(c[name] for name in LISTED_CALIBRATION), p["of"], p.name, p.value, p.u, p.unit, effect, channels)
+    for condition in _conditions(wanted):
+        listed = listed.where(condition)
+    joined = listed.join_from(c.site.table, p.site.table, mine)
+    return _plain(archive, joined.order_by(c.measured_utc, c.site, c.sha256, p.number))

@@ -27,7 +27,9 @@ from labcal.errors import InputError
 from labcal.files.home import own_file, own_folder
 
 Row = tuple[int, bytes, bytes]
-Deed = Literal["begin", "run", "approve", "sign", "key", "trust", "revoke", "export", "push", "correct", "void"]
+Deed = Literal[
+    "begin", "run", "approve", "sign", "key", "trust", "revoke", "export", "push", "correct", "void", "override"
+]
 FILE = "audit.sqlite"
 CONTEXT = b"labcal-audit/1\n"
 START = "0" * 64

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
 from labcal.bench import serials
+from labcal.bench.check_standard import CheckStandardConfig
 from labcal.errors import InputError
 from labcal.files.toml_file import read_toml
 from labcal.record.administrative import Address, Equipment, Item, Laboratory
@@ -289,6 +290,7 @@ class BenchConfig(_Table):
     reference: ReferenceConfig = ReferenceConfig()
     dut: DutConfig
     safety: SafetyConfig = SafetyConfig()
+    check_standard: CheckStandardConfig | None = None
     environment: EnvironmentConfig = EnvironmentConfig()
     site: SiteConfig | None = None
     laboratory: Laboratory | None = None

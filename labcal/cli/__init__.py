@@ -28,8 +28,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 COMMANDS = (
     *("demo", "gui", "self-test", "bench", "run", "runs", "show", "import", "export", "check-store", "audit"),
-    *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "numbers", "conformity"),
-    *("compare", "push", "archive", "study", "plugins", "effect"),
+    *("fit", "close-loop", "apply", "keys", "approve", "sign", "verify", "report", "numbers", "conformity", "compare"),
+    *("push", "archive", "study", "charts", "rr", "intervals", "intercompare", "fleet", "watch", "plugins", "effect"),
 )
 
 

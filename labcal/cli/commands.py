@@ -24,6 +24,8 @@ from labcal.cli import (  # noqa: F401  each registers its commands
     self_test,
     signing,
     study,
+    watch,
+    years,
 )
 from labcal.version import __version__
 

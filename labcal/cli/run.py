@@ -23,6 +23,7 @@ from labcal.errors import InputError
 if TYPE_CHECKING:
     from labcal.bench.clock import Clock
     from labcal.runner import Control
+    from labcal.session import Override
 
 
 class ClockChoice(StrEnum):
@@ -53,6 +54,11 @@ def run(
     resume: str | None = typer.Option(None, metavar="RUN", help="Go on with an interrupted run."),
     clock: ClockChoice | None = typer.Option(None, help="True speed, or virtual (the default where all is emulated)."),
     seed: int | None = typer.Option(None, help="Of the simulated lab."),
+    override: str | None = typer.Option(
+        None, metavar="NAME", help="Who lets it begin though the check standard is out of control; with --because."
+    ),
+    because: str = typer.Option("", metavar="TEXT", help="Why they do."),
+    key: str | None = typer.Option(None, metavar="PRINCIPAL", help="The key by which they sign that."),
     progress: ProgressChoice = typer.Option(ProgressChoice.bar, help="How to show progress on stderr."),
 ) -> None:
     """Run a scripted procedure; prints the run id last."""
@@ -67,8 +73,8 @@ def run(
             _nothing_else(settings, dut, operator)
             outcome = session.resume(resume, _bench(bench), procedure, **options)
         elif procedure is not None:
-            given = _pairs(settings)
-            outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, **options)
+            given, lets = _pairs(settings), _override(override, because, key)
+            outcome = session.run(procedure, _bench(bench), given, dut=dut, operator=operator, override=lets, **options)
         else:
             return _list()
     said = f"{outcome.told}; {outcome.at_rest}"
@@ -111,6 +117,20 @@ def _nothing_else(settings: Sequence[str], dut: str | None, operator: str) -> No
     given = {"--set": settings, "--dut": dut, "--operator": operator}
     if said := [name for name, value in given.items() if value]:
         raise InputError(f"--resume goes on with what the run was begun with: leave out {' and '.join(said)}")
+
+
+def _override(who: str | None, because: str, key: str | None) -> Override | None:
+    """What a person answers for; None where nobody does."""
+    from labcal.cli.keys import own_passphrase
+    from labcal.session import Override
+
+    if who is None:
+        if because or key:
+            raise InputError("--because and --key belong to --override NAME")
+        return None
+    if not who.strip() or not because.strip():
+        raise InputError("an override has a name and a reason: --override NAME --because TEXT")
+    return Override(who, because, key, own_passphrase(key) if key else "")
 
 
 def _bench(given: Path | None) -> Path:

@@ -12,7 +12,8 @@ FOLDER, FILE = 0o700, 0o600
 DEEP = 3  # parts of a path; what is no deeper may be the system's
 PASSPHRASE = "LABCAL_PASSPHRASE"
 ARCHIVE = "LABCAL_ARCHIVE"  # a URL, which may state a password
-SECRETS = (PASSPHRASE, ARCHIVE, "PGPASSWORD")
+SMTP_PASSWORD = "LABCAL_SMTP_PASSWORD"
+SECRETS = (PASSPHRASE, ARCHIVE, "PGPASSWORD", SMTP_PASSWORD)
 
 
 def home() -> Path:

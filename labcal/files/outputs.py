@@ -29,6 +29,7 @@ OWN = (
     "self-tests",
     "crashes",
     "worked-out",
+    "figures",
     "superseding",
     "bundles",
     "translations",

@@ -8,6 +8,7 @@ import tomllib
 import traceback
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -86,10 +87,12 @@ def run_procedure(
     control: Control | None = None,
     tell: Tell = lambda item: None,
     show: Show = lambda state: None,
+    first: tuple[str, str, Mapping[str, Any]] | None = None,
 ) -> Outcome:
     """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
 
     `filled` are keywords that no text can state, such as a calibration that was read from its file.
+    `first` is an event (kind, text, data) that the record begins with.
     Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
     wrong later is in the Outcome, and so is how the coils were left.
     """
@@ -119,6 +122,8 @@ def run_procedure(
     )
     writer = store.begin(header, lambda: iso(bench.clock.utc()))
     _tell_lifted(bench, writer, bench.clock.now())
+    if first is not None:
+        writer.write(Event(bench.clock.now(), *first))
     return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
 
 
@@ -167,7 +172,12 @@ def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
 
 def new_run_id(bench: Bench) -> str:
     """The UTC time of its start and four letters: 20261121T070000-3f9c."""
-    return f"{bench.clock.utc():%Y%m%dT%H%M%S}-{secrets.token_hex(2)}"
+    return run_id_at(bench.clock.utc())
+
+
+def run_id_at(utc: datetime) -> str:
+    """The same of a moment."""
+    return f"{utc:%Y%m%dT%H%M%S}-{secrets.token_hex(2)}"
 
 
 def _drive(

@@ -3,7 +3,8 @@
 Beside the line: `sources` (what names a run), `records` (the local store), `importing` (what others wrote), `trust`
 (keys), `signing`, `numbering` (of certificates), `reporting`, `audited` (who did what), `working_out` (a calibration
 worked out again from its run), `instruments` (the bench without a procedure), `archiving` (finished work of several
-labs in one place), and `measuring`, where the loop closes on the instruments.
+labs in one place), `check_standard` (its charts, and who lets a run begin in spite of them), `figures` (of a run's
+sensor), and `measuring`, where the loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
+from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -32,7 +34,9 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
-from labcal.session.audited import note_file, note_run, read_audit
+from labcal.runner.run import run_id_at
+from labcal.session.audited import note, note_file, note_run, read_audit
+from labcal.session.check_standard import Override, admitted
 from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import Asked, Taken, import_foreign
@@ -67,6 +71,7 @@ from labcal.uncertainty.conformity import assess
 __all__ = [
     "FOREIGN_CALIBRATIONS",
     "Asked",
+    "Override",
     "Source",
     "Taken",
     "apply_calibration",
@@ -133,20 +138,27 @@ def run(
     control: Control | None = None,
     tell: Callable[[Item], None] = lambda item: None,
     show: Callable[[LabState], None] = lambda state: None,
+    override: Override | None = None,
 ) -> Outcome:
     """Run a procedure (its name, or a file) on a bench into the store, with `given` settings {key: text}.
 
     Without `answer`, prompts are answered as far as `--yes` may. The clock is virtual where all links are emulated.
-    `show` hears how the lab is, whenever it was read.
+    `show` hears how the lab is, whenever it was read. While the bench's check standard is out of control only a person
+    lets a run begin: `override`.
     """
     found, texts, filled = find(procedure), dict(given or {}), dict[str, Any]()
     if found.takes("calibration") and "calibration" in texts:
         filled["calibration"] = load_calibration(Path(texts.pop("calibration")))
+    named = run_id or run_id_at(datetime.now(UTC))
+    first = admitted(bench, dut, found.name, named, override)  # before any instrument is spoken to
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
+        if first is not None and override is not None:
+            note("override", override.who, run=named, because=override.because, key=override.key)
         outcome = run_procedure(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
-            specification=specification_of(lab.config, bench), run_id=run_id, control=control, tell=tell, show=show,
+            specification=specification_of(lab.config, bench), run_id=run_id if first is None else named,
+            control=control, tell=tell, show=show, first=first,
         )  # fmt: skip
         return note_run(outcome, kept, operator) if store is None else outcome
 

@@ -100,6 +100,14 @@ def archived_calibrations(given: str | None, **wanted: Any) -> list[dict[str, An
         return calibrations(archive, Wanted(**wanted))
 
 
+def archived_parameters(given: str | None, **wanted: Any) -> list[dict[str, Any]]:
+    """Figures and effects' parameters of the calibrations of the archive that are `wanted`, the oldest first."""
+    with opened(given) as archive:
+        from labcal.archive.queries import Wanted, parameters
+
+        return parameters(archive, Wanted(**wanted))
+
+
 def fetch_from_archive(given: str | None, run: str, site: str | None, out: Path, *, force: bool = False) -> None:
     """Write the bundle of a run of the archive to `out`, a zip, its SHA-256 looked at."""
     [output] = claim("archive", out, force=force)

@@ -32,6 +32,7 @@ READ = (
     "before",
     "supersedes",
     "result",
+    "table",
 )  # options that name a file to read
 # What is asked for with each option that names a file to write, and the file's name. A command that is not here is
 # new: give it `--force`, and `labcal.files.outputs.claim` before its work.
@@ -63,6 +64,13 @@ ELSEWHERE = {
     "effect new --out",  # a folder of a package: tests/loop/test_effect_new.py
     *("archive runs --json", "archive calibrations --json", "archive get --out"),  # tests/archive/test_outputs_of_it.py
     "study --out",  # a folder that is gone on with: tests/study/test_resume.py
+    "watch --out",  # likewise: tests/years/test_watch.py
+    *(
+        f"{name} {option}"
+        for name in ("charts", "rr", "intervals", "intercompare", "fleet")
+        for option in ("--json", "--out")
+    ),  # tests/years/test_outputs_of_the_years.py
+    "watch --json",  # there too
 }
 READS = {
     "demo --out": (), "self-test --out": (),

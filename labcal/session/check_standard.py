@@ -1,0 +1,175 @@
+"""The charts of a bench's check standard, and who may begin a run though they are out of control."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from labcal import certificate
+from labcal.bench.check_standard import CheckStandardConfig
+from labcal.bench.config import read_config
+from labcal.certificate.agent import signed
+from labcal.errors import InputError
+from labcal.files.home import home
+from labcal.quality.control_chart import Chart, control_chart
+from labcal.session.figures import Figure, figures_of_run
+from labcal.store import RunSummary, Store
+from labcal.store.listing import FILE as STORE
+
+KIND = "override"  # of the event in the record
+NAMESPACE = "labcal-override"
+MEASURED = ("finished", "imported")
+First = tuple[str, str, Mapping[str, Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Override:
+    """A person who lets a run begin though the check standard is out of control, why, and with whose key they sign."""
+
+    who: str
+    because: str
+    key: str | None = None
+    passphrase: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Charts:
+    """The charts of one serial: for each quantity a chart, or why there is none; the runs of each point, in order.
+
+    `not_used` are runs that give no figures, each with a sentence.
+    """
+
+    serial: str
+    stated: CheckStandardConfig
+    points: tuple[tuple[RunSummary, ...], ...]
+    of: Mapping[str, Chart | str]
+    units: Mapping[str, str]
+    not_used: tuple[str, ...] = ()
+
+    @property
+    def out(self) -> dict[str, Chart]:
+        """Those that are out of control at their last point."""
+        return {name: c for name, c in self.of.items() if isinstance(c, Chart) and c.out_of_control}
+
+
+def charts(stated: CheckStandardConfig, *, bench: str | None = None, simulated: bool | None = None) -> Charts:
+    """The charts of what the local store has of the check standard, of one bench's runs where it is named.
+
+    Raises InputError where the store cannot be read, or simulated runs stand among real ones.
+    """
+    measured, values, left_out = list[RunSummary](), list[Mapping[str, Figure]](), list[str]()
+    for run in _runs(stated, bench, simulated):
+        try:
+            values.append(figures_of_run(run.run_id))
+            measured.append(run)
+        except InputError as fault:
+            left_out.append(f"{run.run_id}: {fault.what}")
+    points = tuple(tuple(measured[i : i + stated.repeats]) for i in range(0, len(measured), stated.repeats))
+    of: dict[str, Chart | str] = {name: _chart(stated, name, values) for name in stated.quantities}
+    units: dict[str, str] = {name: values[0][name].unit for name in stated.quantities} if values else {}
+    return Charts(stated.serial, stated, points, of, units, tuple(left_out))
+
+
+def charts_of_bench(path: Path) -> Charts:
+    """Those of the check standard that a bench file states. Raises InputError where it states none."""
+    config = read_config(path)
+    if config.check_standard is None:
+        raise InputError("states no [check_standard] (docs/years.md)", file=path)
+    return charts(config.check_standard, bench=config.name, simulated=config.unreal)
+
+
+def admitted(path: Path, dut: str | None, procedure: str, run_id: str, override: Override | None) -> First | None:
+    """What the record of a run begins with, where a person lets it begin; None where nothing is against it.
+
+    Raises InputError where the check standard is out of control and nobody does. Its own runs always may begin.
+    """
+    config = read_config(path)
+    if config.check_standard is None or (dut or config.dut.serial) == config.check_standard.serial:
+        return None
+    out = {name: why(chart) for name, chart in charts_of_bench(path).out.items()}
+    if not out:
+        return None
+    said = "; ".join(f"{name}: {reason}" for name, reason in out.items())
+    told = f"the check standard {config.check_standard.serial} is out of control ({said})"
+    if override is None:
+        raise InputError(
+            f"{told}. No procedure begins on this bench: measure it again (--dut {config.check_standard.serial}), or "
+            "let a person answer for it: --override NAME --because TEXT",
+            file=path,
+        )
+    return KIND, f"{told}; {override.who} lets the run begin: {override.because}", _statement(
+        override, config.name, config.check_standard.serial, out, procedure, run_id
+    )  # fmt: skip
+
+
+def why(chart: Chart) -> str:
+    """What is against the last point, in words."""
+    from labcal.quality.western_electric import RULES
+
+    said = [RULES[rule] for rule in chart.broken[-1]]
+    return ", ".join([*said, *(["a spread beyond its limits"] if chart.spread_out[-1] and not chart.single else [])])
+
+
+def _statement(
+    override: Override, bench: str, serial: str, out: Mapping[str, str], procedure: str, run_id: str
+) -> dict[str, Any]:
+    """What the person stands for, as text, and their signature of it where they have a key."""
+    if not override.who.strip() or not override.because.strip():
+        raise InputError("an override has a name and a reason: --override NAME --because TEXT")
+    about = {
+        "format": "labcal-override/1", "run_id": run_id, "bench": bench, "procedure": procedure,
+        "check_standard": serial, "out_of_control": dict(out), "who": override.who, "because": override.because,
+        "utc": datetime.now(UTC).isoformat(timespec="seconds"),
+    }  # fmt: skip
+    text = json.dumps(about, ensure_ascii=False, sort_keys=True)
+    if override.key is None:
+        return {"statement": text}
+    key = certificate.keys.signing_key(home(), override.key, override.passphrase)
+    return {"statement": text, "key": override.key, "signature": signed(text.encode(), key, NAMESPACE)}
+
+
+def _runs(stated: CheckStandardConfig, bench: str | None, simulated: bool | None) -> list[RunSummary]:
+    """The runs that count, the oldest first."""
+    if not (home() / STORE).is_file():
+        return []
+    with Store.open() as store:
+        found = [r for r in store.runs() if r.dut_serial == stated.serial and r.status in MEASURED]
+        found = [r for r in found if r.procedure in (stated.procedure, "")]
+        found = [r for r in found if simulated is None or r.simulated == simulated]
+        if len({r.simulated for r in found}) > 1:
+            raise InputError(f"of {stated.serial} there are simulated and real runs: name its bench file")
+        mine = [r for r in found if bench is None or _bench_of(store, r) == bench]
+    return sorted(mine, key=lambda run: run.started_utc)
+
+
+def _bench_of(store: Store, run: RunSummary) -> str:
+    """The name of the bench that a run was recorded on; "" of one that was imported."""
+    if run.status == "imported":
+        return ""
+    try:
+        return str(tomllib.loads(store.header(run.run_id).bench).get("name", ""))
+    except tomllib.TOMLDecodeError:
+        return ""
+
+
+def _chart(stated: CheckStandardConfig, name: str, values: list[Mapping[str, Figure]]) -> Chart | str:
+    """The chart of one quantity, or why there is none yet."""
+    of = [one[name].value for one in values]
+    groups = [of[i : i + stated.repeats] for i in range(0, len(of), stated.repeats)]
+    known: Mapping[Any, float] = stated.sigma
+    centre: Mapping[Any, float] = stated.centre
+    whole = len(of) // stated.repeats
+    if whole < stated.baseline:
+        return f"{whole} of the {stated.baseline} points of its baseline are there"
+    try:
+        return control_chart(
+            groups, stated.baseline, sigma=known.get(name), centre=centre.get(name), between=stated.between,
+            rules=stated.rules,
+        )  # fmt: skip
+    except ValueError as fault:
+        return str(fault)
