@@ -57,6 +57,8 @@ NO_CLAIM = {
     "COILS OFF   F12": HELP,
     "Take every coil to zero now (F12). Works in every state and asks nothing.": HELP,
     "coils off, at any moment": HELP,
+    "Until somebody logs in; COILS OFF works all the same": HELP,
+    "COILS OFF (F12) works all the same. A name says who is meant; signing still asks for your key.": HELP,
     "Ask every instrument who it is. Nothing is energised or moved.": HELP,
     "Asks every instrument who it is, then begins. Nothing is energised before you are asked.": HELP,
     "Wait where the next step begins, with the coils at zero": HELP,
