@@ -52,6 +52,9 @@ def test_a_badge_opens_it_and_is_no_serial(locked):
     assert locked.app_state.login.who() == BOB
     assert locked.app_state.scan_vm.serial == ""
     assert "has not the role measure" in locked.app_state.objection()
+    locked.app_state.resume("r1", "preflight", "EM-07")
+    assert not locked.app_state.run.alive
+    assert "has not the role measure" in locked.fault.text.text()
     locked.app_state.login.log_in("ada.smith")
     assert locked.app_state.objection() == ""
 

@@ -210,9 +210,11 @@ class AppState(QObject):
 
     def resume(self, run_id: str, procedure: str, dut: str) -> None:
         """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
+        if said := self.login.objection():
+            return self.fault.emit(Fault("input", said))
         self.set_identity(dut=dut)
         self.run.resume(run_id, self._order(procedure, {}))
-        self.page_requested.emit("Run")
+        return self.page_requested.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> RunProcedure:
         state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))

@@ -19,7 +19,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
 
 HEADINGS = ("setting", "value", "unit", "meaning")
-VALUE = 1
+VALUE, UNIT = 1, 2
 EDITED_BY = QAbstractItemView.EditTrigger
 
 
@@ -70,8 +70,9 @@ class BenchEditor(QWidget):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self.table.setMinimumHeight(14 * GRID)
         header = self.table.horizontalHeader()
-        header.setSectionResizeMode(VALUE, header.ResizeMode.Interactive)  # a long list leaves room for its meaning
-        header.resizeSection(VALUE, 17 * GRID)
+        for column, width in ((VALUE, 17 * GRID), (UNIT, 9 * GRID)):  # long ones leave room for the meaning
+            header.setSectionResizeMode(column, header.ResizeMode.Interactive)
+            header.resizeSection(column, width)
         self.table.itemChanged.connect(self._typed)
         how = self.tr(
             "Type a value as TOML has it: 2.5, true, [1.0, 2.0], text between quotation marks; an empty one takes "
