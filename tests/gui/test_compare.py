@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 from test_calibration_views import FOUND, calibration
 from test_path import RUN
 
+from labcal.gui.ipc import compare_commands
 from labcal.gui.ipc.answers import Compared, Comparison, Figure
 from labcal.gui.ipc.compare_commands import compare, newest_file
 from labcal.gui.ipc.messages import CompareRuns, ListRuns
@@ -114,6 +115,12 @@ def test_each_run_by_its_own_calibration_and_a_run_beside_itself_has_not_changed
     left = (np.linalg.norm(field, axis=1) - measured.magnitude_nT)[::step]
     assert np.array_equal(found.newer.residual, left, equal_nan=True)
     assert found.newer.against["time  s"][0] == 0.0
+    mine = session.load_calibration(newest_file(run))
+    another = replace(mine, dut=replace(mine.dut, serial="EM-08"))
+    sides = iter(((found.older, another), (found.newer, mine)))
+    monkeypatch.setattr(compare_commands, "_side", lambda run: next(sides))
+    refused = compare(None, CompareRuns("r0", run)).refused
+    assert refused.startswith(f"The calibration of r0 is of EM-08, not of {mine.dut.serial}")
 
 
 def test_the_trend_draws_the_limits_of_the_specification(qtbot):

@@ -31,7 +31,7 @@ def compare(channel: Channel, asked: CompareRuns) -> Comparison:
     try:
         found, refused = _changes(after, before), ""
     except ValueError as error:
-        found, refused = None, f"The calibration of {asked.newer} {error}: their parameters cannot be compared."
+        found, refused = None, f"The calibration of {asked.older} {error}: their parameters cannot be compared."
     return Comparison(older, newer, found, refused)
 
 
