@@ -74,7 +74,8 @@ def cage_calibration(
     own = bench.config.reference.position_m
     places = {"DUT": AT_DUT} if own is None else {"DUT": AT_DUT, "reference": own}
     rungs = ladder(steps)
-    plan = Plan(tuple((f"sweep at the {place}'s place", 3 * len(rungs) * (dwell_s + 1.0)) for place in places))
+    sweeps = tuple((f"sweep at the {place}'s place", 3 * len(rungs) * (dwell_s + 1.0)) for place in places)
+    plan = Plan(sweeps, frozenset(name for name, _ in sweeps))
     limits = (limit_ppm, change_ppm, relay_ppm, linearity_nT, hysteresis_nT)
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised

@@ -44,7 +44,8 @@ def cage_map(
     points = _points(radius_m, probes) if probes else np.zeros((0, 3))
     if not len(points):
         return
-    plan = Plan(tuple((f"point {n}", 6 * (dwell_s + 1.5) + 30) for n in range(len(points) + 1)))
+    steps = tuple((f"point {n}", 6 * (dwell_s + 1.5) + 30) for n in range(len(points) + 1))
+    plan = Plan(steps, frozenset(name for name, _ in steps))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "point 0")

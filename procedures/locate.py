@@ -61,7 +61,8 @@ def locate_sensors(
 ) -> Procedure:
     """Find where DUT and reference stand, from the gradients of coil pairs with one half reversed."""
     geometry = _geometry(bench)
-    plan = Plan((("as they should be", 60.0), *((f"coil {axis}", HANDS_S) for axis in sorted(geometry.halves))))
+    swapped = tuple((f"coil {axis}", HANDS_S) for axis in sorted(geometry.halves))
+    plan = Plan((("as they should be", 60.0), *swapped), frozenset(name for name, _ in swapped))
     with ExitStack() as afterwards:
         afterwards.callback(bench.cage.zero)  # the undo, before anything is energised
         yield plan.begin(bench, "as they should be")

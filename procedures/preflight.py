@@ -89,6 +89,10 @@ class Setting:
             for field_nT in self.fields_nT:
                 yield f"{axis}{field_nT / 1000:+g}uT-{mode}", mode, field_nT
 
+    def turns_in(self, axis: str, mode: str) -> Iterator[str]:
+        """Step names of the turns about one body axis in one mode."""
+        return (name for name, of_it, _ in self.turns(axis) if of_it == mode)
+
     def plan(self) -> Plan:
         """All steps with their lab time."""
         one = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s).seconds()
@@ -96,7 +100,14 @@ class Setting:
         for axis in self.axes:
             steps += [(f"mount-{axis}", MOUNT_S + self.dwell_s), *((name, one) for name, _, _ in self.turns(axis))]
             steps += [(f"closure-{axis}", self.dwell_s)]
-        return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)))
+        return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)), self.asks())
+
+    def asks(self) -> frozenset[str]:
+        """The steps that begin with mounting or switching; the first mounting is in the zero."""
+        mounted = {f"mount-{axis}" for axis in self.axes[1:]}
+        back = {f"closure-{axis}" for axis in self.axes if self.modes[-1] != self.modes[0]}
+        switched = {next(self.turns_in(axis, mode)) for axis in self.axes for mode in self.modes[1:]}
+        return frozenset(mounted | back | switched | {"closing"})
 
 
 @dataclass(frozen=True, slots=True)

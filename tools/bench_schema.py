@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import ast
 import inspect
 import json
-import re
 import sys
 from dataclasses import fields
 from importlib.metadata import entry_points
@@ -17,15 +15,10 @@ from pydantic import BaseModel, TypeAdapter
 from labcal.bench import config
 from labcal.bench.config import BenchConfig, InstrumentConfig
 from labcal.record import administrative
+from labcal.session.bench_settings import comments, unit_of
 
 ONE = {"type": "number", "exclusiveMinimum": 0}
 PAGE = Path(__file__).parents[1] / "docs" / "bench.schema.json"
-UNITS = {
-    "nT": "nT", "nT_per_A": "nT/A", "nT_per_unit": "nT a unit of the reading", "nT_per_K": "nT/K",
-    "nT_per_year": "nT a year", "nT_per_m": "nT/m", "ppm": "ppm", "ppm_per_K": "ppm/K", "ppm_per_m": "ppm/m", "A": "A",
-    "A_per_s": "A/s", "V": "V", "s": "s", "ms": "ms", "m": "m", "deg": "deg", "deg_per_s": "deg/s", "C": "degC",
-    "Hz": "Hz", "uT_per_V": "µT/V", "nT_per_count": "nT a count",
-}  # fmt: skip
 
 
 def schema() -> dict[str, Any]:
@@ -76,25 +69,6 @@ def _describe(key: dict[str, Any], name: str, said: str) -> None:
     words = ". ".join(filter(None, (said[:1].upper() + said[1:], unit_of(name) and f"Unit: {unit_of(name)}")))
     if words:
         key["description"] = words
-
-
-def unit_of(name: str) -> str:
-    """The unit that a key's name ends with; "" where it has none."""
-    ends = sorted((end for end in UNITS if name.endswith(f"_{end}")), key=len)
-    return UNITS[ends[-1]] if ends else ""
-
-
-def comments(model: type) -> dict[str, str]:
-    """What stands behind each field in its own class's source."""
-    source = inspect.getsource(model)
-    lines = source.splitlines()
-    (body,) = (node.body for node in ast.parse(source).body if isinstance(node, ast.ClassDef))
-    found: dict[str, str] = {}
-    for node in body:
-        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
-            comment = re.search(r"  # (.*)$", lines[node.lineno - 1])
-            found[node.target.id] = comment[1] if comment and not comment[1].startswith("type:") else ""
-    return found
 
 
 def _settings(name: str, driver: Any, shared: dict[str, Any]) -> dict[str, Any]:

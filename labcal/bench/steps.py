@@ -43,9 +43,13 @@ TICK_S, VIRTUAL_TICK_S = 0.5, 5.0  # samples are handed on at least so often; on
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What a procedure will do: names and lab time of its steps, so that each can say what is left."""
+    """What a procedure will do: names and lab time of its steps, so that each can say what is left.
+
+    `asks`: the steps that begin with a question to a person, so that each can say when the next one comes.
+    """
 
     steps: tuple[tuple[str, float], ...]  # name, s
+    asks: frozenset[str] = frozenset()
 
     def begin(self, bench: Bench, name: str) -> Step:
         """The item that opens the step `name`."""
@@ -53,7 +57,11 @@ class Plan:
         number = names.index(name)
         left = sum(seconds for _, seconds in self.steps[number:])
         first = names if number == 0 else ()
-        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, first, self.steps[number][1])
+        asking = next((n for n in range(number + 1, len(names)) if names[n] in self.asks), None)
+        until = None if asking is None else sum(seconds for _, seconds in self.steps[number:asking])
+        needed = "" if asking is None else names[asking]
+        took = self.steps[number][1]
+        return Step(bench.clock.now(), number + 1, len(self.steps), name, left, first, took, until, needed)
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, mark_of
@@ -140,7 +141,7 @@ class SidePanel(Surface):
         for row, axis in enumerate(now.coil_A):
             self._coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
         shape, mark = mark_of(now.coil_words)
-        self._zero.setText(f"{shape} {now.coil_words}".strip())
+        self._zero.setText(f"{shape} {in_words(now.coil_words)}".strip())
         set_state(self._zero, mark)
         self._show_lights(state)
 
@@ -213,11 +214,11 @@ class Frame(QMainWindow):
         middle.addWidget(self._sidebar(pages))
         self.above = QVBoxLayout()  # what concerns every page: faults
         self.above.setContentsMargins(2 * GRID, 0, 2 * GRID, 0)
-        pages_column = QVBoxLayout()
-        pages_column.setSpacing(0)
-        pages_column.addLayout(self.above)
-        pages_column.addWidget(self.stack, 1)
-        middle.addLayout(pages_column, 1)
+        self.pages_column = QVBoxLayout()
+        self.pages_column.setSpacing(0)
+        self.pages_column.addLayout(self.above)
+        self.pages_column.addWidget(self.stack, 1)
+        middle.addLayout(self.pages_column, 1)
         middle.addWidget(self.side)
         page = named(QWidget(), "page")
         column = QVBoxLayout(page)
@@ -262,9 +263,15 @@ class Frame(QMainWindow):
         self.theme_switch, self.size_switch = named(QPushButton(), "rail"), named(QPushButton(), "rail")
         self.theme_switch.setToolTip(self.tr("Dark or light; until then as the system has it"))
         self.size_switch.setToolTip(self.tr("Letters to be read from two metres, and back (F11)"))
+        self.lock_switch = named(QPushButton(self.tr("Lock")), "rail")
+        self.lock_switch.setToolTip(self.tr("Until somebody logs in; COILS OFF works all the same"))
+        self.lock_switch.hide()
+        self.sound_switch = named(QPushButton(), "rail")
+        self.sound_switch.setToolTip(self.tr("Two tones where you are needed, three where it is done; or neither"))
         self.language_switch = named(QPushButton(), "rail")
         self.language_switch.setToolTip(self.tr("The window in this language; not while a run goes on"))
-        for widget in (self.language_switch, self.theme_switch, self.size_switch, self.help):
+        switches = (self.lock_switch, self.language_switch, self.theme_switch, self.size_switch, self.sound_switch)
+        for widget in (*switches, self.help):
             column.addWidget(widget)
         self._sidebar_buttons.idClicked.connect(self.stack.setCurrentIndex)
         return sidebar
@@ -343,7 +350,7 @@ class Frame(QMainWindow):
         self.top.show_state(state)
         self.side.show_state(state)
         self.said_at.setText(state.said_at)
-        self.message.setText(step_title(state.message))
+        self.message.setText(step_title(in_words(state.message)))
         self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from labcal import plugin_loading
 from labcal.errors import InputError
 from labcal.gui.frame import Frame
+from labcal.gui.ipc.messages import ListPeople
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.leaving import Leaving
 from labcal.gui.pages.lazy_page import LazyPage
@@ -29,7 +30,9 @@ from labcal.gui.widgets.barcode_scanner import Scanner
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import described
+from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.scan_card import ScanCard
+from labcal.gui.widgets.sounds import is_on, switch
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
@@ -88,6 +91,8 @@ class Window(Frame):
         self.scan_card.setContentsMargins(0, 2 * GRID, 0, 0)
         for card in (self.fault, self.scan_card):
             self.above.addWidget(card)
+        self.lock_screen = LockScreen(app_state.login)
+        self.pages_column.addWidget(self.lock_screen, 1)
         self.fault.report_requested.connect(app_state.report_requested)
         self.scanner, self.leaving, self._may_go = Scanner(self), Leaving(self, app_state), False
         self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
@@ -101,13 +106,17 @@ class Window(Frame):
 
     def _connect(self, app_state: AppState) -> None:
         self.leaving.leave.connect(self.leave)
-        self.scanner.scanned.connect(app_state.scan)
+        self.scanner.scanned.connect(self._scanned)
+        app_state.login.changed.connect(self._show_login)
+        self.lock_switch.clicked.connect(app_state.login.lock)
+        self._show_login()
         self.coils_off.connect(app_state.coils_off)
         self.top.dut.textEdited.connect(lambda text: app_state.set_identity(dut=text))
         self.top.operator.textEdited.connect(lambda text: app_state.set_identity(operator=text))
         app_state.page_requested.connect(self.open_page)
         self.theme_switch.clicked.connect(self._other_theme)
         self.size_switch.clicked.connect(self.toggle_wall)
+        self.sound_switch.clicked.connect(self._other_sound)
         self.language_switch.clicked.connect(lambda: self.language_wanted.emit(following(spoken())))
         self.next.clicked.connect(lambda: app_state.go(app_state.path.next()))
         described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
@@ -168,10 +177,15 @@ class Window(Frame):
         self.app_state.settings.setValue("theme", theme.name)
         self.set_theme(theme)
 
+    def _other_sound(self) -> None:
+        switch(self.app_state.settings)
+        self._say_switches()
+
     def _say_switches(self) -> None:
         """What a click on them would give."""
         self.theme_switch.setText(self.tr("Dark") if self.theme is LIGHT else self.tr("Light"))
         self.size_switch.setText(self.tr("Smaller F11") if self.wall else self.tr("Larger F11"))
+        self.sound_switch.setText(self.tr("Sound off") if is_on(self.app_state.settings) else self.tr("Sound on"))
         self.language_switch.setText(languages()[following(spoken())])
 
     def set_theme(self, theme: Theme) -> None:
@@ -189,7 +203,7 @@ class Window(Frame):
         QApplication.setPalette(_palette(self.theme))
         sheet = self.sheet()
         self.set_scale(WALL_SCALE if self.wall else 1.0)
-        for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card):
+        for part in (self.top, self.side, self.sidebar, self.bottom, self.fault, self.scan_card, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
             updates = lazy_page.theme_updates(self.theme) if recolour else ()
@@ -207,6 +221,8 @@ class Window(Frame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Style what comes up new; then handle the keys."""
+        if event.type() in (QEvent.Type.KeyPress, QEvent.Type.MouseButtonPress):
+            self.app_state.login.touched()
         if event.type() == QEvent.Type.Polish and isinstance(watched, QWidget) and is_unstyled(watched, self):
             apply_style(watched, self.sheet())
         return super().eventFilter(watched, event)
@@ -215,11 +231,29 @@ class Window(Frame):
         path = self.app_state.path
         self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()}, path.next().words)
 
+    def _scanned(self, text: str) -> None:
+        """A serial; on the locked screen a badge."""
+        if self.app_state.login.locked:
+            return self.app_state.login.log_in(text)
+        return self.app_state.scan(text)
+
+    def _show_login(self) -> None:
+        """Where it is locked nothing is in sight and nothing heard but COILS OFF and who logs in."""
+        login = self.app_state.login
+        self.lock_switch.setVisible(login.wanted)
+        self.stack.setVisible(not login.locked)
+        for part in (self.sidebar, self.next, self.top.dut, self.scan_card):
+            part.setDisabled(login.locked)
+        for shortcut in self.findChildren(QShortcut):
+            shortcut.setEnabled(not login.locked)
+        self._lock()
+
     def _lock(self) -> None:
-        """Who and what stand fixed while a run goes on."""
-        for entry in (self.top.dut, self.top.operator):
-            entry.setReadOnly(self.app_state.run.alive)
-        self.language_switch.setDisabled(self.app_state.run.alive)
+        """Who and what stand fixed while a run goes on; where people log in, who works here is no matter of typing."""
+        self.top.dut.setReadOnly(self.app_state.run.alive)
+        self.top.operator.setReadOnly(self.app_state.run.alive or self.app_state.login.wanted)
+        for one in (self.language_switch, self.lock_switch):
+            one.setDisabled(self.app_state.run.alive)
         if self.app_state.run.alive:
             self.app_state.scan_vm.put_away()
 
@@ -280,6 +314,7 @@ def open_window(bench: str | None) -> Window:
     window.resize(window.size().boundedTo(window.screen().availableSize()))
     window.show()
     QTimer.singleShot(PREBUILD_DELAY_MS, window, window.prebuild)
+    app_state.request(ListPeople(), app_state.login.take_people)
     chosen = bench or str(app_state.settings.value("bench", "") or "")
     if chosen and (bench or Path(chosen).is_file()):
         QTimer.singleShot(0, app_state, lambda: app_state.open_bench(chosen))

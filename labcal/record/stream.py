@@ -65,7 +65,8 @@ class ModeChanged:
 class Step:
     """Step `number` of `total` begins; `left_s` is the lab time expected until the procedure's end.
 
-    The first step states the names of all, in order; `step_s` is the lab time of this one alone.
+    The first step states the names of all, in order; `step_s` is the lab time of this one alone. `needed_s` is the lab
+    time until `needed_for`, the next step that begins with a question to a person; None where none is to come.
     """
 
     t_s: float
@@ -75,6 +76,8 @@ class Step:
     left_s: float
     names: tuple[str, ...] = ()
     step_s: float | None = None
+    needed_s: float | None = None
+    needed_for: str = ""
 
 
 @dataclass(frozen=True, slots=True)

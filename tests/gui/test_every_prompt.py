@@ -24,6 +24,7 @@ from labcal.bench.clock import VirtualClock
 from labcal.bench.opening import open_bench
 from labcal.errors import Stopped
 from labcal.gui.ipc.messages import Answer, RunProcedure
+from labcal.gui.translations.sentences import form_of
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton
 from labcal.gui.widgets.prompt_card import WORDS, acting
 from labcal.record.stream import Prompt
@@ -183,6 +184,7 @@ class Asked:
         card, prompt = self.card, self.prompt
         assert card.isVisible()
         assert card.text.text() == prompt.text
+        assert form_of(prompt.text) or prompt.key == "failed-turn", f"not in other languages: {prompt.text}"
         room = QFontMetrics(card.text.font()).boundingRect(
             card.text.contentsRect(), Qt.TextFlag.TextWordWrap, prompt.text
         )

@@ -8,12 +8,15 @@ from geometry import faults
 from lab_states import told
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QVBoxLayout, QWidget
+from test_calibration_views import FOUND
 from test_choose import told_by_the_loop
+from test_compare import side
 from test_path import RUN, calibration
 
-from labcal.gui.ipc.answers import Checked, Ended, FitFigures, Fitted, Look
+from labcal.gui.ipc.answers import Checked, Comparison, Ended, FitFigures, Fitted, Look
 from labcal.gui.ipc.messages import (
     CloseLoop,
+    CompareRuns,
     FitRun,
     LastCageCheck,
     LastClosingCheck,
@@ -63,7 +66,17 @@ def interrupted(window):
 
 def history(window):
     stored(window, RUN, replace(RUN, run_id="r2", status="failed: dut is silent", simulated=True, verdict="explained"))
+    window.page("History").faces.setCurrentIndex(0)
     window.page("History").table.selectRow(0)
+    return "History"
+
+
+def compared(window):
+    history(window)
+    page = window.page("History")
+    page.table.selectAll()
+    page.compare.click()
+    window.app_state.fit_worker.answer(CompareRuns, Comparison(side("r1", "r1.json"), side("r2"), FOUND))
     return "History"
 
 
@@ -162,6 +175,7 @@ STATES = {
     "Certificate, no key": lambda window: certificate(window, (), signed=False),
     "Certificate, signed": lambda window: certificate(window),
     "History": history,
+    "History, two runs compared": compared,
 }
 
 

@@ -183,7 +183,7 @@ def test_a_run_is_exported_and_imported_by_clicks(qtbot, own_lab, tmp_path, monk
 def test_the_trend_of_a_dut_is_drawn(qtbot, signed):
     signed.open_page("History")
     history = signed.page("History")
-    qtbot.waitUntil(lambda: "EM-07" in history.trend_heading.text(), timeout=LONG_MS)
-    qtbot.waitUntil(lambda: len(history.plot.getPlotItem().listDataItems()) == 3, timeout=LONG_MS)
-    assert history.plot.isVisible()
+    qtbot.waitUntil(lambda: "EM-07" in history.trend.heading.text(), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: len(history.trend.plot.getPlotItem().listDataItems()) == 3, timeout=LONG_MS)
+    assert history.trend.plot.isVisible()
     assert any(one.verdict for one in history.runs)

@@ -15,7 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.model.calibration import EffectRecord
 from labcal.record.run import Dut
 from labcal.record.stream import Measurement
-from labcal.uncertainty.conformity import Judged
+from labcal.uncertainty.conformity import Changes, Judged
 
 Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
@@ -64,6 +64,34 @@ class Bench:
     instruments: Mapping[str, Instrument]
     serial_pattern: str = USUAL  # of the DUTs that this bench takes
     virtual_time: bool = False  # it passes as fast as is wanted
+
+
+@dataclass(frozen=True, slots=True)
+class SettingLine:
+    """One setting of a bench file: as written ("" where it is not), what holds then, unit and meaning.
+
+    `here`: whether it can be changed from here.
+    """
+
+    keys: tuple[str, ...]
+    value: str
+    usual: str
+    unit: str
+    meaning: str
+    here: bool
+
+
+@dataclass(frozen=True, slots=True)
+class BenchText:
+    """A bench file as it is written, and its settings, limits first.
+
+    `difference`: the lines that changes make other ones; `objection`: why it is no bench file with them ("": it is).
+    """
+
+    text: str
+    settings: tuple[SettingLine, ...]
+    difference: str = ""
+    objection: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,6 +238,32 @@ class Change:
     against: Mapping[str, Array]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Compared:
+    """One of two runs beside each other: magnitude residual (n,) and field (n, 3) [nT] by its own calibration.
+
+    `calibration` is its file's name; "" where none was there and the run was fitted now. Time begins with the run.
+    """
+
+    run_id: str
+    dut: str
+    calibration: str
+    noise_nT: float | None
+    residual: Array | None
+    after: Array
+    against: Mapping[str, Array]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Comparison:
+    """Two runs; what changed from the older to the newer, or why that cannot be said (`refused`)."""
+
+    older: Compared
+    newer: Compared
+    changes: Changes | None
+    refused: str = ""
+
+
 @dataclass(frozen=True, slots=True)
 class Proposal:
     """The experiment that would tell more."""
@@ -284,6 +338,14 @@ class Standing:
 
 
 @dataclass(frozen=True, slots=True)
+class Person:
+    """Somebody of the trust list, and what they may do: measure, approve, release."""
+
+    name: str
+    roles: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class BudgetLine:
     """One quantity of a calibration's budget: its U, and its sources with their shares, the largest first."""
 
@@ -293,6 +355,21 @@ class BudgetLine:
     k: float
     unit: str
     sources: tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A figure of the map as people follow it over the years, in `unit`: `U` at k = 2, None where not known.
+
+    `limit` is that of the specification which the calibration was judged by, in the same unit.
+    """
+
+    kind: str  # offset, scale or non_orthogonality
+    quantity: str
+    value: float
+    U: float | None
+    unit: str
+    limit: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -314,3 +391,4 @@ class CalibrationFile:
     standing: Standing
     specification: tuple[Judged, ...] = ()
     left_open: tuple[str, ...] = ()  # what the specification limits and nothing determined
+    figures: tuple[Figure, ...] = ()

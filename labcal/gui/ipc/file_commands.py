@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from labcal.files.home import home
-from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Checked, RunLine, Signature, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Checked, Figure, Person, RunLine, Signature, Standing
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.messages import (
@@ -29,6 +29,7 @@ from labcal.gui.ipc.messages import (
     LastClosingCheck,
     ListCalibrations,
     ListKeys,
+    ListPeople,
     ListRuns,
     NewKey,
     Progress,
@@ -36,10 +37,15 @@ from labcal.gui.ipc.messages import (
     VerifyFile,
     WriteReport,
 )
-from labcal.uncertainty.conformity import LEFT_OPEN, Changes, stated_lines
+from labcal.record.specification import UNITS
+from labcal.uncertainty.conformity import LEFT_OPEN, Changes, Judged, stated_lines
+from labcal.uncertainty.conformity.change import SHOWN
+from labcal.uncertainty.conformity.decision import Measured
+from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 
 if TYPE_CHECKING:
     from labcal.certificate import Verification
+    from labcal.model import Calibration
     from labcal.store import RunSummary
 
 WORST = ("", "PASS", "CANNOT DECIDE", "MARGINAL", "FAIL")
@@ -119,7 +125,21 @@ def _calibration(path: Path) -> CalibrationFile:
         standing=_standing(path, session.verify(path, only_kept=True)),
         specification=stated_lines(found),
         left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
+        figures=figures(found),
     )
+
+
+def figures(found: Calibration) -> tuple[Figure, ...]:
+    """Offsets, scale factors and angles of the map, each with its limit where it was judged by one."""
+    limits = {line.quantity: line for line in stated_lines(found)}
+    return tuple(_figure(one, limits.get(one.quantity)) for one in figures_of_the_map(found))
+
+
+def _figure(one: Measured, judged: Judged | None) -> Figure:
+    factor, unit = SHOWN[one.figure]
+    U = 2 * one.u / factor if np.isfinite(one.u) else None
+    limit = None if judged is None else judged.limit * UNITS[one.figure][judged.unit] / factor
+    return Figure(one.figure, one.quantity, one.value / factor, U, unit, limit)
 
 
 def _budget_line(stated: Mapping[str, Any]) -> BudgetLine:
@@ -150,6 +170,16 @@ def keys(channel: Channel, asked: ListKeys) -> tuple[str, ...]:
     from labcal import session
 
     return tuple(sorted({e.signer.principal for e in session.trusted_keys() if e.private_key_here and not e.revoked}))
+
+
+def people(channel: Channel, asked: ListPeople) -> tuple[Person, ...]:
+    """Who has a role by the trust list, revoked ones left out."""
+    from labcal import session
+
+    there, _ = session.listed_keys()
+    signers = [entry.signer for entry in there if not entry.revoked]
+    roles = {one.principal: tuple(sorted(one.roles)) for one in signers if one.roles}
+    return tuple(Person(name, roles[name]) for name in sorted(roles))
 
 
 def new_key(channel: Channel, asked: NewKey) -> str:
@@ -276,6 +306,7 @@ HANDLERS = (
     handles(ListCalibrations, calibrations),
     handles(VerifyFile, verify),
     handles(ListKeys, keys),
+    handles(ListPeople, people),
     handles(NewKey, new_key),
     handles(Approve, approve),
     handles(Sign, sign),

@@ -1,40 +1,23 @@
 """Every message between the window and its workers: commands, words into a run, events. One frozen dataclass each.
 
-A command names its answer: `class FitRun(Command[Fitted])`. What carries it out is the one handler that takes it
-(`bench_commands`, `study_commands`, `file_commands`); what the window does is ask for it with `Client.request`.
+A command names its answer: `class FitRun(Command[Fitted])`. What carries it out is the one handler that takes it, in
+one of the `*_commands`; what the window does is ask for it with `Client.request`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Generic, Literal, TypeVar
+from typing import Any, Literal
 
 from labcal.bench.coils.state import LabState
 from labcal.gui.ipc import answers
+from labcal.gui.ipc.kinds import Command as Command
+from labcal.gui.ipc.kinds import Event as Event
+from labcal.gui.ipc.kinds import Word as Word
 from labcal.gui.ipc.wire import Fault
 from labcal.record.stream import Item
 from labcal.uncertainty.conformity import Changes
-
-R = TypeVar("R")
-
-
-class Command(Generic[R]):
-    """Something asked of a worker; R is what it answers."""
-
-    __slots__ = ()
-
-
-class Word:
-    """A word into a run that goes on; nothing answers it."""
-
-    __slots__ = ()
-
-
-class Event:
-    """What a worker says."""
-
-    __slots__ = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +39,23 @@ class SwitchOff(Command[answers.SwitchedOff]):
     """Every coil of a bench to zero and open."""
 
     bench: str
+
+
+@dataclass(frozen=True, slots=True)
+class EditBench(Command[answers.BenchText]):
+    """A bench file read, and what `changes` (keys, value as it is written) of `before` make of it; `save` writes it."""
+
+    bench: str
+    before: str = ""
+    changes: tuple[tuple[tuple[str, ...], str], ...] = ()
+    save: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FindOnLines(Command[tuple[str, ...]]):
+    """Who answers on this computer's lines, a line each; `out` is the draft of a bench file."""
+
+    out: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +159,14 @@ class FilterHistory(Command[answers.Growth]):
 
 
 @dataclass(frozen=True, slots=True)
+class CompareRuns(Command[answers.Comparison]):
+    """Two runs side by side, each by its own calibration."""
+
+    older: str
+    newer: str
+
+
+@dataclass(frozen=True, slots=True)
 class ListRuns(Command[tuple[answers.RunLine, ...]]):
     """The runs of the store, the newest first."""
 
@@ -188,6 +196,11 @@ class VerifyFile(Command[answers.Standing]):
 @dataclass(frozen=True, slots=True)
 class ListKeys(Command[tuple[str, ...]]):
     """Names with a private key here."""
+
+
+@dataclass(frozen=True, slots=True)
+class ListPeople(Command[tuple[answers.Person, ...]]):
+    """Who has which role by the trust list; nobody where it states none, and then everybody may do everything."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,14 +50,16 @@ def calibration_path(run_id: str) -> Path:
 
 
 @lru_cache(maxsize=2)
-def _run(run: str) -> Run:
+def loaded_run(run: str) -> Run:
+    """The run called so, kept while it is looked at."""
     from labcal import session
 
     return session.load_run(run)
 
 
 @lru_cache(maxsize=24)
-def _fit(run: str, method: str) -> Fit:
+def loaded_fit(run: str, method: str) -> Fit:
+    """One method's answer, kept while it is looked at."""
     from labcal import session
 
     return session.fit_run(run, method)[1][0]
@@ -73,9 +75,9 @@ def methods(channel: Channel, asked: ListMethods) -> tuple[str, ...]:
 
 def look(channel: Channel, asked: LookAt) -> Look:
     """A run as it was recorded, thinned for pictures."""
-    measured = _run(asked.run)
+    measured = loaded_run(asked.run)
     rows = thinned(len(measured))
-    before, against = measured.reading_nT[rows], _regressors(measured, rows)
+    before, against = measured.reading_nT[rows], regressors(measured, rows)
     return Look(measured.run_id, measured.dut.serial, len(measured), before, against)
 
 
@@ -83,7 +85,7 @@ def fit(channel: Channel, asked: FitRun) -> Fitted:
     """One method's answer, its residual and its loci."""
     from labcal.fit.metrics import scalar_residual
 
-    measured, found = _run(asked.run), _fit(asked.run, asked.method)
+    measured, found = loaded_run(asked.run), loaded_fit(asked.run, asked.method)
     if found.affine is None:
         return Fitted(figures(found), found.noise_nT)
     rows = thinned(len(measured))
@@ -115,8 +117,8 @@ def draft(channel: Channel, asked: WriteDraft) -> str:
     """Write the draft calibration of a method; returns its path."""
     from labcal import session
 
-    path = calibration_path(_run(asked.run).run_id)
-    session.draft(asked.run, _fit(asked.run, asked.method), path, force=True)  # a draft of the window's own
+    path = calibration_path(loaded_run(asked.run).run_id)
+    session.draft(asked.run, loaded_fit(asked.run, asked.method), path, force=True)  # a draft of the window's own
     return str(path)
 
 
@@ -125,7 +127,7 @@ def loop(channel: Channel, asked: CloseLoop) -> Loop:
     from labcal import session
     from labcal.files.atomic import write_text
 
-    measured = _run(asked.run)
+    measured = loaded_run(asked.run)
     path = calibration_path(measured.run_id)
     closed = session.close_loop(asked.run, path, lambda text: channel.send(Progress(text)), force=True)
     write_text(path.with_suffix(".loop"), json.dumps(closed.to_json()))
@@ -165,7 +167,7 @@ def cause(channel: Channel, asked: TryCause) -> Change:
     """The residual before and after one cause alone, named by the loop or not."""
     from labcal import session
 
-    return _change(_run(asked.run), session.one_cause(asked.run, asked.effect, asked.channels).pictures)
+    return _change(loaded_run(asked.run), session.one_cause(asked.run, asked.effect, asked.channels).pictures)
 
 
 def growth(channel: Channel, asked: FilterHistory) -> Growth:
@@ -179,7 +181,7 @@ def growth(channel: Channel, asked: FilterHistory) -> Growth:
 def _change(run: Run, pictures: Pictures) -> Change:
     rows = thinned(len(pictures.t_s))
     at = np.clip(np.searchsorted(run.t_s, pictures.t_s[rows]), 0, len(run) - 1)
-    return Change(pictures.before_nT[rows], pictures.after_nT[rows], _regressors(run, at))
+    return Change(pictures.before_nT[rows], pictures.after_nT[rows], regressors(run, at))
 
 
 def thinned(n: int) -> NDArray[np.intp]:
@@ -187,7 +189,7 @@ def thinned(n: int) -> NDArray[np.intp]:
     return np.arange(0, n, max(1, -(-n // MAX_POINTS)), dtype=np.intp)
 
 
-def _regressors(run: Run, rows: NDArray[np.intp]) -> Mapping[str, Array]:
+def regressors(run: Run, rows: NDArray[np.intp]) -> Mapping[str, Array]:
     """Everything a residual may be drawn against, by name with unit."""
     against = {"time  s": run.t_s[rows]}
     if run.angle_deg is not None:

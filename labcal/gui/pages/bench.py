@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Identified, Instrument
-from labcal.gui.ipc.messages import FindSimulatedBench, Identify
+from labcal.gui.ipc.messages import FindOnLines, FindSimulatedBench, Identify
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
@@ -19,8 +19,9 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words
 from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
-from labcal.gui.widgets.common import Card, button, label
+from labcal.gui.widgets.common import Card, button, label, shrinkable
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
 
@@ -41,8 +42,12 @@ class BenchPage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
-        column.addWidget(self._instruments_card(), 3)
-        column.addWidget(self._cage_card(), 2)
+        self.faces, self.editor = QStackedWidget(), BenchEditor(app_state, theme)
+        self.editor.left.connect(lambda: self.faces.setCurrentIndex(0))
+        self.editor.saved.connect(self._edited)
+        self.faces.addWidget(self._bench())
+        self.faces.addWidget(self.editor)
+        column.addWidget(self.faces, 1)
         app_state.bench_changed.connect(self._bench_known)
         self._readings = QTimer(self, interval=READINGS_MS)
         self._readings.timeout.connect(self.show_readings)
@@ -60,7 +65,17 @@ class BenchPage(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """States and arrows in the theme's colours."""
         self._theme = theme
+        self.editor.set_theme(theme)
         self._bench_known()
+
+    def _bench(self) -> QWidget:
+        holder = QWidget()
+        column = QVBoxLayout(holder)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2 * GRID)
+        column.addWidget(self._instruments_card(), 3)
+        column.addWidget(self._cage_card(), 2)
+        return holder
 
     def _instruments_card(self) -> Card:
         card = Card(self.tr("Instruments"), "")
@@ -80,9 +95,18 @@ class BenchPage(QWidget):
         choose.clicked.connect(self._choose)
         simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware"))
         simulated.clicked.connect(lambda: open_simulated_bench(self._app_state))
-        self.file = label("", "caption")
-        row = QHBoxLayout()
-        row.addWidget(self.file, 1)
+        self.edit = button(self.tr("Edit …"), self.tr("Settings of this bench file, limits first"))
+        self.edit.clicked.connect(lambda: self._edit(self._app_state.bench))
+        self.make = button(
+            self.tr("New …"), self.tr("Ask who answers on this computer's lines, and write a draft of a bench file")
+        )
+        self.make.clicked.connect(self._make)
+        self.file = shrinkable(label("", "caption"))
+        above, row = QHBoxLayout(), QHBoxLayout()
+        above.addWidget(self.file, 1)
+        for widget in (self.edit, self.make):
+            above.addWidget(widget)
+        row.addStretch()
         for widget in (simulated, choose, self.reconnect, self.check):
             row.addWidget(widget)
         self.table = Table(HEADINGS, stretch=5)
@@ -91,6 +115,7 @@ class BenchPage(QWidget):
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
+        card.body.addLayout(above)
         card.body.addLayout(row)
         return card
 
@@ -109,6 +134,42 @@ class BenchPage(QWidget):
         path, _ = QFileDialog.getOpenFileName(self, self.tr("Open a bench file"), "", "*.toml")
         if path:
             self._app_state.open_bench(path)
+
+    def _edit(self, file: str) -> None:
+        self.editor.open(file)
+        self.faces.setCurrentWidget(self.editor)
+
+    def _edited(self, file: str) -> None:
+        """The bench that is open is read again."""
+        if file == self._app_state.bench:
+            self._app_state.open_bench(file)
+
+    def _make(self) -> None:
+        path, _ = QFileDialog.getSaveFileName(self, self.tr("A draft of a bench file"), "bench.toml", "*.toml")
+        if path:
+            self.look_for_instruments(path)
+
+    def look_for_instruments(self, out: str) -> None:
+        """Ask who answers, then edit the draft that is written to `out`. Nothing is set."""
+        if self._app_state.run.alive:
+            return self.fault.show_fault(
+                Fault("input", self.tr("A run goes on and holds the instruments; check them after it."))
+            )
+        self.make.setEnabled(False)
+        self._app_state.lab.update(message=self.tr("Asking who answers on this computer's lines …"))
+        return self._app_state.off_worker.request(
+            FindOnLines(out), lambda said: self._found(out, said), self._not_found
+        )
+
+    def _found(self, out: str, said: tuple[str, ...]) -> None:
+        self.make.setEnabled(True)
+        words = self.tr("{0} answered: {1}").format(len(said), "; ".join(said) or "–")
+        self._app_state.lab.update(message=words)
+        self._edit(out)
+
+    def _not_found(self, fault: Fault) -> None:
+        self.make.setEnabled(True)
+        self.fault.show_fault(fault)
 
     def check_all(self) -> None:
         """Ask every instrument who it is."""
@@ -161,7 +222,7 @@ class BenchPage(QWidget):
         self.file.setToolTip(self._app_state.bench)
         self.empty.setVisible(not there)
         self.table.setVisible(bool(there))
-        for widget in (self.check, self.reconnect):
+        for widget in (self.check, self.reconnect, self.edit):
             widget.setEnabled(bool(there))
         self.table.setRowCount(len(there))
         for row, (name, one) in enumerate(there):

@@ -4,32 +4,30 @@ from __future__ import annotations
 
 import re
 from datetime import UTC, datetime
-from functools import partial
+from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
-import numpy as np
-import pyqtgraph as pg
-from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QStackedWidget, QVBoxLayout, QWidget
 
-from labcal.gui.ipc.answers import CalibrationFile, RunLine
-from labcal.gui.ipc.messages import CorrectSerial, ExportRun, ImportBundle, ListCalibrations, ListRuns
+from labcal.gui.ipc.answers import CalibrationFile, Comparison, RunLine
+from labcal.gui.ipc.messages import CompareRuns, CorrectSerial, ExportRun, ImportBundle, ListCalibrations, ListRuns
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
-from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.run_search import cells, in_order, local_time, matches
 from labcal.gui.widgets.barcode_scanner import takes_scans
 from labcal.gui.widgets.common import Card, button, label, shrinkable
+from labcal.gui.widgets.comparison import ComparisonView
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.open_externally import FolderButton
-from labcal.gui.widgets.plots import apply_theme, legend_above, plot
+from labcal.gui.widgets.trend import Trend
 
-DAY_S = 86_400.0  # a trend shows at least a day on either side
 HEADINGS = ("started", "DUT", "procedure", "operator", "status", "verdict", "run")
+NOT_WHOLE = ("running", "interrupted")
 Format = Literal["bundle", "csv", "hdf5", "mat"]
 FORMATS: dict[str, Format] = {
     "Bundle (*.zip)": "bundle",
@@ -37,7 +35,6 @@ FORMATS: dict[str, Format] = {
     "HDF5 (*.h5)": "hdf5",
     "MATLAB (*.mat)": "mat",
 }
-PARAMETERS = {"k": (9, ("k x", "k y", "k z"), "nT"), "gain": (0, ("K xx", "K yy", "K zz"), "ppm from the first")}
 
 
 class HistoryPage(QWidget):
@@ -48,6 +45,7 @@ class HistoryPage(QWidget):
         self._app_state, self._theme = app_state, theme
         self.runs: tuple[RunLine, ...] = ()
         self._calibrations: tuple[CalibrationFile, ...] = ()
+        self._compared: CompareRuns | None = None
         self._idle_queue = IdleQueue(self)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
@@ -55,8 +53,9 @@ class HistoryPage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
-        column.addWidget(self._runs_card(), 3)
-        column.addWidget(self._trend_card(), 2)
+        self.faces = QStackedWidget()
+        column.addWidget(self.faces)
+        self.faces.addWidget(self._list(theme))
         app_state.run.ended.connect(self.refresh)
 
     def showEvent(self, event: object) -> None:
@@ -64,15 +63,39 @@ class HistoryPage(QWidget):
         self.refresh()
 
     def set_theme(self, theme: Theme) -> None:
-        """The trend in the theme's colours."""
+        """Trend and comparison in the theme's colours."""
         self._theme = theme
-        apply_theme(self.plot, theme)
-        self._idle_queue.add(self._draw)
+        self.trend.set_theme(theme)
+        self.comparison.set_theme(theme)
+
+    def build_more(self) -> bool:
+        """Build another part of what compares two runs; says whether any was missing."""
+        if self.faces.count() > 1:
+            return self.comparison.loci.build_more()
+        return self.comparison is not None
+
+    @cached_property
+    def comparison(self) -> ComparisonView:
+        """Two runs beside each other."""
+        made = ComparisonView(self._theme)
+        made.left.connect(lambda: self.faces.setCurrentIndex(0))
+        self.faces.addWidget(made)
+        return made
 
     def refresh(self) -> None:
         """Ask for runs and calibrations again."""
         self._app_state.quick_worker.request(ListRuns(), self._runs_known, self.fault.show_fault)
         self._app_state.quick_worker.request(ListCalibrations(), self._calibrations_known, self.fault.show_fault)
+
+    def _list(self, theme: Theme) -> QWidget:
+        """The runs, and below them the trend of the DUT that is chosen."""
+        holder, self.trend = QWidget(), Trend(theme)
+        column = QVBoxLayout(holder)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2 * GRID)
+        column.addWidget(self._runs_card(), 3)
+        column.addWidget(self.trend, 2)
+        return holder
 
     def _runs_card(self) -> Card:
         card = Card(self.tr("Runs"))
@@ -95,10 +118,14 @@ class HistoryPage(QWidget):
         self.correct.clicked.connect(self._correct)
         take = button(self.tr("Import …"), self.tr("Take a run bundle (.zip) into the store, byte for byte"))
         take.clicked.connect(self._import)
+        self.compare = button(
+            self.tr("Compare"), self.tr("Choose two runs (Ctrl and a click): their figures, residuals and loci")
+        )
+        self.compare.clicked.connect(self._compare)
         row = QHBoxLayout()
-        row.addWidget(self.search, 1)
-        for widget in (self.open, self.export, self.correct, take):
+        for widget in (self.open, self.compare, self.export, self.correct, take):
             row.addWidget(widget)
+        row.addStretch()
         self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
         self.said.hide()
         self.table = Table(HEADINGS, stretch=6)
@@ -117,37 +144,23 @@ class HistoryPage(QWidget):
         where = QHBoxLayout()
         where.addWidget(self.said, 1)
         where.addWidget(self.folder)
+        card.body.addWidget(self.search)
         card.body.addLayout(row)
         card.body.addLayout(where)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
         return card
 
-    def _trend_card(self) -> Card:
-        card = Card(self.tr("Calibrations over time"), self.tr("bars: U, k=2"))
-        self.trend_heading = card.heading
-        self.parameter = QComboBox()
-        for name in PARAMETERS:
-            self.parameter.addItem(translated(name), name)
-        self.parameter.setToolTip(self.tr("k: offsets in nT; gain: the diagonal of K, ppm from the first calibration"))
-        self.parameter.activated.connect(self._draw)
-        self.plot = plot(self._theme, "", "")
-        self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem()})
-        card.body.addWidget(self.parameter)
-        self.none = label(
-            self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day."),
-            wrap=True,
-        )
-        card.body.addWidget(self.none)
-        card.body.addWidget(self.plot, 1)
-        card.body.addStretch()
-        return card
+    def chosen_runs(self) -> list[RunLine]:
+        """The runs that are chosen, from the top."""
+        rows = sorted({item.row() for item in self.table.selectedItems()})
+        known = {one.run_id: one for one in self.runs}
+        return [known[run_id] for row in rows if (run_id := self.table.text(row, 6)) in known]
 
     def chosen(self) -> RunLine | None:
-        """The run that is chosen."""
-        items = self.table.selectedItems()
-        run_id = self.table.item(items[0].row(), 6) if items else None
-        return next((one for one in self.runs if run_id is not None and one.run_id == run_id.text()), None)
+        """The run that is chosen, where it is one."""
+        several = self.chosen_runs()
+        return several[0] if len(several) == 1 else None
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self.runs = runs
@@ -159,7 +172,7 @@ class HistoryPage(QWidget):
         self._idle_queue.add(self._draw)
 
     def _show(self) -> None:
-        now, chosen = datetime.now().astimezone(), self.chosen()
+        now, chosen = datetime.now().astimezone(), self.chosen_runs()
         found = [one for one in self.runs if matches(one, self.search.text(), now)]
         found = in_order(found, *self._order)
         self.empty.setVisible(not found)
@@ -171,14 +184,15 @@ class HistoryPage(QWidget):
         self._keep_chosen(chosen, found)
         self._chosen()
 
-    def _keep_chosen(self, chosen: RunLine | None, found: list[RunLine]) -> None:
-        """In another order the same run is chosen, where it is still there."""
-        ids = [one.run_id for one in found]
+    def _keep_chosen(self, chosen: list[RunLine], found: list[RunLine]) -> None:
+        """In another order the same runs are chosen, where they are still there."""
+        ids, model = [one.run_id for one in found], self.table.selectionModel()
+        how = QItemSelectionModel.SelectionFlag.Select | QItemSelectionModel.SelectionFlag.Rows
         with QSignalBlocker(self.table):
-            if chosen is not None and chosen.run_id in ids:
-                self.table.selectRow(ids.index(chosen.run_id))
-            else:
-                self.table.clearSelection()
+            self.table.clearSelection()
+            for one in chosen:
+                if one.run_id in ids:
+                    model.select(self.table.model().index(ids.index(one.run_id), 0), how)
 
     def _sort(self, column: int) -> None:
         """By this column; a second click turns the order round."""
@@ -191,7 +205,9 @@ class HistoryPage(QWidget):
     def _chosen(self) -> None:
         one = self.chosen()
         for widget in (self.open, self.export):
-            widget.setEnabled(one is not None and one.status not in ("running", "interrupted"))
+            widget.setEnabled(one is not None and one.status not in NOT_WHOLE)
+        several = self.chosen_runs()
+        self.compare.setEnabled(len(several) == 2 and all(two.status not in NOT_WHOLE for two in several))
         self.correct.setEnabled(one is not None and one.status not in ("running", "imported"))
         self._idle_queue.add(self._draw)
 
@@ -220,6 +236,24 @@ class HistoryPage(QWidget):
     def _open(self) -> None:
         if (one := self.chosen()) is not None and self.open.isEnabled():
             self._app_state.open_study(one.run_id)
+
+    def _compare(self) -> None:
+        """The two runs that are chosen, beside each other."""
+        older, newer = sorted(self.chosen_runs(), key=lambda one: one.started_utc)
+        self.comparison.wait_for(self.tr("Comparing {0} with {1} …").format(older.run_id, newer.run_id))
+        self.faces.setCurrentWidget(self.comparison)
+        command = CompareRuns(older.run_id, newer.run_id)
+        self._compared = command
+        self._app_state.fit_worker.request(command, lambda found: self._known(command, found), self._not_compared)
+
+    def _known(self, command: CompareRuns, found: Comparison) -> None:
+        """What was asked last is shown, and nothing that was asked before."""
+        if command is self._compared:
+            self.comparison.show_comparison(found)
+
+    def _not_compared(self, fault: Fault) -> None:
+        self.faces.setCurrentIndex(0)
+        self.fault.show_fault(fault)
 
     def _export(self) -> None:
         one = self.chosen()
@@ -251,43 +285,13 @@ class HistoryPage(QWidget):
 
     def dut(self) -> str:
         """Of the chosen run, else the one at the top of the window."""
-        one = self.chosen()
-        return one.dut_serial if one is not None else self._app_state.lab.state.dut_serial
+        several = self.chosen_runs()
+        return several[0].dut_serial if several else self._app_state.lab.state.dut_serial
 
     def _draw(self) -> None:
         dut = self.dut()
         mine = [c for c in reversed(self._calibrations) if c.dut.serial == dut]
-        self.trend_heading.setText(self.tr("Calibrations of {0}").format(dut or "–"))
-        self.plot.clear()
-        for widget, shown in ((self.none, not mine), (self.plot, bool(mine)), (self.parameter, bool(mine))):
-            widget.setVisible(shown)
-        times = [self._when(one) for one in mine]
-        start, names, unit = PARAMETERS[self.parameter.currentData()]
-        self.plot.getPlotItem().setLabel(
-            "left", f"{self.parameter.currentText()}  {translated(unit)}", color=self._theme.muted
-        )
-        for axis, colour in enumerate(self._theme.axes):
-            self._idle_queue.put(("line", axis), partial(self._line, np.array(times), mine, start, axis, colour))
-        self._idle_queue.put("range", partial(self._name_and_range, times, names))
-
-    def _name_and_range(self, times: list[float], names: tuple[str, ...]) -> None:
-        """What is drawn last: the names above, and what is seen of time and value."""
-        if times:
-            legend_above(self.plot, zip(names, self._theme.axes, strict=True))
-            self.plot.autoRange(padding=0.1)
-            if max(times) - min(times) < DAY_S:
-                self.plot.setXRange(min(times) - DAY_S, max(times) + DAY_S)
-
-    def _line(self, t: Any, files: list[CalibrationFile], start: int, axis: int, colour: str) -> None:
-        if not files:
-            return
-        at = 9 + axis if start == 9 else 4 * axis
-        flat = [[v for row in one.K for v in row] + list(one.k_nT) for one in files]
-        value, U = np.array([f[at] for f in flat]), np.array([2 * one.u[at] if one.u else 0.0 for one in files])
-        if start == 0:
-            value, U = 1e6 * (value / value[0] - 1), 1e6 * U / abs(value[0])
-        self.plot.addItem(pg.ErrorBarItem(x=t, y=value, height=2 * U, beam=0, pen=pg.mkPen(colour, width=2)))
-        self.plot.plot(t, value, pen=pg.mkPen(colour), symbol="o", symbolSize=7, symbolBrush=colour, symbolPen=None)
+        self.trend.show_files(dut, mine, [self._when(one) for one in mine])
 
     def _when(self, one: CalibrationFile) -> float:
         started = next((run.started_utc for run in self.runs if run.run_id == one.run_id), None)

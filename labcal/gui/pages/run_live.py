@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from datetime import datetime
+
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
@@ -21,9 +23,10 @@ from PySide6.QtWidgets import (
 from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import FIGURE_SPACE, format_duration, step_title
+from labcal.gui.viewmodels.number_format import FIGURE_SPACE, clock_time, format_duration, step_title
 from labcal.gui.viewmodels.run_verdict import run_verdict
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, deferred_layout, label, set_primary
@@ -31,6 +34,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Measurements
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import PromptCard
+from labcal.gui.widgets.sounds import Sounds
 from labcal.gui.widgets.verdict_card import VerdictCard
 
 FRAME_MS = 40
@@ -72,6 +76,9 @@ class Live(QWidget):
         row.addWidget(right, 5)
         self.frame_timer = QTimer(self, interval=FRAME_MS)
         self.frame_timer.timeout.connect(self.draw)
+        self.sounds = Sounds(self, app_state.settings)
+        self.prompt.calls.connect(lambda: self.sounds.play("needed"))
+        self._run.ended.connect(lambda *_: self.sounds.play("done"))
         self._run.changed.connect(self._show)
         app_state.lab.changed.connect(self._coils_known)
         self._show()
@@ -89,7 +96,8 @@ class Live(QWidget):
         self.whose.setAccessibleName(self.tr("Whose run this is"))
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)
-        self.left = label("", "caption", wrap=True)
+        self.left, self.until = label("", "caption", wrap=True), label("", wrap=True)
+        self.until.setAccessibleName(self.tr("When it is done, and when you are needed"))
         self.steps = QListWidget()
         self.steps.setAccessibleName(self.tr("Steps"))
         self.steps.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -97,7 +105,7 @@ class Live(QWidget):
         self.note.setPlaceholderText(self.tr("Note"))
         self.note.setToolTip(self.tr('Put a remark with its time into the record, and Enter: "lift moved"'))
         self.note.returnPressed.connect(self._note)
-        for widget in (self.title, self.whose, self.progress, self.left):
+        for widget in (self.title, self.whose, self.progress, self.left, self.until):
             card.body.addWidget(widget)
         self.photo = button(self.tr("Photo …"), self.tr("Put a photograph into the record, with the note as its words"))
         self.photo.clicked.connect(self._photo)
@@ -271,7 +279,7 @@ class Live(QWidget):
 
     def _coils_left(self, fault: Fault) -> str:
         """How the coils are after a run that failed."""
-        words = self._app_state.coil_words()
+        words = in_words(self._app_state.coil_words())
         if self._app_state.lab.state.now.coils_at_zero is False:
             return self.tr("{0}. Press COILS OFF (F12), or switch the supplies off at their mains.").format(words)
         return words
@@ -339,8 +347,24 @@ class Live(QWidget):
         wait = "" if left is None else f"{left:.0f} s"
         return " · ".join(part for part in (self.tr("Hands off"), wait, doing) if part)
 
+    def _until(self) -> str:
+        """When it is done and when a person is needed before that, by the clock on the wall; "" while one is."""
+        run, now = self._run, datetime.now()
+        done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
+        if done_s is None:
+            return ""
+        done = self.tr("Done at about {0}").format(clock_time(now, done_s))
+        if needed_s is None or run.step is None:
+            return done
+        needed = self.tr("You are needed at {0}: {1}").format(
+            clock_time(now, needed_s), step_title(run.step.needed_for)
+        )
+        return f"{needed}\n{done}"
+
     def _show_left(self) -> None:
         run, left = self._run, self._run.left_s()
+        self.until.setText(words := self._until())
+        self.until.setVisible(bool(words))
         if run.step is None:
             self.left.setText(run.message if run.state == "starting" else "")
         elif left is None:

@@ -65,6 +65,77 @@
     </message>
 </context>
 <context>
+    <name>BenchEditor</name>
+    <message>
+        <source>Settings of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings of a bench file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limits first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a value as TOML has it: 2.5, true, [1.0, 2.0], text between quotation marks; an empty one takes the setting away. In brackets: what holds where nothing is stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What would change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with the file, and check what it says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write these lines into the file; all others stay as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the instruments; what was not saved is forgotten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (over several lines: change it in the file)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} changed, not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Not a bench file then: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ A bench file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BenchPage</name>
     <message>
         <source>Instruments</source>
@@ -103,11 +174,39 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Edit …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings of this bench file, limits first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask who answers on this computer&apos;s lines, and write a draft of a bench file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Open a bench file, or take the simulated lab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The cage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A draft of a bench file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking who answers on this computer&apos;s lines …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} answered: {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -506,6 +605,384 @@
     </message>
 </context>
 <context>
+    <name>ComparisonView</name>
+    <message>
+        <source>Runs without a calibration are fitted now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: two runs compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0}, calibration {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run {0}, fitted now (it has no calibration)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two runs compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U: k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the list of runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What of the two runs is drawn over each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residuals of the magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loci on the sphere, calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn against</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residual of |b|  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>band: the larger of the two noises, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reference, no residual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faint: behind the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Data</name>
+    <message>
+        <source>coils at zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero by the supply&apos;s word only: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero; {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT at zero by the reference: {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils not read back in this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils not read back since another process was asked to switch them off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils on: {0}, read back {1} s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils on: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils last read back below their zero {0} s ago, not since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reference was asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no ambient field was measured since the mounting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference has sent nothing since the currents settled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is not streaming</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is at its full scale and cannot vouch for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the link to the reference is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference repeats one reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is looked at again: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference agreed when it was last looked at, {0} s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the outputs that can open, or switch the supplies off at their mains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mount the DUT with body {0} up along the platform axis, body {1} towards the cage&apos;s {2}, at platform angle 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mount the DUT with body Z up, body X towards the cage&apos;s X; then {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it always stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turned by 180° about its own {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turned by 180° about its {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why is {0} skipped?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the DUT to power mode {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the load {0} on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the load {0} off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the platform&apos;s motor off at its plug.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the platform&apos;s motor on again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort). No faster than {1} deg/s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warm the DUT within its limits, then let it cool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the DUT off the platform, some metres away. Leave the reference and all else as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the DUT away and put the reference at its place, on a stand that does not turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the reference at the {0}&apos;s place: {1} mm from the DUT&apos;s place, in C.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the reference at {0} mm from the DUT&apos;s place, in C, turned as it always stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the reference {0} mm above the DUT&apos;s place, on the platform axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the reference {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the scalar sensor into the cage&apos;s centre, its dead zones away from the fields.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap the two leads of the half of coil {0} that stands towards +{1}. They must come back before anything else is measured, also if this run is stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the two leads of the half of coil {0} that stands towards +{1} back as they were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Are all covers of the DUT as they will fly, and the others off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Are the batteries those that will fly, and connected?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Are all tools out of the cage?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Are phones, keys and watches out of the room?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do chairs and trolleys stand at their marks?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no file {0}. File of the photograph ({1}), or empty:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File of the photograph ({0}), or empty:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT in all directions. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT in six directions. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, the platform turns. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT and stays. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, later with the DUT turning in it. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field steps up to {0} µT. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT and the platform turns. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils step by {0} µT and the platform turns. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A square wave of {0} µT follows. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT in turn. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each coil alternates from {0} µT downwards. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coil {0} makes a gradient now. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every load is switched in turn, the others stay off. Hands off?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Drop</name>
     <message>
         <source>Drop a calibration file here to verify it</source>
@@ -760,6 +1237,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until somebody logs in; COILS OFF works all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two tones where you are needed, three where it is done; or neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The window in this language; not while a run goes on</source>
         <translation type="unfinished"></translation>
     </message>
@@ -827,27 +1316,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose two runs (Ctrl and a click): their figures, residuals and loci</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Click to sort by this column, again to turn the order round</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Calibrations over time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>bars: U, k=2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>k: offsets in nT; gain: the diagonal of K, ppm from the first calibration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -871,6 +1352,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Comparing {0} with {1} …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Export the run</source>
         <translation type="unfinished"></translation>
     </message>
@@ -880,10 +1365,6 @@
     </message>
     <message>
         <source>Import a run bundle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Calibrations of {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -975,6 +1456,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>When it is done, and when you are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1027,7 +1512,57 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Done at about {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You are needed at {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>step {0} of {1} · {2} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LockScreen</name>
+    <message>
+        <source>Who works here?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name in the trust list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name, or scan your badge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name stands in the record from here on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF (F12) works all the same. A name says who is meant; signing still asks for your key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LoginViewModel</name>
+    <message>
+        <source>Nobody of the trust list has the name {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log in first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has not the role measure in the trust list.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1678,6 +2213,29 @@
     </message>
 </context>
 <context>
+    <name>Trend</name>
+    <message>
+        <source>Calibrations over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bars: U, k=2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero readings, scale factors from nominal, angles between the axes; gain: from the first calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrations of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>VerdictCard</name>
     <message>
         <source>DUT</source>
@@ -1720,6 +2278,14 @@
     </message>
     <message>
         <source>Larger F11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound on</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2026,6 +2592,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>meaning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>parameter</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2047,6 +2621,18 @@
     </message>
     <message>
         <source>as left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2162,10 +2748,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>k</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>gain</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2255,6 +2837,18 @@
     </message>
     <message>
         <source>a blank after each comma, and a point before decimals: 20000, 50000.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>non-orthogonality</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -65,6 +65,77 @@
     </message>
 </context>
 <context>
+    <name>BenchEditor</name>
+    <message>
+        <source>Settings of {0}</source>
+        <translation>Einstellungen von {0}</translation>
+    </message>
+    <message>
+        <source>Settings of a bench file</source>
+        <translation>Einstellungen einer Messplatzdatei</translation>
+    </message>
+    <message>
+        <source>limits first</source>
+        <translation>Grenzen zuerst</translation>
+    </message>
+    <message>
+        <source>Type a value as TOML has it: 2.5, true, [1.0, 2.0], text between quotation marks; an empty one takes the setting away. In brackets: what holds where nothing is stated.</source>
+        <translation>Werte wie in TOML schreiben: 2.5, true, [1.0, 2.0], Text in Anführungszeichen; ein leerer nimmt die Einstellung weg. In Klammern: was gilt, wo nichts angegeben ist.</translation>
+    </message>
+    <message>
+        <source>What would change</source>
+        <translation>Was sich ändern würde</translation>
+    </message>
+    <message>
+        <source>Show changes</source>
+        <translation>Änderungen zeigen</translation>
+    </message>
+    <message>
+        <source>Compare with the file, and check what it says</source>
+        <translation>Mit der Datei vergleichen und prüfen, was sie sagt</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Write these lines into the file; all others stay as they are</source>
+        <translation>Diese Zeilen in die Datei schreiben; alle anderen bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the instruments; what was not saved is forgotten</source>
+        <translation>Zu den Geräten; was nicht gespeichert wurde, ist vergessen</translation>
+    </message>
+    <message>
+        <source>{0} (over several lines: change it in the file)</source>
+        <translation>{0} (über mehrere Zeilen: in der Datei ändern)</translation>
+    </message>
+    <message>
+        <source>{0} changed, not saved</source>
+        <translation>{0} geändert, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>▲ Not a bench file then: {0}</source>
+        <translation>▲ Dann keine Messplatzdatei: {0}</translation>
+    </message>
+    <message>
+        <source>✓ A bench file</source>
+        <translation>✓ Eine Messplatzdatei</translation>
+    </message>
+    <message>
+        <source>Saved: {0}</source>
+        <translation>Gespeichert: {0}</translation>
+    </message>
+    <message>
+        <source>The file is as it was.</source>
+        <translation>Die Datei ist, wie sie war.</translation>
+    </message>
+</context>
+<context>
     <name>BenchPage</name>
     <message>
         <source>Instruments</source>
@@ -103,6 +174,22 @@
         <translation>Ein ganzes Labor ohne Geräte</translation>
     </message>
     <message>
+        <source>Edit …</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>Settings of this bench file, limits first</source>
+        <translation>Einstellungen dieser Messplatzdatei, Grenzen zuerst</translation>
+    </message>
+    <message>
+        <source>New …</source>
+        <translation>Neu …</translation>
+    </message>
+    <message>
+        <source>Ask who answers on this computer&apos;s lines, and write a draft of a bench file</source>
+        <translation>Fragen, wer an den Leitungen dieses Rechners antwortet, und eine Messplatzdatei entwerfen</translation>
+    </message>
+    <message>
         <source>Open a bench file, or take the simulated lab.</source>
         <translation>Eine Messplatzdatei öffnen oder das simulierte Labor nehmen.</translation>
     </message>
@@ -115,8 +202,20 @@
         <translation>Messplatzdatei öffnen</translation>
     </message>
     <message>
+        <source>A draft of a bench file</source>
+        <translation>Entwurf einer Messplatzdatei</translation>
+    </message>
+    <message>
         <source>A run goes on and holds the instruments; check them after it.</source>
         <translation>Eine Messung läuft und hält die Geräte; danach prüfen.</translation>
+    </message>
+    <message>
+        <source>Asking who answers on this computer&apos;s lines …</source>
+        <translation>Es wird gefragt, wer an den Leitungen dieses Rechners antwortet …</translation>
+    </message>
+    <message>
+        <source>{0} answered: {1}</source>
+        <translation>{0} antworteten: {1}</translation>
     </message>
     <message>
         <source>Asking …</source>
@@ -506,6 +605,384 @@
     </message>
 </context>
 <context>
+    <name>ComparisonView</name>
+    <message>
+        <source>Runs without a calibration are fitted now.</source>
+        <translation>Messungen ohne Kalibrierung werden jetzt ausgewertet.</translation>
+    </message>
+    <message>
+        <source>{0}: two runs compared</source>
+        <translation>{0}: zwei Messungen verglichen</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>run {0}, calibration {1}</source>
+        <translation>Messung {0}, Kalibrierung {1}</translation>
+    </message>
+    <message>
+        <source>run {0}, fitted now (it has no calibration)</source>
+        <translation>Messung {0}, jetzt ausgewertet (sie hat keine Kalibrierung)</translation>
+    </message>
+    <message>
+        <source>Two runs compared</source>
+        <translation>Zwei Messungen verglichen</translation>
+    </message>
+    <message>
+        <source>U: k=2</source>
+        <translation>U: k=2</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the list of runs</source>
+        <translation>Zur Liste der Messungen</translation>
+    </message>
+    <message>
+        <source>What of the two runs is drawn over each other</source>
+        <translation>Was von den beiden Messungen übereinander gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Residuals of the magnitude</source>
+        <translation>Reste des Betrags</translation>
+    </message>
+    <message>
+        <source>Loci on the sphere, calibrated</source>
+        <translation>Ortskurven auf der Kugel, kalibriert</translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn against</source>
+        <translation>Wogegen die Reste gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>Gegen</translation>
+    </message>
+    <message>
+        <source>residual of |b|  nT</source>
+        <translation>Rest von |b|  nT</translation>
+    </message>
+    <message>
+        <source>band: the larger of the two noises, k=2</source>
+        <translation>Band: das größere der beiden Rauschen, k=2</translation>
+    </message>
+    <message>
+        <source>no reference, no residual</source>
+        <translation>ohne Referenz kein Rest</translation>
+    </message>
+    <message>
+        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <translation>Mittel {0:+.1f} nT, rms {1:.1f} nT</translation>
+    </message>
+    <message>
+        <source>faint: behind the sphere</source>
+        <translation>blass: hinter der Kugel</translation>
+    </message>
+</context>
+<context>
+    <name>Data</name>
+    <message>
+        <source>coils at zero</source>
+        <translation>Spulen auf null</translation>
+    </message>
+    <message>
+        <source>zero by the supply&apos;s word only: {0}</source>
+        <translation>null nur nach Angabe des Netzgeräts: {0}</translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero; {0}</source>
+        <translation>Spulen NICHT als null bestätigt; {0}</translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero</source>
+        <translation>Spulen NICHT als null bestätigt</translation>
+    </message>
+    <message>
+        <source>NOT at zero by the reference: {0}. {1}</source>
+        <translation>Nach der Referenz NICHT auf null: {0}. {1}</translation>
+    </message>
+    <message>
+        <source>coils not read back in this session</source>
+        <translation>Spulen in dieser Sitzung nicht zurückgelesen</translation>
+    </message>
+    <message>
+        <source>coils not read back since another process was asked to switch them off</source>
+        <translation>Spulen nicht zurückgelesen, seit ein anderer Prozess sie ausschalten soll</translation>
+    </message>
+    <message>
+        <source>coils on: {0}, read back {1} s ago</source>
+        <translation>Spulen an: {0}, zurückgelesen vor {1} s</translation>
+    </message>
+    <message>
+        <source>coils on: {0}</source>
+        <translation>Spulen an: {0}</translation>
+    </message>
+    <message>
+        <source>coils last read back below their zero {0} s ago, not since</source>
+        <translation>Spulen zuletzt vor {0} s unter ihrer Null zurückgelesen, seither nicht</translation>
+    </message>
+    <message>
+        <source>no reference was asked</source>
+        <translation>keine Referenz wurde gefragt</translation>
+    </message>
+    <message>
+        <source>no ambient field was measured since the mounting</source>
+        <translation>seit dem Einbau wurde kein Umgebungsfeld gemessen</translation>
+    </message>
+    <message>
+        <source>the reference has sent nothing since the currents settled</source>
+        <translation>die Referenz hat nichts gesendet, seit die Ströme stehen</translation>
+    </message>
+    <message>
+        <source>the reference is not streaming</source>
+        <translation>die Referenz sendet nicht</translation>
+    </message>
+    <message>
+        <source>the reference is at its full scale and cannot vouch for it</source>
+        <translation>die Referenz ist am Ende ihres Messbereichs und kann nichts bezeugen</translation>
+    </message>
+    <message>
+        <source>the link to the reference is lost</source>
+        <translation>die Verbindung zur Referenz ist verloren</translation>
+    </message>
+    <message>
+        <source>the reference repeats one reading</source>
+        <translation>die Referenz wiederholt einen Messwert</translation>
+    </message>
+    <message>
+        <source>the reference is looked at again: {0}</source>
+        <translation>die Referenz wird nochmals angesehen: {0}</translation>
+    </message>
+    <message>
+        <source>the reference agreed when it was last looked at, {0} s ago</source>
+        <translation>die Referenz stimmte zu, als sie zuletzt angesehen wurde, vor {0} s</translation>
+    </message>
+    <message>
+        <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
+        <translation>sie sieht {0} nT, erwartet {1} nT: {2} µT Abstand, {3} µT erlaubt</translation>
+    </message>
+    <message>
+        <source>Open the outputs that can open, or switch the supplies off at their mains</source>
+        <translation>Die Ausgänge öffnen, die öffnen können, oder die Netzgeräte am Netzschalter ausschalten</translation>
+    </message>
+    <message>
+        <source>Mount the DUT with body {0} up along the platform axis, body {1} towards the cage&apos;s {2}, at platform angle 0.</source>
+        <translation>Den Prüfling mit Körperachse {0} nach oben längs der Tischachse einbauen, Körperachse {1} zur {2}-Achse des Käfigs, bei Tischwinkel 0.</translation>
+    </message>
+    <message>
+        <source>Mount the DUT with body Z up, body X towards the cage&apos;s X; then {0}.</source>
+        <translation>Den Prüfling mit Körperachse Z nach oben einbauen, Körperachse X zum X des Käfigs; dann {0}.</translation>
+    </message>
+    <message>
+        <source>as it stands</source>
+        <translation>wie er steht</translation>
+    </message>
+    <message>
+        <source>as it always stands</source>
+        <translation>wie sie immer steht</translation>
+    </message>
+    <message>
+        <source>turned by 180° about its own {0}</source>
+        <translation>um 180° um die eigene Achse {0} gedreht</translation>
+    </message>
+    <message>
+        <source>turned by 180° about its {0}</source>
+        <translation>um 180° um seine Achse {0} gedreht</translation>
+    </message>
+    <message>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
+        <translation>Ist der Prüfling noch mit Körperachse {0} nach oben eingebaut, genau wie beim Abbruch der Messung?</translation>
+    </message>
+    <message>
+        <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
+        <translation>Warum wird Achse {0} wiederholt? Was gemessen wurde, bleibt in der Aufzeichnung, als nicht verwendet markiert.</translation>
+    </message>
+    <message>
+        <source>Why is {0} skipped?</source>
+        <translation>Warum wird {0} übersprungen?</translation>
+    </message>
+    <message>
+        <source>Switch the DUT to power mode {0}.</source>
+        <translation>Den Prüfling in den Betriebszustand {0} schalten.</translation>
+    </message>
+    <message>
+        <source>Switch the load {0} on.</source>
+        <translation>Die Last {0} einschalten.</translation>
+    </message>
+    <message>
+        <source>Switch the load {0} off.</source>
+        <translation>Die Last {0} ausschalten.</translation>
+    </message>
+    <message>
+        <source>Switch the platform&apos;s motor off at its plug.</source>
+        <translation>Den Motor des Tisches am Stecker ausschalten.</translation>
+    </message>
+    <message>
+        <source>Switch the platform&apos;s motor on again.</source>
+        <translation>Den Motor des Tisches wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort). No faster than {1} deg/s.</source>
+        <translation>Den Tisch auf {0}° seiner Skala drehen, Hände weg, und eingeben, was sie anzeigt (oder: abort). Nicht schneller als {1} Grad/s.</translation>
+    </message>
+    <message>
+        <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort).</source>
+        <translation>Den Tisch auf {0}° seiner Skala drehen, Hände weg, und eingeben, was sie anzeigt (oder: abort).</translation>
+    </message>
+    <message>
+        <source>Warm the DUT within its limits, then let it cool.</source>
+        <translation>Den Prüfling innerhalb seiner Grenzen erwärmen, dann abkühlen lassen.</translation>
+    </message>
+    <message>
+        <source>Take the DUT off the platform, some metres away. Leave the reference and all else as it is.</source>
+        <translation>Den Prüfling vom Tisch nehmen, einige Meter weit weg. Referenz und alles andere lassen, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Take the DUT away and put the reference at its place, on a stand that does not turn.</source>
+        <translation>Den Prüfling wegnehmen und die Referenz an seinen Ort stellen, auf einen Ständer, der sich nicht dreht.</translation>
+    </message>
+    <message>
+        <source>Put the reference at the {0}&apos;s place: {1} mm from the DUT&apos;s place, in C.</source>
+        <translation>Die Referenz an den Ort von {0} stellen: {1} mm vom Ort des Prüflings, in C.</translation>
+    </message>
+    <message>
+        <source>Put the reference at {0} mm from the DUT&apos;s place, in C, turned as it always stands.</source>
+        <translation>Die Referenz bei {0} mm vom Ort des Prüflings aufstellen, in C, gedreht wie immer.</translation>
+    </message>
+    <message>
+        <source>Put the reference {0} mm above the DUT&apos;s place, on the platform axis.</source>
+        <translation>Die Referenz {0} mm über den Ort des Prüflings stellen, auf die Tischachse.</translation>
+    </message>
+    <message>
+        <source>Put the reference {0}.</source>
+        <translation>Die Referenz so aufstellen: {0}.</translation>
+    </message>
+    <message>
+        <source>Put the scalar sensor into the cage&apos;s centre, its dead zones away from the fields.</source>
+        <translation>Den Skalarsensor in die Mitte des Käfigs stellen, seine toten Zonen weg von den Feldern.</translation>
+    </message>
+    <message>
+        <source>Swap the two leads of the half of coil {0} that stands towards +{1}. They must come back before anything else is measured, also if this run is stopped.</source>
+        <translation>Die zwei Anschlüsse der Hälfte von Spule {0}, die zu +{1} hin steht, vertauschen. Sie müssen zurück, bevor irgendetwas anderes gemessen wird, auch wenn diese Messung angehalten wird.</translation>
+    </message>
+    <message>
+        <source>Put the two leads of the half of coil {0} that stands towards +{1} back as they were.</source>
+        <translation>Die zwei Anschlüsse der Hälfte von Spule {0}, die zu +{1} hin steht, zurücktauschen, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Are all covers of the DUT as they will fly, and the others off?</source>
+        <translation>Sind alle Abdeckungen des Prüflings wie im Flug, und die anderen ab?</translation>
+    </message>
+    <message>
+        <source>Are the batteries those that will fly, and connected?</source>
+        <translation>Sind die Batterien die des Flugs, und angeschlossen?</translation>
+    </message>
+    <message>
+        <source>Are all tools out of the cage?</source>
+        <translation>Ist alles Werkzeug aus dem Käfig?</translation>
+    </message>
+    <message>
+        <source>Are phones, keys and watches out of the room?</source>
+        <translation>Sind Telefone, Schlüssel und Uhren aus dem Raum?</translation>
+    </message>
+    <message>
+        <source>Do chairs and trolleys stand at their marks?</source>
+        <translation>Stehen Stühle und Wagen auf ihren Marken?</translation>
+    </message>
+    <message>
+        <source>There is no file {0}. File of the photograph ({1}), or empty:</source>
+        <translation>Es gibt keine Datei {0}. Datei des Fotos ({1}), oder leer:</translation>
+    </message>
+    <message>
+        <source>File of the photograph ({0}), or empty:</source>
+        <translation>Datei des Fotos ({0}), oder leer:</translation>
+    </message>
+    <message>
+        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
+        <translation>Das Feld wird immer wieder gestellt, während der Prüfling warm wird und abkühlt. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT in all directions. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT in alle Richtungen. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT in six directions. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT in sechs Richtungen. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, the platform turns. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT, der Tisch dreht. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT and stays. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT und bleibt. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, later with the DUT turning in it. Hands off?</source>
+        <translation>Das Feld geht auf {0} µT, später dreht der Prüfling darin. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The field steps up to {0} µT. Hands off?</source>
+        <translation>Das Feld geht in Stufen bis {0} µT. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT and the platform turns. Hands off?</source>
+        <translation>Die Spulen gehen auf {0} µT, und der Tisch dreht. Hände weg?</translation>
+    </message>
+    <message>
+        <source>The coils step by {0} µT and the platform turns. Hands off?</source>
+        <translation>Die Spulen gehen um {0} µT in Stufen, und der Tisch dreht. Hände weg?</translation>
+    </message>
+    <message>
+        <source>A square wave of {0} µT follows. Hands off?</source>
+        <translation>Ein Rechteck von {0} µT folgt. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT in turn. Hands off?</source>
+        <translation>Jede Spule geht nacheinander auf {0} µT. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
+        <translation>Jede Spule geht auf {0} µT, dann dreht sich das Feld. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT. Hands off?</source>
+        <translation>Jede Spule geht auf {0} µT. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Each coil alternates from {0} µT downwards. Hands off?</source>
+        <translation>Jede Spule wechselt von {0} µT abwärts. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Coil {0} makes a gradient now. Hands off?</source>
+        <translation>Spule {0} macht jetzt einen Gradienten. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played. Hands off?</source>
+        <translation>Felder bis {0} µT werden abgespielt. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
+        <translation>Felder werden abgespielt, wie {0} sie will, innerhalb der Grenzen. Hände weg?</translation>
+    </message>
+    <message>
+        <source>Every load is switched in turn, the others stay off. Hands off?</source>
+        <translation>Jede Last wird nacheinander geschaltet, die anderen bleiben aus. Hände weg?</translation>
+    </message>
+</context>
+<context>
     <name>Drop</name>
     <message>
         <source>Drop a calibration file here to verify it</source>
@@ -760,6 +1237,18 @@
         <translation>Schrift, die man aus zwei Metern liest, und zurück (F11)</translation>
     </message>
     <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Until somebody logs in; COILS OFF works all the same</source>
+        <translation>Bis sich jemand anmeldet; SPULEN AUS geht trotzdem</translation>
+    </message>
+    <message>
+        <source>Two tones where you are needed, three where it is done; or neither</source>
+        <translation>Zwei Töne, wo Sie gebraucht werden, drei, wo es fertig ist; oder keine</translation>
+    </message>
+    <message>
         <source>The window in this language; not while a run goes on</source>
         <translation>Das Fenster in dieser Sprache; nicht während einer Messung</translation>
     </message>
@@ -827,28 +1316,20 @@
         <translation>Ein Messbündel (.zip) Byte für Byte in den Speicher nehmen</translation>
     </message>
     <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Choose two runs (Ctrl and a click): their figures, residuals and loci</source>
+        <translation>Zwei Messungen wählen (Strg und ein Klick): ihre Kennwerte, Reste und Ortskurven</translation>
+    </message>
+    <message>
         <source>Click to sort by this column, again to turn the order round</source>
         <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
     </message>
     <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation>Keine solche Messung. Eine Messung der Seite Messen oder ein importiertes Bündel erscheint hier.</translation>
-    </message>
-    <message>
-        <source>Calibrations over time</source>
-        <translation>Kalibrierungen über die Zeit</translation>
-    </message>
-    <message>
-        <source>bars: U, k=2</source>
-        <translation>Balken: U, k=2</translation>
-    </message>
-    <message>
-        <source>k: offsets in nT; gain: the diagonal of K, ppm from the first calibration</source>
-        <translation>k: Nullpunkte in nT; Verstärkung: Diagonale von K, ppm gegen die erste Kalibrierung</translation>
-    </message>
-    <message>
-        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
-        <translation>Noch keine Kalibrierung dieses Prüflings: Parameter und U erscheinen hier, ein Punkt je Tag.</translation>
     </message>
     <message>
         <source>{0} UTC</source>
@@ -871,6 +1352,10 @@
         <translation>Messung {0}: Prüfling {1}</translation>
     </message>
     <message>
+        <source>Comparing {0} with {1} …</source>
+        <translation>{0} wird mit {1} verglichen …</translation>
+    </message>
+    <message>
         <source>Export the run</source>
         <translation>Messung exportieren</translation>
     </message>
@@ -881,10 +1366,6 @@
     <message>
         <source>Import a run bundle</source>
         <translation>Messbündel importieren</translation>
-    </message>
-    <message>
-        <source>Calibrations of {0}</source>
-        <translation>Kalibrierungen von {0}</translation>
     </message>
 </context>
 <context>
@@ -925,6 +1406,10 @@
     <message>
         <source>Whose run this is</source>
         <translation>Wessen Messung das ist</translation>
+    </message>
+    <message>
+        <source>When it is done, and when you are needed</source>
+        <translation>Wann es fertig ist, und wann Sie gebraucht werden</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -1027,8 +1512,58 @@
         <translation>Hände weg</translation>
     </message>
     <message>
+        <source>Done at about {0}</source>
+        <translation>Fertig gegen {0}</translation>
+    </message>
+    <message>
+        <source>You are needed at {0}: {1}</source>
+        <translation>Sie werden um {0} gebraucht: {1}</translation>
+    </message>
+    <message>
         <source>step {0} of {1} · {2} left</source>
         <translation>Schritt {0} von {1} · noch {2}</translation>
+    </message>
+</context>
+<context>
+    <name>LockScreen</name>
+    <message>
+        <source>Who works here?</source>
+        <translation>Wer arbeitet hier?</translation>
+    </message>
+    <message>
+        <source>Your name in the trust list</source>
+        <translation>Ihr Name in der Vertrauensliste</translation>
+    </message>
+    <message>
+        <source>Name, or scan your badge</source>
+        <translation>Name, oder Ausweis scannen</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Your name stands in the record from here on</source>
+        <translation>Ihr Name steht von hier an in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>COILS OFF (F12) works all the same. A name says who is meant; signing still asks for your key.</source>
+        <translation>SPULEN AUS (F12) geht trotzdem. Ein Name sagt, wer gemeint ist; unterschrieben wird weiterhin mit Ihrem Schlüssel.</translation>
+    </message>
+</context>
+<context>
+    <name>LoginViewModel</name>
+    <message>
+        <source>Nobody of the trust list has the name {0}.</source>
+        <translation>Niemand in der Vertrauensliste heißt {0}.</translation>
+    </message>
+    <message>
+        <source>Log in first.</source>
+        <translation>Zuerst anmelden.</translation>
+    </message>
+    <message>
+        <source>{0} has not the role measure in the trust list.</source>
+        <translation>{0} hat in der Vertrauensliste nicht die Rolle measure.</translation>
     </message>
 </context>
 <context>
@@ -1678,6 +2213,29 @@
     </message>
 </context>
 <context>
+    <name>Trend</name>
+    <message>
+        <source>Calibrations over time</source>
+        <translation>Kalibrierungen über die Zeit</translation>
+    </message>
+    <message>
+        <source>bars: U, k=2</source>
+        <translation>Balken: U, k=2</translation>
+    </message>
+    <message>
+        <source>Zero readings, scale factors from nominal, angles between the axes; gain: from the first calibration</source>
+        <translation>Nullanzeigen, Skalenfaktoren gegen Nennwert, Winkel zwischen den Achsen; Verstärkung: gegen die erste Kalibrierung</translation>
+    </message>
+    <message>
+        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
+        <translation>Noch keine Kalibrierung dieses Prüflings: Parameter und U erscheinen hier, ein Punkt je Tag.</translation>
+    </message>
+    <message>
+        <source>Calibrations of {0}</source>
+        <translation>Kalibrierungen von {0}</translation>
+    </message>
+</context>
+<context>
     <name>VerdictCard</name>
     <message>
         <source>DUT</source>
@@ -1721,6 +2279,14 @@
     <message>
         <source>Larger F11</source>
         <translation>Größer F11</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Ton aus</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Ton an</translation>
     </message>
     <message>
         <source>Save a problem report</source>
@@ -2054,6 +2620,14 @@
         <translation>Grenze ±</translation>
     </message>
     <message>
+        <source>setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
         <source>parameter</source>
         <translation>Parameter</translation>
     </message>
@@ -2076,6 +2650,18 @@
     <message>
         <source>as left</source>
         <translation>hinterlassen</translation>
+    </message>
+    <message>
+        <source>earlier</source>
+        <translation>früher</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>später</translation>
+    </message>
+    <message>
+        <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
+        <translation>± U (k=2) ist die der Differenz; jenseits von E_n = ±1 hat sich der Prüfling verändert.</translation>
     </message>
     <message>
         <source>changed</source>
@@ -2190,8 +2776,16 @@
         <translation>sofort</translation>
     </message>
     <message>
-        <source>k</source>
-        <translation>k</translation>
+        <source>offset</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Skalenfaktor</translation>
+    </message>
+    <message>
+        <source>non-orthogonality</source>
+        <translation>Nichtorthogonalität</translation>
     </message>
     <message>
         <source>gain</source>

@@ -65,6 +65,77 @@
     </message>
 </context>
 <context>
+    <name>BenchEditor</name>
+    <message>
+        <source>Settings of {0}</source>
+        <translation>Réglages de {0}</translation>
+    </message>
+    <message>
+        <source>Settings of a bench file</source>
+        <translation>Réglages d&apos;un fichier de banc</translation>
+    </message>
+    <message>
+        <source>limits first</source>
+        <translation>limites d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Type a value as TOML has it: 2.5, true, [1.0, 2.0], text between quotation marks; an empty one takes the setting away. In brackets: what holds where nothing is stated.</source>
+        <translation>Écrire la valeur comme en TOML : 2.5, true, [1.0, 2.0], texte entre guillemets ; une valeur vide retire le réglage. Entre crochets : ce qui vaut où rien n&apos;est indiqué.</translation>
+    </message>
+    <message>
+        <source>What would change</source>
+        <translation>Ce qui changerait</translation>
+    </message>
+    <message>
+        <source>Show changes</source>
+        <translation>Voir les changements</translation>
+    </message>
+    <message>
+        <source>Compare with the file, and check what it says</source>
+        <translation>Comparer au fichier, et vérifier ce qu&apos;il dit</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Write these lines into the file; all others stay as they are</source>
+        <translation>Écrire ces lignes dans le fichier ; toutes les autres restent telles quelles</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>To the instruments; what was not saved is forgotten</source>
+        <translation>Aux instruments ; ce qui n&apos;a pas été enregistré est oublié</translation>
+    </message>
+    <message>
+        <source>{0} (over several lines: change it in the file)</source>
+        <translation>{0} (sur plusieurs lignes : à changer dans le fichier)</translation>
+    </message>
+    <message>
+        <source>{0} changed, not saved</source>
+        <translation>{0} changés, non enregistrés</translation>
+    </message>
+    <message>
+        <source>▲ Not a bench file then: {0}</source>
+        <translation>▲ Ce ne serait pas un fichier de banc : {0}</translation>
+    </message>
+    <message>
+        <source>✓ A bench file</source>
+        <translation>✓ Un fichier de banc</translation>
+    </message>
+    <message>
+        <source>Saved: {0}</source>
+        <translation>Enregistré : {0}</translation>
+    </message>
+    <message>
+        <source>The file is as it was.</source>
+        <translation>Le fichier est tel qu&apos;il était.</translation>
+    </message>
+</context>
+<context>
     <name>BenchPage</name>
     <message>
         <source>Instruments</source>
@@ -103,6 +174,22 @@
         <translation>Un laboratoire entier sans matériel</translation>
     </message>
     <message>
+        <source>Edit …</source>
+        <translation>Modifier …</translation>
+    </message>
+    <message>
+        <source>Settings of this bench file, limits first</source>
+        <translation>Réglages de ce fichier de banc, limites d&apos;abord</translation>
+    </message>
+    <message>
+        <source>New …</source>
+        <translation>Nouveau …</translation>
+    </message>
+    <message>
+        <source>Ask who answers on this computer&apos;s lines, and write a draft of a bench file</source>
+        <translation>Demander qui répond sur les lignes de cet ordinateur, et écrire une ébauche de fichier de banc</translation>
+    </message>
+    <message>
         <source>Open a bench file, or take the simulated lab.</source>
         <translation>Ouvrez un fichier de banc, ou prenez le laboratoire simulé.</translation>
     </message>
@@ -115,8 +202,20 @@
         <translation>Ouvrir un fichier de banc</translation>
     </message>
     <message>
+        <source>A draft of a bench file</source>
+        <translation>Ébauche d&apos;un fichier de banc</translation>
+    </message>
+    <message>
         <source>A run goes on and holds the instruments; check them after it.</source>
         <translation>Une mesure est en cours et tient les instruments ; vérifiez-les après.</translation>
+    </message>
+    <message>
+        <source>Asking who answers on this computer&apos;s lines …</source>
+        <translation>On demande qui répond sur les lignes de cet ordinateur …</translation>
+    </message>
+    <message>
+        <source>{0} answered: {1}</source>
+        <translation>{0} ont répondu : {1}</translation>
     </message>
     <message>
         <source>Asking …</source>
@@ -506,6 +605,384 @@
     </message>
 </context>
 <context>
+    <name>ComparisonView</name>
+    <message>
+        <source>Runs without a calibration are fitted now.</source>
+        <translation>Les mesures sans étalonnage sont ajustées maintenant.</translation>
+    </message>
+    <message>
+        <source>{0}: two runs compared</source>
+        <translation>{0} : deux mesures comparées</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>run {0}, calibration {1}</source>
+        <translation>mesure {0}, étalonnage {1}</translation>
+    </message>
+    <message>
+        <source>run {0}, fitted now (it has no calibration)</source>
+        <translation>mesure {0}, ajustée maintenant (elle n&apos;a pas d&apos;étalonnage)</translation>
+    </message>
+    <message>
+        <source>Two runs compared</source>
+        <translation>Deux mesures comparées</translation>
+    </message>
+    <message>
+        <source>U: k=2</source>
+        <translation>U : k=2</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>To the list of runs</source>
+        <translation>À la liste des mesures</translation>
+    </message>
+    <message>
+        <source>What of the two runs is drawn over each other</source>
+        <translation>Ce qui des deux mesures est tracé l&apos;un sur l&apos;autre</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Residuals of the magnitude</source>
+        <translation>Résidus du module</translation>
+    </message>
+    <message>
+        <source>Loci on the sphere, calibrated</source>
+        <translation>Lieux sur la sphère, étalonnés</translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn against</source>
+        <translation>En fonction de quoi les résidus sont tracés</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>En fonction de</translation>
+    </message>
+    <message>
+        <source>residual of |b|  nT</source>
+        <translation>résidu de |b|  nT</translation>
+    </message>
+    <message>
+        <source>band: the larger of the two noises, k=2</source>
+        <translation>bande : le plus grand des deux bruits, k=2</translation>
+    </message>
+    <message>
+        <source>no reference, no residual</source>
+        <translation>sans référence, pas de résidu</translation>
+    </message>
+    <message>
+        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <translation>moyenne {0:+.1f} nT, rms {1:.1f} nT</translation>
+    </message>
+    <message>
+        <source>faint: behind the sphere</source>
+        <translation>pâle : derrière la sphère</translation>
+    </message>
+</context>
+<context>
+    <name>Data</name>
+    <message>
+        <source>coils at zero</source>
+        <translation>bobines à zéro</translation>
+    </message>
+    <message>
+        <source>zero by the supply&apos;s word only: {0}</source>
+        <translation>zéro sur la seule parole de l&apos;alimentation : {0}</translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero; {0}</source>
+        <translation>zéro des bobines NON confirmé ; {0}</translation>
+    </message>
+    <message>
+        <source>coils NOT confirmed at zero</source>
+        <translation>zéro des bobines NON confirmé</translation>
+    </message>
+    <message>
+        <source>NOT at zero by the reference: {0}. {1}</source>
+        <translation>PAS à zéro selon la référence : {0}. {1}</translation>
+    </message>
+    <message>
+        <source>coils not read back in this session</source>
+        <translation>bobines non relues dans cette session</translation>
+    </message>
+    <message>
+        <source>coils not read back since another process was asked to switch them off</source>
+        <translation>bobines non relues depuis qu&apos;un autre processus doit les couper</translation>
+    </message>
+    <message>
+        <source>coils on: {0}, read back {1} s ago</source>
+        <translation>bobines sous courant : {0}, relu il y a {1} s</translation>
+    </message>
+    <message>
+        <source>coils on: {0}</source>
+        <translation>bobines sous courant : {0}</translation>
+    </message>
+    <message>
+        <source>coils last read back below their zero {0} s ago, not since</source>
+        <translation>bobines relues sous leur zéro il y a {0} s, pas depuis</translation>
+    </message>
+    <message>
+        <source>no reference was asked</source>
+        <translation>aucune référence n&apos;a été interrogée</translation>
+    </message>
+    <message>
+        <source>no ambient field was measured since the mounting</source>
+        <translation>aucun champ ambiant mesuré depuis le montage</translation>
+    </message>
+    <message>
+        <source>the reference has sent nothing since the currents settled</source>
+        <translation>la référence n&apos;a rien envoyé depuis que les courants sont stables</translation>
+    </message>
+    <message>
+        <source>the reference is not streaming</source>
+        <translation>la référence n&apos;envoie rien</translation>
+    </message>
+    <message>
+        <source>the reference is at its full scale and cannot vouch for it</source>
+        <translation>la référence est en bout d&apos;échelle et ne peut en répondre</translation>
+    </message>
+    <message>
+        <source>the link to the reference is lost</source>
+        <translation>la liaison avec la référence est perdue</translation>
+    </message>
+    <message>
+        <source>the reference repeats one reading</source>
+        <translation>la référence répète une même lecture</translation>
+    </message>
+    <message>
+        <source>the reference is looked at again: {0}</source>
+        <translation>la référence est examinée de nouveau : {0}</translation>
+    </message>
+    <message>
+        <source>the reference agreed when it was last looked at, {0} s ago</source>
+        <translation>la référence concordait au dernier examen, il y a {0} s</translation>
+    </message>
+    <message>
+        <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
+        <translation>elle voit {0} nT, attendu {1} nT : écart {2} µT, permis {3} µT</translation>
+    </message>
+    <message>
+        <source>Open the outputs that can open, or switch the supplies off at their mains</source>
+        <translation>Ouvrir les sorties qui peuvent s&apos;ouvrir, ou couper les alimentations au secteur</translation>
+    </message>
+    <message>
+        <source>Mount the DUT with body {0} up along the platform axis, body {1} towards the cage&apos;s {2}, at platform angle 0.</source>
+        <translation>Monter le DUT axe {0} du corps vers le haut le long de l&apos;axe du plateau, axe {1} du corps vers le {2} de la cage, plateau à l&apos;angle 0.</translation>
+    </message>
+    <message>
+        <source>Mount the DUT with body Z up, body X towards the cage&apos;s X; then {0}.</source>
+        <translation>Monter le DUT axe Z du corps vers le haut, axe X du corps vers le X de la cage ; puis {0}.</translation>
+    </message>
+    <message>
+        <source>as it stands</source>
+        <translation>tel quel</translation>
+    </message>
+    <message>
+        <source>as it always stands</source>
+        <translation>comme elle est toujours</translation>
+    </message>
+    <message>
+        <source>turned by 180° about its own {0}</source>
+        <translation>tournée de 180° autour de son propre {0}</translation>
+    </message>
+    <message>
+        <source>turned by 180° about its {0}</source>
+        <translation>tourné de 180° autour de son {0}</translation>
+    </message>
+    <message>
+        <source>Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?</source>
+        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme à l&apos;interruption ?</translation>
+    </message>
+    <message>
+        <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
+        <translation>Pourquoi refaire l&apos;axe {0} ? Ce qui a été mesuré reste dans l&apos;enregistrement, marqué non utilisé.</translation>
+    </message>
+    <message>
+        <source>Why is {0} skipped?</source>
+        <translation>Pourquoi sauter {0} ?</translation>
+    </message>
+    <message>
+        <source>Switch the DUT to power mode {0}.</source>
+        <translation>Mettre le DUT dans le mode d&apos;alimentation {0}.</translation>
+    </message>
+    <message>
+        <source>Switch the load {0} on.</source>
+        <translation>Allumer la charge {0}.</translation>
+    </message>
+    <message>
+        <source>Switch the load {0} off.</source>
+        <translation>Couper la charge {0}.</translation>
+    </message>
+    <message>
+        <source>Switch the platform&apos;s motor off at its plug.</source>
+        <translation>Couper le moteur du plateau à sa prise.</translation>
+    </message>
+    <message>
+        <source>Switch the platform&apos;s motor on again.</source>
+        <translation>Rallumer le moteur du plateau.</translation>
+    </message>
+    <message>
+        <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort). No faster than {1} deg/s.</source>
+        <translation>Tourner le plateau à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort). Pas plus vite que {1} deg/s.</translation>
+    </message>
+    <message>
+        <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort).</source>
+        <translation>Tourner le plateau à {0}° de son cadran, retirer les mains, et entrer ce qu&apos;il indique (ou : abort).</translation>
+    </message>
+    <message>
+        <source>Warm the DUT within its limits, then let it cool.</source>
+        <translation>Chauffer le DUT dans ses limites, puis le laisser refroidir.</translation>
+    </message>
+    <message>
+        <source>Take the DUT off the platform, some metres away. Leave the reference and all else as it is.</source>
+        <translation>Retirer le DUT du plateau, à quelques mètres. Laisser la référence et tout le reste en place.</translation>
+    </message>
+    <message>
+        <source>Take the DUT away and put the reference at its place, on a stand that does not turn.</source>
+        <translation>Retirer le DUT et mettre la référence à sa place, sur un support qui ne tourne pas.</translation>
+    </message>
+    <message>
+        <source>Put the reference at the {0}&apos;s place: {1} mm from the DUT&apos;s place, in C.</source>
+        <translation>Mettre la référence à la place de {0} : {1} mm de la place du DUT, en C.</translation>
+    </message>
+    <message>
+        <source>Put the reference at {0} mm from the DUT&apos;s place, in C, turned as it always stands.</source>
+        <translation>Mettre la référence à {0} mm de la place du DUT, en C, orientée comme toujours.</translation>
+    </message>
+    <message>
+        <source>Put the reference {0} mm above the DUT&apos;s place, on the platform axis.</source>
+        <translation>Mettre la référence {0} mm au-dessus de la place du DUT, sur l&apos;axe du plateau.</translation>
+    </message>
+    <message>
+        <source>Put the reference {0}.</source>
+        <translation>Mettre la référence ainsi : {0}.</translation>
+    </message>
+    <message>
+        <source>Put the scalar sensor into the cage&apos;s centre, its dead zones away from the fields.</source>
+        <translation>Mettre le capteur scalaire au centre de la cage, ses zones mortes hors des champs.</translation>
+    </message>
+    <message>
+        <source>Swap the two leads of the half of coil {0} that stands towards +{1}. They must come back before anything else is measured, also if this run is stopped.</source>
+        <translation>Échanger les deux fils de la moitié de la bobine {0} qui est vers +{1}. Ils doivent être remis avant toute autre mesure, même si celle-ci est arrêtée.</translation>
+    </message>
+    <message>
+        <source>Put the two leads of the half of coil {0} that stands towards +{1} back as they were.</source>
+        <translation>Remettre les deux fils de la moitié de la bobine {0} qui est vers +{1} comme ils étaient.</translation>
+    </message>
+    <message>
+        <source>Are all covers of the DUT as they will fly, and the others off?</source>
+        <translation>Tous les capots du DUT sont-ils comme en vol, et les autres retirés ?</translation>
+    </message>
+    <message>
+        <source>Are the batteries those that will fly, and connected?</source>
+        <translation>Les batteries sont-elles celles du vol, et branchées ?</translation>
+    </message>
+    <message>
+        <source>Are all tools out of the cage?</source>
+        <translation>Tous les outils sont-ils hors de la cage ?</translation>
+    </message>
+    <message>
+        <source>Are phones, keys and watches out of the room?</source>
+        <translation>Téléphones, clés et montres sont-ils hors de la pièce ?</translation>
+    </message>
+    <message>
+        <source>Do chairs and trolleys stand at their marks?</source>
+        <translation>Chaises et chariots sont-ils sur leurs marques ?</translation>
+    </message>
+    <message>
+        <source>There is no file {0}. File of the photograph ({1}), or empty:</source>
+        <translation>Il n&apos;y a pas de fichier {0}. Fichier de la photo ({1}), ou vide :</translation>
+    </message>
+    <message>
+        <source>File of the photograph ({0}), or empty:</source>
+        <translation>Fichier de la photo ({0}), ou vide :</translation>
+    </message>
+    <message>
+        <source>The field is set again and again while the DUT warms and cools. Hands off?</source>
+        <translation>Le champ est réglé encore et encore pendant que le DUT chauffe et refroidit. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT in all directions. Hands off?</source>
+        <translation>Le champ va à {0} µT dans toutes les directions. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT in six directions. Hands off?</source>
+        <translation>Le champ va à {0} µT dans six directions. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, the platform turns. Hands off?</source>
+        <translation>Le champ va à {0} µT, le plateau tourne. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT and stays. Hands off?</source>
+        <translation>Le champ va à {0} µT et y reste. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The field goes to {0} µT, later with the DUT turning in it. Hands off?</source>
+        <translation>Le champ va à {0} µT, plus tard le DUT y tourne. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The field steps up to {0} µT. Hands off?</source>
+        <translation>Le champ monte par paliers à {0} µT. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The coils go to {0} µT and the platform turns. Hands off?</source>
+        <translation>Les bobines vont à {0} µT et le plateau tourne. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>The coils step by {0} µT and the platform turns. Hands off?</source>
+        <translation>Les bobines font des pas de {0} µT et le plateau tourne. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>A square wave of {0} µT follows. Hands off?</source>
+        <translation>Un signal carré de {0} µT suit. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT in turn. Hands off?</source>
+        <translation>Chaque bobine va tour à tour à {0} µT. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT, then the field rotates. Hands off?</source>
+        <translation>Chaque bobine va à {0} µT, puis le champ tourne. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Each coil goes to {0} µT. Hands off?</source>
+        <translation>Chaque bobine va à {0} µT. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Each coil alternates from {0} µT downwards. Hands off?</source>
+        <translation>Chaque bobine alterne à partir de {0} µT vers le bas. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Coil {0} makes a gradient now. Hands off?</source>
+        <translation>La bobine {0} fait maintenant un gradient. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Fields up to {0} µT are played. Hands off?</source>
+        <translation>Des champs jusqu&apos;à {0} µT sont joués. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Fields are played as {0} wants them, within the limits. Hands off?</source>
+        <translation>Des champs sont joués comme {0} les veut, dans les limites. Mains éloignées ?</translation>
+    </message>
+    <message>
+        <source>Every load is switched in turn, the others stay off. Hands off?</source>
+        <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains éloignées ?</translation>
+    </message>
+</context>
+<context>
     <name>Drop</name>
     <message>
         <source>Drop a calibration file here to verify it</source>
@@ -760,6 +1237,18 @@
         <translation>Lettres lisibles à deux mètres, et retour (F11)</translation>
     </message>
     <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Until somebody logs in; COILS OFF works all the same</source>
+        <translation>Jusqu&apos;à ce que quelqu&apos;un s&apos;identifie ; BOBINES À ZÉRO marche quand même</translation>
+    </message>
+    <message>
+        <source>Two tones where you are needed, three where it is done; or neither</source>
+        <translation>Deux tons quand on a besoin de vous, trois quand c&apos;est fini ; ou aucun</translation>
+    </message>
+    <message>
         <source>The window in this language; not while a run goes on</source>
         <translation>La fenêtre dans cette langue ; pas pendant une mesure</translation>
     </message>
@@ -827,28 +1316,20 @@
         <translation>Prendre un paquet (.zip) dans le dépôt, octet par octet</translation>
     </message>
     <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Choose two runs (Ctrl and a click): their figures, residuals and loci</source>
+        <translation>Choisir deux mesures (Ctrl et un clic) : leurs valeurs, résidus et lieux</translation>
+    </message>
+    <message>
         <source>Click to sort by this column, again to turn the order round</source>
         <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
     </message>
     <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation>Aucune telle mesure. Une mesure de la page Mesure, ou un paquet importé, apparaît ici.</translation>
-    </message>
-    <message>
-        <source>Calibrations over time</source>
-        <translation>Étalonnages au fil du temps</translation>
-    </message>
-    <message>
-        <source>bars: U, k=2</source>
-        <translation>barres : U, k=2</translation>
-    </message>
-    <message>
-        <source>k: offsets in nT; gain: the diagonal of K, ppm from the first calibration</source>
-        <translation>k : décalages en nT ; gain : diagonale de K, en ppm depuis le premier étalonnage</translation>
-    </message>
-    <message>
-        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
-        <translation>Aucun étalonnage de ce DUT : ses paramètres et leur U apparaissent ici, un point par jour.</translation>
     </message>
     <message>
         <source>{0} UTC</source>
@@ -871,6 +1352,10 @@
         <translation>Mesure {0} : DUT {1}</translation>
     </message>
     <message>
+        <source>Comparing {0} with {1} …</source>
+        <translation>Comparaison de {0} avec {1} …</translation>
+    </message>
+    <message>
         <source>Export the run</source>
         <translation>Exporter la mesure</translation>
     </message>
@@ -881,10 +1366,6 @@
     <message>
         <source>Import a run bundle</source>
         <translation>Importer un paquet</translation>
-    </message>
-    <message>
-        <source>Calibrations of {0}</source>
-        <translation>Étalonnages de {0}</translation>
     </message>
 </context>
 <context>
@@ -925,6 +1406,10 @@
     <message>
         <source>Whose run this is</source>
         <translation>À qui est cette mesure</translation>
+    </message>
+    <message>
+        <source>When it is done, and when you are needed</source>
+        <translation>Quand ce sera fini, et quand on a besoin de vous</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -1027,8 +1512,58 @@
         <translation>Mains loin</translation>
     </message>
     <message>
+        <source>Done at about {0}</source>
+        <translation>Fini vers {0}</translation>
+    </message>
+    <message>
+        <source>You are needed at {0}: {1}</source>
+        <translation>On a besoin de vous à {0} : {1}</translation>
+    </message>
+    <message>
         <source>step {0} of {1} · {2} left</source>
         <translation>étape {0} de {1} · reste {2}</translation>
+    </message>
+</context>
+<context>
+    <name>LockScreen</name>
+    <message>
+        <source>Who works here?</source>
+        <translation>Qui travaille ici ?</translation>
+    </message>
+    <message>
+        <source>Your name in the trust list</source>
+        <translation>Votre nom dans la liste de confiance</translation>
+    </message>
+    <message>
+        <source>Name, or scan your badge</source>
+        <translation>Nom, ou scannez votre badge</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Entrer</translation>
+    </message>
+    <message>
+        <source>Your name stands in the record from here on</source>
+        <translation>Votre nom figure dans l&apos;enregistrement à partir d&apos;ici</translation>
+    </message>
+    <message>
+        <source>COILS OFF (F12) works all the same. A name says who is meant; signing still asks for your key.</source>
+        <translation>BOBINES À ZÉRO (F12) marche quand même. Un nom dit de qui il s&apos;agit ; signer demande toujours votre clé.</translation>
+    </message>
+</context>
+<context>
+    <name>LoginViewModel</name>
+    <message>
+        <source>Nobody of the trust list has the name {0}.</source>
+        <translation>Personne de la liste de confiance ne s&apos;appelle {0}.</translation>
+    </message>
+    <message>
+        <source>Log in first.</source>
+        <translation>Identifiez-vous d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>{0} has not the role measure in the trust list.</source>
+        <translation>{0} n&apos;a pas le rôle measure dans la liste de confiance.</translation>
     </message>
 </context>
 <context>
@@ -1678,6 +2213,29 @@
     </message>
 </context>
 <context>
+    <name>Trend</name>
+    <message>
+        <source>Calibrations over time</source>
+        <translation>Étalonnages au fil du temps</translation>
+    </message>
+    <message>
+        <source>bars: U, k=2</source>
+        <translation>barres : U, k=2</translation>
+    </message>
+    <message>
+        <source>Zero readings, scale factors from nominal, angles between the axes; gain: from the first calibration</source>
+        <translation>Lectures à zéro, facteurs d&apos;échelle par rapport au nominal, angles entre les axes ; gain : par rapport au premier étalonnage</translation>
+    </message>
+    <message>
+        <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
+        <translation>Aucun étalonnage de ce DUT : ses paramètres et leur U apparaissent ici, un point par jour.</translation>
+    </message>
+    <message>
+        <source>Calibrations of {0}</source>
+        <translation>Étalonnages de {0}</translation>
+    </message>
+</context>
+<context>
     <name>VerdictCard</name>
     <message>
         <source>DUT</source>
@@ -1721,6 +2279,14 @@
     <message>
         <source>Larger F11</source>
         <translation>Grand F11</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Son coupé</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Son</translation>
     </message>
     <message>
         <source>Save a problem report</source>
@@ -2054,6 +2620,14 @@
         <translation>limite ±</translation>
     </message>
     <message>
+        <source>setting</source>
+        <translation>réglage</translation>
+    </message>
+    <message>
+        <source>meaning</source>
+        <translation>signification</translation>
+    </message>
+    <message>
         <source>parameter</source>
         <translation>paramètre</translation>
     </message>
@@ -2076,6 +2650,18 @@
     <message>
         <source>as left</source>
         <translation>après</translation>
+    </message>
+    <message>
+        <source>earlier</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
+        <translation>± U (k=2) est celle de la différence ; au-delà de E_n = ±1 le DUT a changé.</translation>
     </message>
     <message>
         <source>changed</source>
@@ -2190,8 +2776,16 @@
         <translation>immédiat</translation>
     </message>
     <message>
-        <source>k</source>
-        <translation>k</translation>
+        <source>offset</source>
+        <translation>décalage</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>échelle</translation>
+    </message>
+    <message>
+        <source>non-orthogonality</source>
+        <translation>non-orthogonalité</translation>
     </message>
     <message>
         <source>gain</source>

@@ -24,6 +24,7 @@ from labcal.gui.ipc.messages import Command, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
+from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.path import Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
@@ -66,6 +67,7 @@ class AppState(QObject):
         self.fit_worker, self.off_worker = Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker)
+        self.login = LoginViewModel(self.lab, self.run)
         self.path = PathViewModel(self.lab, self.run, self.study_vm)
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
@@ -109,6 +111,7 @@ class AppState(QObject):
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
+        self.run.virtual_time = facts.virtual_time
         self.run.links = {name: one.link for name, one in facts.instruments.items()}
         serial = self.lab.state.dut_serial or facts.dut.serial
         refused = self.serial_objection(serial)
@@ -195,6 +198,8 @@ class AppState(QObject):
             return self.tr("Scan or type the DUT's serial at the top.")
         if said := self.serial_objection(state.dut_serial):
             return said
+        if said := self.login.objection():
+            return said
         return "" if state.operator else self.tr("Type the operator's name at the top.")
 
     def start(self, procedure: str, given: dict[str, str]) -> None:
@@ -205,9 +210,11 @@ class AppState(QObject):
 
     def resume(self, run_id: str, procedure: str, dut: str) -> None:
         """Go on with an interrupted run of `dut`; you are asked whether it still stands there."""
+        if said := self.login.objection():
+            return self.fault.emit(Fault("input", said))
         self.set_identity(dut=dut)
         self.run.resume(run_id, self._order(procedure, {}))
-        self.page_requested.emit("Run")
+        return self.page_requested.emit("Run")
 
     def _order(self, procedure: str, given: dict[str, str]) -> RunProcedure:
         state, pace = self.lab.state, str(self.settings.value("pace", "20 times"))

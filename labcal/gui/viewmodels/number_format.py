@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from datetime import datetime, timedelta
 from math import floor, isfinite, log10
 from typing import Literal
 
@@ -32,6 +33,13 @@ def format_duration(seconds: float) -> str:
     whole = max(0, round(seconds))
     hours, minutes, rest = whole // 3600, whole // 60 % 60, whole % 60
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes:02}:{rest:02}"
+
+
+def clock_time(now: datetime, in_s: float) -> str:
+    """The time on the wall in so many seconds, to the minute: 07:42, and with its day where that is another."""
+    then = now + timedelta(seconds=in_s)
+    day = "" if then.date() == now.date() else QLocale().dayName(then.isoweekday(), QLocale.FormatType.ShortFormat)
+    return f"{day} {then:%H:%M}".strip()
 
 
 def step_title(name: str) -> str:

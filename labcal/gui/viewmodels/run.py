@@ -15,6 +15,7 @@ from labcal.bench.coils.state import LabState
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.messages import Abort, Answer, Command, GoOn, Note, Pause, ResumeRun, RunProcedure, Stop, Word
+from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import Fault, with_instrument_names
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
@@ -49,6 +50,7 @@ class RunViewModel(QObject):
         worker.items.connect(self._take)
         worker.states.connect(self._take_state)
         self.nominal_nT_per_unit = nominal_nT_per_unit
+        self.virtual_time = False  # of the bench: it passes at the pace of the order
         self.links: dict[str, str] = {}  # by instrument: a fault names it, not its link alone
         self.order: RunProcedure | None = None
         self.began = ""  # the time on the wall when it was ordered
@@ -69,6 +71,8 @@ class RunViewModel(QObject):
         self.segment: str | None = None
         self.sectors: set[int] = set()
         self._seen_s = 0.0
+        self._waited_s = 0.0  # of this step, for a person
+        self._waits_since_s: float | None = None
         self.lab: LabState | None = None  # by the computer's monotonic clock
         self.coils_at_zero: bool | None = None  # when that was read
         self.heard_s: dict[str, float] = {}  # by source: stamp of its last sample
@@ -147,9 +151,30 @@ class RunViewModel(QObject):
         """Lab time that is left of this step."""
         return None if self.step is None or self.step.step_s is None else self._of_it_left(self.step.step_s)
 
+    def needed_s(self) -> float | None:
+        """Lab time until the next step that begins with a question; None where none is to come."""
+        return None if self.step is None or self.step.needed_s is None else self._of_it_left(self.step.needed_s)
+
+    def wall_s(self, lab_s: float | None) -> float | None:
+        """How long that takes by the clock on the wall; None where that cannot be said."""
+        speed = SPEEDS.get(self.order.pace, 0.0) if self.virtual_time and self.order else 1.0
+        return lab_s / speed if lab_s is not None and speed and self.state == "running" else None
+
     def _of_it_left(self, seconds: float) -> float | None:
+        """What is left of it now; the time that a person takes is in no plan."""
         assert self.step is not None
-        return max(0.0, seconds - max(0.0, self._seen_s - self.step.t_s)) if self.alive else None
+        now_s = self._seen_s if self._waits_since_s is None else self._waits_since_s
+        worked_s = max(0.0, now_s - self.step.t_s - self._waited_s)
+        return max(0.0, seconds - worked_s) if self.alive else None
+
+    def _waits(self, since_s: float) -> None:
+        if self._waits_since_s is None:
+            self._waits_since_s = since_s
+
+    def _waits_no_more(self, t_s: float) -> None:
+        if self._waits_since_s is not None:
+            self._waited_s += t_s - self._waits_since_s
+            self._waits_since_s = None
 
     def steps(self) -> list[tuple[str, Mark]]:
         """All steps known, with their marks."""
@@ -201,10 +226,12 @@ class RunViewModel(QObject):
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
+                self._waited_s, self._waits_since_s = 0.0, None
                 self._running(item.name)
             case Measurement():
                 self.measurements[item.name] = item
             case Prompt():
+                self._waits(item.t_s)
                 if self.state != "stopping":  # whoever wants the end is asked nothing any more
                     self.prompt, self.state, self.message = item, "asking", item.text
             case SegmentOpened():
@@ -223,8 +250,11 @@ class RunViewModel(QObject):
             self.state = "running"
 
     def _event(self, event: Event) -> None:
+        if event.kind == "answer":
+            self._waits_no_more(event.t_s)
         if event.kind == "pause":
             paused = event.text != "goes on"
+            self._waits(event.t_s) if paused else self._waits_no_more(event.t_s)
             if self.state != "stopping":
                 self.state, self.message = ("paused", self.tr("Paused")) if paused else ("running", self.tr("Goes on"))
         elif event.kind == "skip":

@@ -8,6 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QGridLayout, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.widgets.common import button, label
 
 Way = Literal["stop", "behind", "later"]
@@ -56,7 +57,7 @@ class CloseQuestion(QDialog):
 
     def say_coils(self, words: str) -> None:
         """How the coils are now."""
-        self.coils.setText(words)
+        self.coils.setText(in_words(words))
 
     def _choose(self, way: str) -> None:
         self.accept()

@@ -7,6 +7,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit
 
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import Card, button, label, set_state
 
@@ -81,7 +82,7 @@ class FaultCard(Card):
 
     def say_coils(self, words: str) -> None:
         """How the coils are left, below what happened."""
-        self.coils.setText(words)
+        self.coils.setText(in_words(words))
         self.coils.show()
 
     def _close(self) -> None:

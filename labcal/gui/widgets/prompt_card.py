@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
-    QApplication,
     QFileDialog,
     QHBoxLayout,
     QLineEdit,
@@ -13,6 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.widgets.common import AutoSizeLabel, Card, button, label, named, set_state
@@ -62,9 +62,13 @@ def answer_label(prompt: Prompt, choice: str) -> str:
 
 
 class PromptCard(Card):
-    """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices."""
+    """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices.
+
+    `calls` when it comes up, and again and again until it is answered.
+    """
 
     answered = Signal(str)
+    calls = Signal()
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -102,7 +106,7 @@ class PromptCard(Card):
         self.choices: dict[str, QPushButton] = {}
         self.send: QPushButton | None = None  # where the answer is in words
         self.call = QTimer(self, interval=CALLS_EVERY_MS)
-        self.call.timeout.connect(self._beep)
+        self.call.timeout.connect(self._call)
 
     def show_prompt(self, prompt: Prompt | None) -> None:
         """Ask `prompt`; the same one again changes nothing."""
@@ -112,9 +116,9 @@ class PromptCard(Card):
         if prompt is None:
             self.call.stop()
             return
-        self._beep()
+        self._call()
         self.call.start()
-        self.text.set_text(prompt.text)
+        self.text.set_text(in_words(prompt.text))
         self.drawing.show_drawing(prompt.drawing)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
@@ -124,13 +128,13 @@ class PromptCard(Card):
     def say_coils(self, coil_words: str) -> None:
         """What the coils do while a person's hands may be near them: as the side panel says it, at any moment."""
         shape, mark = mark_of(coil_words)
-        self.coils.setText(f"{shape} {coil_words}".strip())
+        self.coils.setText(f"{shape} {in_words(coil_words)}".strip())
         set_state(self.coils, mark)
 
-    def _beep(self) -> None:
+    def _call(self) -> None:
         """A window that was closed over a question asks nobody."""
         if self.window().isVisible():
-            QApplication.beep()
+            self.calls.emit()
 
     def _make_buttons(self, prompt: Prompt) -> None:
         while (old := self._buttons.takeAt(0)) is not None:

@@ -56,12 +56,16 @@ class Residuals(QWidget):
         self, against: str, x: Array, clouds: list[tuple[str, str, Array]], noise_nT: float | None
     ) -> None:
         """Draw `clouds` (name, colour, (n,) or (n, 3)) against `x` (n,)."""
+        self.show_clouds(against, [(name, colour, x, values) for name, colour, values in clouds], noise_nT)
+
+    def show_clouds(self, against: str, clouds: list[tuple[str, str, Array, Array]], noise_nT: float | None) -> None:
+        """Draw `clouds` (name, colour, x (n,), (n,) or (n, 3)), each against an x of its own."""
         for old in self.clouds:
             self.plot.removeItem(old)
         self.clouds = []
-        for _, colour, values in clouds:
+        for _, colour, x, values in clouds:
             self._add(colour, x, values.reshape(len(values), -1))
-        legend_above(self.plot, [(name, colour) for name, colour, _ in clouds])
+        legend_above(self.plot, [(name, colour) for name, colour, _, _ in clouds])
         self._band.setRegion((-2 * (noise_nT or 0.0), 2 * (noise_nT or 0.0)))
         self._band.setVisible(noise_nT is not None)
         self.plot.getPlotItem().setLabel("bottom", against, color=self._theme.muted)

@@ -1,0 +1,124 @@
+"""Sentences that come as data in another language: questions to the person, and what is said of the coils.
+
+Procedures and the bench write them in English, and the record keeps them so; what is shown is found by its form. A
+sentence that has none of these forms is shown as it came.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+COILS = (  # of several that fit the first counts; what stands for {0}, {1} … is itself such a sentence, or stays
+    QT_TRANSLATE_NOOP("Data", "coils at zero"),
+    QT_TRANSLATE_NOOP("Data", "zero by the supply's word only: {0}"),
+    QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero; {0}"),
+    QT_TRANSLATE_NOOP("Data", "coils NOT confirmed at zero"),
+    QT_TRANSLATE_NOOP("Data", "NOT at zero by the reference: {0}. {1}"),
+    QT_TRANSLATE_NOOP("Data", "coils not read back in this session"),
+    QT_TRANSLATE_NOOP("Data", "coils not read back since another process was asked to switch them off"),
+    QT_TRANSLATE_NOOP("Data", "coils on: {0}, read back {1} s ago"),
+    QT_TRANSLATE_NOOP("Data", "coils on: {0}"),
+    QT_TRANSLATE_NOOP("Data", "coils last read back below their zero {0} s ago, not since"),
+    QT_TRANSLATE_NOOP("Data", "no reference was asked"),
+    QT_TRANSLATE_NOOP("Data", "no ambient field was measured since the mounting"),
+    QT_TRANSLATE_NOOP("Data", "the reference has sent nothing since the currents settled"),
+    QT_TRANSLATE_NOOP("Data", "the reference is not streaming"),
+    QT_TRANSLATE_NOOP("Data", "the reference is at its full scale and cannot vouch for it"),
+    QT_TRANSLATE_NOOP("Data", "the link to the reference is lost"),
+    QT_TRANSLATE_NOOP("Data", "the reference repeats one reading"),
+    QT_TRANSLATE_NOOP("Data", "the reference is looked at again: {0}"),
+    QT_TRANSLATE_NOOP("Data", "the reference agreed when it was last looked at, {0} s ago"),
+    QT_TRANSLATE_NOOP("Data", "it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed"),
+    QT_TRANSLATE_NOOP("Data", "Open the outputs that can open, or switch the supplies off at their mains"),
+)
+QUESTIONS = (
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Mount the DUT with body {0} up along the platform axis, body {1} towards the cage's {2}, at platform angle 0.",
+    ),
+    QT_TRANSLATE_NOOP("Data", "Mount the DUT with body Z up, body X towards the cage's X; then {0}."),
+    QT_TRANSLATE_NOOP("Data", "as it stands"),
+    QT_TRANSLATE_NOOP("Data", "as it always stands"),
+    QT_TRANSLATE_NOOP("Data", "turned by 180° about its own {0}"),
+    QT_TRANSLATE_NOOP("Data", "turned by 180° about its {0}"),
+    QT_TRANSLATE_NOOP("Data", "Is the DUT still mounted with body {0} up, exactly as it was when the run broke off?"),
+    QT_TRANSLATE_NOOP("Data", "Why is axis {0} redone? What was measured stays in the record, marked as not used."),
+    QT_TRANSLATE_NOOP("Data", "Why is {0} skipped?"),
+    QT_TRANSLATE_NOOP("Data", "Switch the DUT to power mode {0}."),
+    QT_TRANSLATE_NOOP("Data", "Switch the load {0} on."),
+    QT_TRANSLATE_NOOP("Data", "Switch the load {0} off."),
+    QT_TRANSLATE_NOOP("Data", "Switch the platform's motor off at its plug."),
+    QT_TRANSLATE_NOOP("Data", "Switch the platform's motor on again."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort). No faster "
+        "than {1} deg/s.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data", "Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort)."
+    ),
+    QT_TRANSLATE_NOOP("Data", "Warm the DUT within its limits, then let it cool."),
+    QT_TRANSLATE_NOOP(
+        "Data", "Take the DUT off the platform, some metres away. Leave the reference and all else as it is."
+    ),
+    QT_TRANSLATE_NOOP("Data", "Take the DUT away and put the reference at its place, on a stand that does not turn."),
+    QT_TRANSLATE_NOOP("Data", "Put the reference at the {0}'s place: {1} mm from the DUT's place, in C."),
+    QT_TRANSLATE_NOOP("Data", "Put the reference at {0} mm from the DUT's place, in C, turned as it always stands."),
+    QT_TRANSLATE_NOOP("Data", "Put the reference {0} mm above the DUT's place, on the platform axis."),
+    QT_TRANSLATE_NOOP("Data", "Put the reference {0}."),
+    QT_TRANSLATE_NOOP("Data", "Put the scalar sensor into the cage's centre, its dead zones away from the fields."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Swap the two leads of the half of coil {0} that stands towards +{1}. They must come back before anything else "
+        "is measured, also if this run is stopped.",
+    ),
+    QT_TRANSLATE_NOOP("Data", "Put the two leads of the half of coil {0} that stands towards +{1} back as they were."),
+    QT_TRANSLATE_NOOP("Data", "Are all covers of the DUT as they will fly, and the others off?"),
+    QT_TRANSLATE_NOOP("Data", "Are the batteries those that will fly, and connected?"),
+    QT_TRANSLATE_NOOP("Data", "Are all tools out of the cage?"),
+    QT_TRANSLATE_NOOP("Data", "Are phones, keys and watches out of the room?"),
+    QT_TRANSLATE_NOOP("Data", "Do chairs and trolleys stand at their marks?"),
+    QT_TRANSLATE_NOOP("Data", "There is no file {0}. File of the photograph ({1}), or empty:"),
+    QT_TRANSLATE_NOOP("Data", "File of the photograph ({0}), or empty:"),
+    QT_TRANSLATE_NOOP("Data", "The field is set again and again while the DUT warms and cools. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT in all directions. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT in six directions. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, the platform turns. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT and stays. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The field goes to {0} µT, later with the DUT turning in it. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The field steps up to {0} µT. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The coils go to {0} µT and the platform turns. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "The coils step by {0} µT and the platform turns. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "A square wave of {0} µT follows. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Each coil goes to {0} µT in turn. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Each coil goes to {0} µT, then the field rotates. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Each coil goes to {0} µT. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Each coil alternates from {0} µT downwards. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Coil {0} makes a gradient now. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Fields up to {0} µT are played. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Fields are played as {0} wants them, within the limits. Hands off?"),
+    QT_TRANSLATE_NOOP("Data", "Every load is switched in turn, the others stay off. Hands off?"),
+)
+FORMS = tuple(str(form) for form in (*COILS, *QUESTIONS))
+
+
+def in_words(sentence: str) -> str:
+    """`sentence` in the language of the window, where it has one of these forms; else as it is."""
+    if (found := form_of(sentence)) is None:
+        return sentence
+    form, filled = found
+    return QCoreApplication.translate("Data", form).format(*map(in_words, filled))
+
+
+def form_of(sentence: str) -> tuple[str, tuple[str, ...]] | None:
+    """The form that a sentence has, and what stands in its blanks; None where it has none of these."""
+    matches = ((form, pattern.fullmatch(sentence)) for form, pattern in _patterns())
+    return next(((form, match.groups()) for form, match in matches if match), None)
+
+
+@cache
+def _patterns() -> tuple[tuple[str, re.Pattern[str]], ...]:
+    return tuple((form, re.compile(re.sub(r"\\\{\d\\\}", "(.+?)", re.escape(form)), re.DOTALL)) for form in FORMS)

@@ -1,0 +1,141 @@
+"""Two runs chosen in the History stand beside each other: figures with E_n, residuals and loci over each other."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+from test_calibration_views import FOUND, calibration
+from test_path import RUN
+
+from labcal.gui.ipc import compare_commands
+from labcal.gui.ipc.answers import Compared, Comparison, Figure
+from labcal.gui.ipc.compare_commands import compare, newest_file
+from labcal.gui.ipc.messages import CompareRuns, ListRuns
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.widgets.trend import Trend, courses
+from labcal.model.apply import apply
+from labcal.model.readings import readings_of
+
+LATER = replace(RUN, run_id="r2", started_utc="2026-01-06T07:00:00Z")
+
+
+def side(run_id, calibration="", offset=0.0):
+    t = np.arange(50.0)
+    after = np.column_stack([np.cos(t), np.sin(t), 0 * t])
+    return Compared(run_id, "EM-07", calibration, 20.0, np.full(50, offset), after, {"time  s": t, "angle  deg": t})
+
+
+@pytest.fixture
+def page(still):
+    still.open_page("History")
+    page = still.page("History")
+    page.search.clear()
+    still.app_state.quick_worker.answer(ListRuns, (LATER, RUN, replace(RUN, run_id="r0", status="interrupted")))
+    yield page
+    page.faces.setCurrentIndex(0)
+    page.table.clearSelection()
+
+
+def choose(page, qtbot, *runs):
+    page.table.clearSelection()
+    for run in runs:
+        row = next(n for n in range(page.table.rowCount()) if page.table.text(n, 6) == run)
+        page.table.scrollToItem(page.table.item(row, 0))
+        QApplication.processEvents()  # rows have their places
+        where = page.table.visualItemRect(page.table.item(row, 0)).center()
+        qtbot.mouseClick(page.table.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier, where)
+
+
+def test_two_chosen_runs_are_compared_the_older_one_first_and_back_again(still, page, qtbot):
+    choose(page, qtbot, "r2", "r1")
+    assert not page.open.isEnabled()  # which of them?
+    qtbot.mouseClick(page.compare, Qt.MouseButton.LeftButton)
+    assert still.app_state.fit_worker.commands(CompareRuns) == [CompareRuns("r1", "r2")]
+    found = Comparison(side("r1", "r1.json", 30.0), side("r2", offset=-30.0), FOUND)
+    still.app_state.fit_worker.answer(CompareRuns, found)
+    view = page.comparison
+    assert view.isVisible()
+    assert view.whose.text().splitlines() == [
+        "Earlier: run r1, calibration r1.json", "Later: run r2, fitted now (it has no calibration)"
+    ]  # fmt: skip
+    row = [view.table.text(0, column) for column in range(view.table.columnCount())]
+    assert (row[0], row[5], row[6]) == ("offset x", "+3.00", "▲ changed")
+    means = [cloud.getData()[1].mean() for cloud in view.residuals.clouds]
+    assert means == [30.0, -30.0]
+    view.view.setCurrentIndex(1)
+    view.view.activated.emit(1)
+    assert view.loci.isVisible()
+    qtbot.mouseClick(view.back, Qt.MouseButton.LeftButton)
+    assert page.table.isVisible()
+
+
+@pytest.mark.parametrize("runs", [(), ("r1",), ("r1", "r0"), ("r0", "r1", "r2")])
+def test_only_two_whole_runs_are_compared(page, qtbot, runs):
+    choose(page, qtbot, *runs)
+    assert not page.compare.isEnabled()
+
+
+def test_what_was_asked_before_is_not_shown_in_place_of_what_was_asked_last(still, page, qtbot):
+    worker = still.app_state.fit_worker
+    for runs in (("r1", "r2"), ("r2", "r1")):
+        choose(page, qtbot, *runs)
+        page.compare.click()
+        page.comparison.back.click()
+    first, second = worker.asked
+    page.compare.click()
+    second.then(Comparison(side("r1"), side("r2"), None, "not of one sensor"))
+    first.then(Comparison(side("r1"), side("r2"), FOUND))
+    assert page.comparison.table.rowCount() == 0
+
+
+def test_a_run_that_cannot_be_compared_says_why_on_the_list(still, page, qtbot):
+    choose(page, qtbot, "r1", "r2")
+    page.compare.click()
+    still.app_state.fit_worker.asked[-1].failed(Fault("input", "r1 is damaged"))
+    assert page.table.isVisible()
+    assert "damaged" in page.fault.text.text()
+    page.fault.show_fault(None)
+
+
+def test_each_run_by_its_own_calibration_and_a_run_beside_itself_has_not_changed(drafted, monkeypatch):
+    from labcal import session
+
+    monkeypatch.setenv("LABCAL_HOME", str(drafted))
+    (run,) = [one.run_id for one in session.runs()]
+    found = compare(SimpleNamespace(send=lambda event: None), CompareRuns(run, run))
+    assert found.older.calibration == newest_file(run).name == f"{run}.json"
+    assert {row.e_n for row in found.changes.rows} == {0.0}
+    measured = session.load_run(run)
+    field = apply(session.load_calibration(newest_file(run)), readings_of(measured)).field_nT
+    step = -(-len(measured) // 1500)
+    left = (np.linalg.norm(field, axis=1) - measured.magnitude_nT)[::step]
+    assert np.array_equal(found.newer.residual, left, equal_nan=True)
+    assert found.newer.against["time  s"][0] == 0.0
+    mine = session.load_calibration(newest_file(run))
+    another = replace(mine, dut=replace(mine.dut, serial="EM-08"))
+    sides = iter(((found.older, another), (found.newer, mine)))
+    monkeypatch.setattr(compare_commands, "_side", lambda run: next(sides))
+    refused = compare(None, CompareRuns("r0", run)).refused
+    assert refused.startswith(f"The calibration of r0 is of EM-08, not of {mine.dut.serial}")
+
+
+def test_the_trend_draws_the_limits_of_the_specification(qtbot):
+    figures = [Figure("offset", f"offset {axis}", 100.0, 8.0, "nT", 500.0) for axis in "xyz"]
+    figures += [Figure("scale", f"scale {axis}", 4.0, None, "ppm") for axis in "xyz"]
+    files = [replace(calibration(), figures=tuple(figures))] * 2
+    assert [one.limit for one in courses(files, "offset")] == [500.0] * 3
+    trend = Trend(LIGHT)
+    qtbot.addWidget(trend)
+    trend.show_files("S1", files, [0.0, 86_400.0 * 9])
+    trend._idle_queue.finish()
+    lines = sorted(item.value() for item in trend.plot.getPlotItem().items if hasattr(item, "value"))
+    assert lines == [-500.0, 500.0]
+    assert trend.plot.getPlotItem().viewRange()[1][1] > 500.0
+    trend.parameter.setCurrentIndex(1)
+    trend.draw()
+    trend._idle_queue.finish()
+    assert [item for item in trend.plot.getPlotItem().items if hasattr(item, "value")] == []

@@ -1,0 +1,71 @@
+"""Questions and what is said of the coils, in the language of the window; the record and the rules keep the English."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QLocale
+
+from labcal.bench.coils.state import AT_ZERO, CoilReading, LabState, Witness
+from labcal.gui.ipc.messages import Answer, RunProcedure
+from labcal.gui.translations import translate
+from labcal.gui.translations.sentences import COILS, form_of, in_words
+from labcal.record.stream import Prompt
+
+ROOT = Path(__file__).parents[2]
+MOUNT = (
+    "Mount the DUT with body X up along the platform axis, body Y towards the cage's Y, at platform angle 0.",
+    "Den Prüfling mit Körperachse X nach oben",
+)
+
+
+@pytest.fixture
+def german(qapp):
+    translate.install_translator(qapp, QLocale("de"))
+    yield
+    translate.install_translator(qapp, QLocale("en"))
+
+
+def test_nothing_is_said_of_the_coils_here_that_the_bench_does_not_say():
+    files = (ROOT / "labcal" / "bench" / "coils").rglob("*.py")
+    nodes = (node for file in files for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+    said = "\n".join(node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str))
+    pieces = {piece.strip(" .;:,") for form in COILS for piece in re.split(r"\{\d\}", str(form))}
+    assert {piece for piece in pieces if piece not in said} == set()
+
+
+def test_every_sentence_about_the_coils_has_a_form():
+    def coils(*amperes, fault=""):
+        return tuple(CoilReading(a, None, i, i == 0.0, True, 10.0, fault) for a, i in zip("xyz", amperes, strict=True))
+
+    agrees = Witness("agrees", "", (0.0,) * 3, (0.0,) * 3, 1.0, 2.0, 10.0)
+    disagrees = Witness("disagrees", "", (9.0,) * 3, (0.0,) * 3, 9e3, 2e3, 10.0)
+    still, on, unread = coils(0.0, 0.0, 0.0), coils(1.52, 0.0, -0.4), coils(None, 0.0, 0.0, fault="x: silent")
+    states = [LabState(one, witness) for one in (still, on, unread) for witness in (agrees, disagrees, Witness())]
+    for one in [*states, LabState(coils(None, 0.0, 0.0))]:
+        for now_s in (10.0, 40.0):
+            form, filled = form_of(one.sentence(now_s))
+            assert in_words(one.sentence(now_s)) == one.sentence(now_s)
+            assert form != "coils on: {0}" or "read back" not in filled[0]
+
+
+def test_what_has_no_form_is_shown_as_it_came(german):
+    assert in_words("Begin {now}?") == "Begin {now}?"
+    assert in_words("stage is stuck.") == "stage is stuck."
+
+
+def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new_window, german):
+    run, card = new_window.app_state.run, new_window.page("Run").live.prompt
+    run.start(RunProcedure("preflight", "bench.toml"))
+    new_window.app_state.bench_worker.items.emit((Prompt(1.0, "mount-x", MOUNT[0], ("done",), True),))
+    assert card.text.text().startswith(MOUNT[1])
+    assert "Y" in card.text.text()
+    assert new_window.message.text().startswith(MOUNT[1])
+    new_window.side.show_state(new_window.app_state.lab.state)
+    card.say_coils(AT_ZERO)
+    assert card.coils.text() == "✓ Spulen auf null"
+    assert card.coils.property("state") == "good"
+    run.answer("done")
+    assert Answer("mount-x", "done") in new_window.app_state.bench_worker.said
+    assert "Feld" in in_words("Each coil goes to ±50 µT, then the field rotates. Hands off?")

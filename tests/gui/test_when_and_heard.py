@@ -1,0 +1,148 @@
+"""When a run is done and when somebody is needed, by the clock on the wall; and what is heard of either."""
+
+import wave
+from datetime import UTC, datetime
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QApplication
+
+from labcal import session
+from labcal.bench.clock import VirtualClock
+from labcal.bench.steps import Plan
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.viewmodels.number_format import clock_time
+from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.widgets import sounds
+from labcal.record.stream import Event, Prompt, Step
+
+FILE = Path(__file__).parents[2] / "examples" / "simulated.toml"
+BENCH = SimpleNamespace(clock=SimpleNamespace(now=lambda: 100.0))
+PLAN = Plan((("zero", 20.0), ("x", 300.0), ("mount-y", 10.0), ("y", 300.0)), frozenset({"mount-y"}))
+
+
+@pytest.mark.parametrize(
+    ("step", "needed"), [("zero", (320.0, "mount-y")), ("x", (300.0, "mount-y")), ("mount-y", (None, ""))]
+)
+def test_each_step_says_when_the_next_question_comes(step, needed):
+    begun = PLAN.begin(BENCH, step)
+    assert (begun.needed_s, begun.needed_for) == needed
+
+
+def test_a_preflight_asks_where_its_plan_says(tmp_path, monkeypatch):
+    monkeypatch.setenv("LABCAL_HOME", str(tmp_path))
+    told, asked = [], set()
+
+    def see(item):
+        if isinstance(item, Step):
+            told.append(item)
+        elif isinstance(item, Prompt) and len(told) > 1:
+            asked.add(told[-1].name)
+
+    given = {"axes": "x,y", "magnitudes_nT": "20000", "reverse": "no", "rate_deg_per_s": "20", "zero_s": "3"}
+    session.run("preflight", FILE, given, clock=VirtualClock(datetime(2026, 1, 5, tzinfo=UTC)), seed=3, tell=see)
+    assert {one.needed_for for one in told} - {""} == asked
+
+
+def running(deaf, **order):
+    run = RunViewModel(deaf())
+    run.start(RunProcedure("preflight", "bench.toml", **order))
+    run._worker.items.emit((PLAN.begin(BENCH, "x"),))
+    return run
+
+
+def test_the_time_that_a_person_takes_is_in_no_plan(deaf):
+    run = running(deaf)
+    assert (run.left_s(), run.needed_s()) == (610.0, 300.0)
+    run._worker.items.emit((Event(130.0, "note", "half a minute later"),))
+    assert (run.left_s(), run.needed_s()) == (580.0, 270.0)
+    run._worker.items.emit((Prompt(130.0, "m", "Mount it."), Event(900.0, "note", "still thinking")))
+    assert run.left_s() == 580.0
+    assert run.wall_s(run.left_s()) is None  # nobody knows how long
+    run._worker.items.emit((Event(1000.0, "answer", "done"), Event(1010.0, "note", "goes on")))
+    run.state = "running"
+    assert (run.left_s(), run.wall_s(run.left_s())) == (570.0, 570.0)
+    run._worker.items.emit((Event(1010.0, "pause", "paused, coils at zero"), Event(1200.0, "note", "tea")))
+    run._worker.items.emit((Event(1300.0, "pause", "goes on"),))
+    assert run.left_s() == 570.0
+
+
+@pytest.mark.parametrize(("pace", "wall_s"), [("true", 610.0), ("20 times", 30.5), ("at once", None)])
+def test_on_a_simulated_bench_time_passes_at_its_pace(deaf, pace, wall_s):
+    run = running(deaf, pace=pace)
+    run.virtual_time = True
+    assert run.wall_s(run.left_s()) == wall_s
+
+
+def test_a_time_of_another_day_says_which():
+    now = datetime(2026, 11, 23, 23, 50)
+    assert clock_time(now, 300.0) == "23:55"
+    assert clock_time(now, 900.0) == "Tue 00:05"
+
+
+def test_the_run_page_says_both_and_neither_while_somebody_is_asked(still):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", pace="true"))
+    worker, live = still.app_state.bench_worker, still.page("Run").live
+    worker.items.emit((PLAN.begin(BENCH, "x"),))
+    live.draw()
+    needed, done = live.until.text().splitlines()
+    assert needed.startswith("You are needed at ")
+    assert needed.endswith(": mount-y")
+    assert done.startswith("Done at about ")
+    worker.items.emit((Prompt(101.0, "m", "Mount it."),))
+    live.draw()
+    assert live.until.text() == ""
+
+
+@pytest.fixture
+def heard(monkeypatch):
+    found = []
+    monkeypatch.setattr(QApplication, "beep", lambda: found.append("beep"))
+    monkeypatch.setattr(sounds, "import_module", lambda name: (_ for _ in ()).throw(ImportError(name)))
+    monkeypatch.setattr(sounds, "BETWEEN_BEEPS_MS", 1)
+    return found
+
+
+def test_done_is_heard_otherwise_than_needed_and_a_click_turns_both_off(still, heard, qtbot):
+    worker = still.app_state.bench_worker
+    still.page("Run").live.sounds._effects = None
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    worker.items.emit((PLAN.begin(BENCH, "x"), Prompt(101.0, "m", "Mount it.", ("done",))))
+    assert heard == ["beep"]
+    heard.clear()
+    worker.answer(RunProcedure, Ended("r1", "finished"))
+    qtbot.waitUntil(lambda: len(heard) == 3, timeout=15_000)
+    heard.clear()
+    qtbot.mouseClick(still.sound_switch, Qt.MouseButton.LeftButton)
+    assert still.sound_switch.text() == "Sound on"
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    worker.items.emit((Prompt(101.0, "m", "Mount it.", ("done",)),))
+    assert heard == []
+    qtbot.mouseClick(still.sound_switch, Qt.MouseButton.LeftButton)
+    assert sounds.is_on(still.app_state.settings)
+
+
+def test_where_the_computer_can_it_plays_tones(qapp, tmp_path, monkeypatch):
+    played = []
+
+    class Effect:
+        def __init__(self, parent):
+            self.file = ""
+
+        def setSource(self, url):
+            self.file = url.toLocalFile()
+
+        def play(self):
+            with wave.open(self.file) as tones:
+                played.append(round(tones.getnframes() / tones.getframerate(), 1))
+
+    devices = SimpleNamespace(audioOutputs=lambda: ["loudspeaker"])
+    there = SimpleNamespace(QMediaDevices=devices, QSoundEffect=Effect)
+    monkeypatch.setattr(sounds, "import_module", lambda name: there)
+    made = sounds.Sounds(qapp, QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat))
+    for one in ("needed", "done"):
+        made.play(one)
+    assert played == [0.4, 0.7]
