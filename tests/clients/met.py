@@ -32,9 +32,9 @@ class Check:
 
 def told(checks: list[Check]) -> list[str]:
     """Lines of a table, one an instrument and program."""
-    rows = dict[tuple[str, str], list[str]]()
+    rows = dict[tuple[str, str], dict[str, None]]()
     for check in checks:
-        rows.setdefault((check.instrument, check.by), []).append(check.shows)
+        rows.setdefault((check.instrument, check.by), {})[check.shows] = None
     return [f"| `{name}` | {by} | {'; '.join(shown)} |" for (name, by), shown in sorted(rows.items())]
 
 

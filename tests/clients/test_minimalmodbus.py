@@ -101,7 +101,7 @@ def test_leadshine(line: Line) -> None:
         assert drive.read_long(0x602A, signed=True) == 2000
 
 
-@pytest.mark.met("labjack-t7", BY, "product, range of an input, three volts as floats, a register that is not there")
+@pytest.mark.met("labjack-t7", BY, "over RTU: product, range of an input, three volts as floats, no such register")
 def test_labjack(line: Line) -> None:
     with opened(line) as box:
         assert box.read_float(60000) == 7.0
