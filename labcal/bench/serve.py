@@ -203,7 +203,7 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
             if entry.link.startswith("emulated://") and loader.line_of(name) not in lines:
                 _, hints, _ = loader.driver(name)
                 emulator = loader.emulator(name)
-                outlet = _outlet(emulator, speaks_modbus(hints))
+                outlet = outlet_of(emulator, speaks_modbus(hints))
                 afterwards.callback(outlet.close)
                 lines[loader.line_of(name)] = (outlet, emulator)
         table = config.model_dump(mode="json", exclude_defaults=True)
@@ -217,7 +217,8 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
         _pump(list(lines.values()), loader.clock)
 
 
-def _outlet(emulator: Emulator, modbus: bool) -> Outlet:
+def outlet_of(emulator: Emulator, modbus: bool) -> Outlet:
+    """The real line that an emulated instrument is put on: a TCP port where it has a network port, else a pty."""
     scheme = "modbus-rtu" if modbus else "serial"
     if getattr(emulator, "wire", "serial") == "tcp":
         return TcpOutlet("tcp")

@@ -19,7 +19,7 @@ from served_lab import LONG_S, Stop, until
 
 from drivers.ea_ps2000b import Settings as EaSettings
 from labcal.bench.clock import RealClock
-from labcal.bench.serve import PtyOutlet, TcpOutlet, _outlet, _pump, baud_of
+from labcal.bench.serve import PtyOutlet, TcpOutlet, _pump, baud_of, outlet_of
 from labcal.twin import open_twin
 
 if sys.platform != "win32":
@@ -130,7 +130,7 @@ def test_odd_parity_is_told_by_the_terminal_and_not_heard() -> None:
 @pytest.mark.skipif(sys.platform != "linux", reason="what a terminal keeps of a parity is Linux's")
 def test_one_on_its_own_usb_port_hears_whatever_the_line_is_set_to() -> None:
     emulator = next(iter(entry_points(group="labcal.emulators", name="ea-ps2000b"))).load()
-    outlet = _outlet(emulator(open_twin({}, 1), {"coil-x": {}}, EaSettings()), modbus=False)
+    outlet = outlet_of(emulator(open_twin({}, 1), {"coil-x": {}}, EaSettings()), modbus=False)
     assert isinstance(outlet, PtyOutlet)
     for line in ({"parity": "O"}, {"parity": "N"}, {"baudrate": 9600}):
         with host_on(outlet, **{"baudrate": 115_200, **line}) as host:

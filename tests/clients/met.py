@@ -18,6 +18,7 @@ NEEDS = {  # a file of checks: what it imports
     "test_tenma.py": ("tenma",),
     "test_zaber.py": ("zaber_motion", "zaber"),
 }
+TABLES = Path(__file__).parents[2] / "drivers" / "tables"
 BEGIN, END = "<!-- clients: written by `make clients` -->", "<!-- end of clients -->"
 
 
@@ -45,7 +46,8 @@ def write(page: Path, checks: list[Check]) -> None:
     after = rest.split(END)[1]
     unsure = _unsure(before)
     head = ["| instrument | met by | what was shown | unsure until hardware |", "|---|---|---|---|"]
-    rows = [f"{row} {unsure.get(row.split('`')[1], unsure['scpi-table'])} |" for row in told(checks)]
+    tables = {table.stem: unsure["scpi-table"] for table in TABLES.glob("*.toml")}
+    rows = [f"{row} {(tables | unsure).get(row.split('`')[1], '')} |" for row in told(checks)]
     page.write_text("\n".join([before + BEGIN, *head, *rows, END + after]), encoding="utf-8")
 
 
