@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SHELL := /bin/bash
 
-.PHONY: demo test lint slow papers blind coverage sensitivity campaign bench gui bundle clean
+.PHONY: demo test lint slow papers blind coverage sensitivity campaign clients bench gui bundle clean
 .DEFAULT_GOAL := demo
 
 $(VENV)/.run: pyproject.toml
@@ -61,10 +61,20 @@ campaign: $(VENV)/.dev
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/campaign.py --out campaign-out --number $(FAULTS) --benches $(BENCHES)
 	@PYTHONPATH=tests/runner $(BIN)/python tests/campaign/reliability.py table campaign-out docs/reliability.md
 
+CLIENTS := .venv-clients
+$(CLIENTS)/.made: pyproject.toml tests/clients/requirements.txt
+	@echo "Setting up other people's programs in $(CLIENTS) (once) ..."
+	@$(PYTHON) tools/set_up.py $(CLIENTS) --editable .
+	@$(CLIENTS)/bin/pip install --quiet --disable-pip-version-check -r tests/clients/requirements.txt
+	@touch $@
+
+clients: $(CLIENTS)/.made
+	@QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1 LABCAL_CLIENTS=docs/instruments.md $(CLIENTS)/bin/pytest -q tests/clients
+
 BUNDLE ?= dist/labcal-bundle
 BUNDLE_PYTHON ?= 3.11
 bundle: $(VENV)/.dev
 	@$(BIN)/python tools/bundle/make.py --out $(BUNDLE) --python $(BUNDLE_PYTHON)
 
 clean:
-	rm -rf $(VENV) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) $(CLIENTS) demo-out build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

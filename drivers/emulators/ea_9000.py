@@ -20,6 +20,7 @@ from drivers.emulators.modbus_rtu import (
 )
 
 FULL, TOP, IN_LOCAL = 52428, 53477, 0x17
+MOST_TRIP = round(1.1 * FULL)  # where its protections stand until somebody lowers them
 VOLTS, AMPS, WATTS = 80.0, 60.0, 1500.0
 SET_POINTS, TRIPS = (500, 501, 502), (550, 553, 556)
 REMOTE, OUTPUT = 402, 405
@@ -38,7 +39,7 @@ class EaEmulator(RtuSlave):
         super().__init__(settings.address, self._get, self._put, delay_s=0.02)
         (role,) = roles
         self._coil, self._location = lab.coils[role[-1]], settings.location
-        self._held = dict.fromkeys((*SET_POINTS, *TRIPS), 0) | LIMITS
+        self._held = dict.fromkeys(SET_POINTS, 0) | dict.fromkeys(TRIPS, MOST_TRIP) | LIMITS
         self._bits = {REMOTE: False, OUTPUT: False}
         self.local = self.alarm = False
         self.monitoring_s, self._ends_s = settings.watchdog_s, math.inf
@@ -77,7 +78,7 @@ class EaEmulator(RtuSlave):
         if function == WRITE_COIL and address in self._bits:
             self._bits[address] = values[0] == 0xFF00
         elif function == WRITE_REGISTER and address in self._held:
-            if values[0] > (1.1 * FULL + 1 if address in TRIPS else TOP):
+            if values[0] > (MOST_TRIP if address in TRIPS else TOP):
                 raise Refused(ILLEGAL_VALUE)
             self._refuse_outside(address, values[0])
             self._held[address] = values[0]

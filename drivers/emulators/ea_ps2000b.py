@@ -10,9 +10,11 @@ from typing import Any
 from drivers.emulators.line import Lab, Replies
 from drivers.framing import ea_telegram as ea
 
-VOLTS, AMPS, REPLY_S = 42.0, 10.0, 0.005
+VOLTS, AMPS, WATTS, REPLY_S = 42.0, 10.0, 160.0, 0.005
 TEXTS = {ea.TYPE: b"PS 2042-10B", ea.MAKER: b"EA-Elektro-Automatik"[:15], ea.VERSION: b"V3.04 09.06.11"}
-SETS = (ea.SET_VOLTAGE, ea.SET_CURRENT)
+SETS, MOST_TRIP = (ea.SET_VOLTAGE, ea.SET_CURRENT), round(1.1 * ea.FULL)
+MOST = dict.fromkeys(SETS, ea.FULL) | {ea.OVP: MOST_TRIP, ea.OCP: MOST_TRIP}  # counts
+NOMINAL = {ea.VOLTS: VOLTS, ea.AMPS: AMPS, ea.WATTS: WATTS}
 BITS = {0x10: "remote", 0x01: "on"}
 
 
@@ -21,12 +23,15 @@ class Output:
     """One output and the coil behind it; `tripped`: bits 4 to 7 of its state."""
 
     coil: Any
-    held: dict[int, int] = field(default_factory=lambda: dict.fromkeys(SETS, 0))
+    held: dict[int, int] = field(default_factory=lambda: MOST | dict.fromkeys(SETS, 0))
     state: dict[str, bool] = field(default_factory=lambda: {"remote": False, "on": False})
     tripped: int = 0
 
     def act(self, t_s: float) -> None:
-        """Drive the coil."""
+        """Drive the coil, unless a set-point is above its protection, which ends the output."""
+        for bit, number, most in ((0, ea.SET_VOLTAGE, ea.OVP), (1, ea.SET_CURRENT, ea.OCP)):
+            if self.state["on"] and self.held[number] > self.held[most]:
+                self.tripped, self.state["on"] = 1 << bit, False
         amps, volts = self.held[ea.SET_CURRENT] / ea.FULL * AMPS, self.held[ea.SET_VOLTAGE] / ea.FULL * VOLTS
         self.coil.drive(t_s, amps, volts, self.state["on"])
 
@@ -34,7 +39,7 @@ class Output:
 class EaPs2000BEmulator(Replies):
     """Takes a telegram whole or in parts; what begins none is passed over, a wrong sum is refused (3)."""
 
-    baud, parity = 115200, "O"
+    baud, usb = 115200, True
 
     def __init__(self, lab: Lab, roles: Mapping[str, Mapping[str, Any]], settings: Any) -> None:
         super().__init__()
@@ -73,9 +78,9 @@ class EaPs2000BEmulator(Replies):
     def _object(self, output: Output, t_s: float, number: int) -> bytes:
         if number in self._texts:
             return self._texts[number] + b"\0"
-        if number in (ea.VOLTS, ea.AMPS):
-            return struct.pack(">f", VOLTS if number == ea.VOLTS else AMPS)
-        if number in SETS:
+        if number in NOMINAL:
+            return struct.pack(">f", NOMINAL[number])
+        if number in MOST:
             return output.held[number].to_bytes(2, "big")
         if number != ea.STATE:
             return b""
@@ -94,7 +99,7 @@ class EaPs2000BEmulator(Replies):
 
 def _told(output: Output, t_s: float, number: int, data: bytes) -> int:
     """0, or why it refuses."""
-    if number not in (*SETS, ea.CONTROL):
+    if number not in (*MOST, ea.CONTROL):
         return 7
     if len(data) != 2:
         return 8
@@ -105,7 +110,7 @@ def _told(output: Output, t_s: float, number: int, data: bytes) -> int:
         if data[0] not in BITS:
             return 7
         output.state[BITS[data[0]]] = bool(data[1]) and not (data[0] == 1 and output.tripped)
-    elif (counts := int.from_bytes(data, "big")) > ea.FULL:
+    elif (counts := int.from_bytes(data, "big")) > MOST[number]:
         return 0x30
     else:
         output.held[number] = counts

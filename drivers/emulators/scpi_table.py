@@ -13,6 +13,8 @@ from drivers.emulators.scpi import RANGE, Messages, short
 from drivers.framing.scpi_table import Table
 
 MARKS = {"value": "\ue000", "channel": "\ue001", "on": "\ue002"}  # letters of no alphabet, while words are shortened
+SELECT = re.compile(r"(INST(?::N?SEL)?)(?:\?| (?:CH|OUTP?)?(\d))")  # by number or by name, whatever the table says
+SWITCHED = {"1": "ON", "0": "OFF", "ON": "1", "OFF": "0"}  # SCPI 1999, 7.3: a state may be said in both ways
 NUMBER = r"(?P<value>[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?)"
 Act = Callable[[float, "Channel", str], str]
 
@@ -56,6 +58,8 @@ class TableEmulator(Answers):
             table.ask_voltage: lambda t, c, _: f"{c.volts:.4f}",
             table.measure_current: lambda t, c, _: f"{round(c.coil.current.now(t), 4):.4f}",
         }
+        voltage = table.measure_current.replace("CURR", "VOLT").replace("CUR?", "VOL?")
+        found[voltage] = lambda t, c, _: f"{c.coil.current.now(t) * c.coil.resistance_ohm:.4f}"
         found[table.ask_output] = lambda t, c, _: self._outputs() if table.output_bit else f"{c.on:d}"
         found |= {question: self._tripped(question) for question in table.trips.values()}
         found |= {question: self._mode(pattern) for question, pattern in table.expects.items()}
@@ -71,7 +75,17 @@ class TableEmulator(Answers):
                 if act == self._select:
                     return self._select(t_s, self.channels[number], f"{number}")
                 return act(t_s, self.channels[number], named.get("value") or named.get("on") or "")
-        return None
+        chosen = SELECT.fullmatch(message)
+        return self._chosen(chosen[1], chosen[2]) if chosen else None
+
+    def _chosen(self, word: str, number: str | None) -> str:
+        """The selected channel by number or by name, or another is selected; KeyError: it has none such."""
+        if number is None:
+            return f"{'' if 'NSEL' in word else 'CH'}{self._selected}"
+        if int(number) not in self.channels:
+            raise KeyError(number)
+        self._selected = int(number)
+        return ""
 
     def _select(self, t_s: float, channel: Channel, number: str) -> str:
         self._selected = int(number)
@@ -84,7 +98,8 @@ class TableEmulator(Answers):
         return self._drive(t_s, channel)
 
     def _switch(self, t_s: float, channel: Channel, word: str) -> str:
-        channel.on = word == short(self._table.on) and not channel.tripped
+        on = short(self._table.on)
+        channel.on = word in (on, SWITCHED.get(on)) and not channel.tripped
         return self._drive(t_s, channel)
 
     def _drive(self, t_s: float, channel: Channel) -> str:
@@ -115,7 +130,8 @@ def _pattern(words: str, table: Table) -> re.Pattern[str]:
     """What fits `words` in their short form, whatever number, channel and state stand in them."""
     parts = [text + MARKS.get(name or "", "") for text, name, _, _ in string.Formatter().parse(words)]
     pattern = re.escape(short("".join(parts).removeprefix(":")))
-    states = "|".join(re.escape(short(word)) for word in (table.on, table.off))
+    stated = [short(word) for word in (table.on, table.off)]
+    states = "|".join(map(re.escape, stated + [SWITCHED[word] for word in stated if word in SWITCHED]))
     for name, form in (("value", NUMBER), ("channel", r"(?P<channel>\d+)"), ("on", f"(?P<on>{states})")):
         pattern = pattern.replace(re.escape(MARKS[name]), form)
     return re.compile(pattern)

@@ -11,7 +11,8 @@ from labcal.errors import InstrumentError
 SEND, QUERY, ANSWER = 0xF0, 0x70, 0x80  # the upper half of a start; the lower is the length less one
 ERROR = 0xFF  # the object of an acknowledgement (0) or a refusal
 HEAD, SUM = 3, 2
-TYPE, SERIAL, VOLTS, AMPS, MAKER, VERSION = 0, 1, 2, 3, 8, 9
+TYPE, SERIAL, VOLTS, AMPS, WATTS, MAKER, VERSION = 0, 1, 2, 3, 4, 8, 9
+OVP, OCP = 38, 39
 SET_VOLTAGE, SET_CURRENT, CONTROL, STATE = 50, 51, 54, 71
 LENGTHS = {SET_VOLTAGE: 2, SET_CURRENT: 2, STATE: 6, VOLTS: 4, AMPS: 4}  # of texts 16 at most
 FULL = 25600  # counts of the nominal voltage or current

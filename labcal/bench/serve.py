@@ -91,15 +91,15 @@ class Outlet(Protocol):
 
 class PtyOutlet:
     """A pseudo terminal, for what has a serial line; a host that has set it otherwise than 8N1 at `baud` is not heard
-    and hears nothing, as far as the terminal tells.
+    and hears nothing, as far as the terminal tells. `usb`: the instrument's own USB port, where no rate is on a wire.
     """
 
-    def __init__(self, scheme: str, baud: int = BAUD) -> None:
+    def __init__(self, scheme: str, baud: int = BAUD, *, usb: bool = False) -> None:
         self._master, self._slave, name = open_pty()
         self.url = f"{scheme}://{name}?baud={baud}"
         self._full = list[int]()
         set_baud(self._slave, baud)
-        self._line = line_of(self._slave)
+        self._line, self._usb = line_of(self._slave), usb
 
     def files(self) -> list[int]:
         """The end that the host does not have."""
@@ -114,14 +114,17 @@ class PtyOutlet:
         """What the host sent."""
         with suppress(BlockingIOError):
             data = os.read(self._master, 65536)
-            return data if line_of(self._slave) == self._line else b""
+            return data if self._hears() else b""
         return b""
 
     def write(self, data: bytes) -> None:
         """Put bytes on the line."""
         with suppress(BlockingIOError):
-            if not self._full and line_of(self._slave) == self._line:
+            if not self._full and self._hears():
                 os.write(self._master, data)
+
+    def _hears(self) -> bool:
+        return self._usb or line_of(self._slave) == self._line
 
     def close(self) -> None:
         """Close both ends."""
@@ -200,7 +203,7 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
             if entry.link.startswith("emulated://") and loader.line_of(name) not in lines:
                 _, hints, _ = loader.driver(name)
                 emulator = loader.emulator(name)
-                outlet = _outlet(emulator, speaks_modbus(hints))
+                outlet = outlet_of(emulator, speaks_modbus(hints))
                 afterwards.callback(outlet.close)
                 lines[loader.line_of(name)] = (outlet, emulator)
         table = config.model_dump(mode="json", exclude_defaults=True)
@@ -214,11 +217,14 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
         _pump(list(lines.values()), loader.clock)
 
 
-def _outlet(emulator: Emulator, modbus: bool) -> Outlet:
+def outlet_of(emulator: Emulator, modbus: bool) -> Outlet:
+    """The real line that an emulated instrument is put on: a TCP port where it has a network port, else a pty."""
     scheme = "modbus-rtu" if modbus else "serial"
     if getattr(emulator, "wire", "serial") == "tcp":
         return TcpOutlet("tcp")
-    return TcpOutlet(scheme) if sys.platform == "win32" else PtyOutlet(scheme, baud_of(emulator))
+    if sys.platform == "win32":
+        return TcpOutlet(scheme)
+    return PtyOutlet(scheme, baud_of(emulator), usb=getattr(emulator, "usb", False))
 
 
 def baud_of(emulator: Emulator) -> int:

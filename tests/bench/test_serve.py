@@ -17,8 +17,9 @@ import pytest
 import serial
 from served_lab import LONG_S, Stop, until
 
+from drivers.ea_ps2000b import Settings as EaSettings
 from labcal.bench.clock import RealClock
-from labcal.bench.serve import PtyOutlet, TcpOutlet, _pump, baud_of
+from labcal.bench.serve import PtyOutlet, TcpOutlet, _pump, baud_of, outlet_of
 from labcal.twin import open_twin
 
 if sys.platform != "win32":
@@ -123,6 +124,19 @@ def test_odd_parity_is_told_by_the_terminal_and_not_heard() -> None:
     select.select(outlet.files(), [], [], LONG_S)
     assert outlet.read() == b""
     os.close(host)
+    outlet.close()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="what a terminal keeps of a parity is Linux's")
+def test_one_on_its_own_usb_port_hears_whatever_the_line_is_set_to() -> None:
+    emulator = next(iter(entry_points(group="labcal.emulators", name="ea-ps2000b"))).load()
+    outlet = outlet_of(emulator(open_twin({}, 1), {"coil-x": {}}, EaSettings()), modbus=False)
+    assert isinstance(outlet, PtyOutlet)
+    for line in ({"parity": "O"}, {"parity": "N"}, {"baudrate": 9600}):
+        with host_on(outlet, **{"baudrate": 115_200, **line}) as host:
+            host.write(b"who?\n")
+            select.select(outlet.files(), [], [], LONG_S)
+            assert outlet.read() == b"who?\n"
     outlet.close()
 
 

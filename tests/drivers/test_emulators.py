@@ -18,7 +18,11 @@ ROLES = {
     "hmr2300": "reference", "metrolab": "reference",
     "waveshare-relay": "polarity",
 }  # fmt: skip
-WIRING: dict[str, dict[str, Any]] = {"waveshare-relay": {"x": 0}, "riden-rd60xx": {"address": 1}}
+WIRING: dict[str, dict[str, Any]] = {
+    "waveshare-relay": {"x": 0},
+    "riden-rd60xx": {"address": 1},
+    "scpi-table": {"model": "bk-9130b"},
+}
 TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
     ("zaber", [
         (b"/\n", b"@01 0 OK IDLE WR 0:3E\r\n"),
@@ -92,10 +96,21 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (rtu("0001 0192 0001"), rtu("0001 01 01")),
         (rtu("0001 0195 0001"), rtu("0001 01 00")),
         (rtu("0001 0190 0001"), rtu("0081 02")),
+        (rtu("0003 0226 0001"), rtu("0003 02 E147")),  # its over-voltage protection, as it comes: 110 %
         (rtu("0003 2328 0005"), rtu("0003 0A D0E5 0000 D0E5 0000 D0E5")),
         (rtu("0006 232A 4000"), rtu("0006 232A 4000")),  # no more current than this
         (rtu("0006 01F5 4001"), rtu("0086 04")),
         (rtu("0006 01F5 4000"), rtu("0006 01F5 4000")),
+    ]),
+    ("ea-ps2000b", [
+        (bytes.fromhex("73 00 04 00 77"), bytes.fromhex("83 00 04 43 20 00 00 00 EA")),  # 160 W
+        (bytes.fromhex("F1 00 36 10 10 01 47"), bytes.fromhex("80 00 FF 00 01 7F")),
+        (bytes.fromhex("F1 00 27 6E 01 01 87"), bytes.fromhex("80 00 FF 30 01 AF")),  # more than 110 %
+        (bytes.fromhex("F1 00 27 02 00 01 1A"), bytes.fromhex("80 00 FF 00 01 7F")),  # over-current at 0.2 A
+        (bytes.fromhex("71 00 27 00 98"), bytes.fromhex("81 00 27 02 00 00 AA")),
+        (bytes.fromhex("F1 00 33 05 00 01 29"), bytes.fromhex("80 00 FF 00 01 7F")),
+        (bytes.fromhex("F1 00 36 01 01 01 29"), bytes.fromhex("80 00 FF 00 01 7F")),
+        (bytes.fromhex("75 00 47 00 BC"), bytes.fromhex("85 00 47 01 24 00 00 00 00 00 F1")),  # off, and why
     ]),
     ("oriental-az", [
         (rtu("0108 0000 1234"), rtu("0108 0000 1234")),
@@ -113,6 +128,13 @@ TALKS: list[tuple[str, list[tuple[bytes, bytes]]]] = [
         (b"OUTPut:STATe (@1)\n*CLS\nOUTP OFF,(@1)\n", b""),
         (b"MEASure:SCALar:CURRent:DC? (@1);:OUTPut:STATe? (@1)\n", b"+0.00000000E+00;0\n"),
         (b"*RST;*WAI;OUTP?;*OPC?\nNONSENSE\n*ESR?;*STB?;*CLS;*STB?\n", b"0;1\n32;4;0\n"),
+    ]),
+    ("scpi-table", [
+        (b"INST:SEL CH1\nINST:SEL?;:INST:NSEL?\n", b"CH1;1\n"),
+        (b"VOLT 12;:CURR 0.5;:CHAN:OUTP ON\nCHAN:OUTP?\n", b"1\n"),
+        (b"", b""),  # a second, in which the current rises
+        (b"MEASure:SCALar:VOLTage:DC?\n", b"3.0024\n"),
+        (b"CHAN:OUTP 0\nCHAN:OUTP?\nINST:SEL CH3\nSYST:ERR?\n", b'0\n-222,"Data out of range"\n'),
     ]),
     ("kepco-bop", [
         (b"CURR 1\nSYST:ERR?\n*ESR?\n", b'-221,"Settings conflict"\n144\n'),
