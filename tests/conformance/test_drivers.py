@@ -92,7 +92,14 @@ FORBIDDEN = {  # a message of each driver's deny-list
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "manual": [b"x"],
-}
+    "thorlabs-apt": [  # relative, endless, jog, a new zero, to flash, an immediate stop of a rack, two messages in one
+        bytes.fromhex(h)
+        for h in (
+            "48040600d001010055150200", "570401015001", "6a0401015001", "10040600d001010000000000",
+            "b9040400d00101005304", "650401012101", "110401005001480401005001",
+        )
+    ],
+}  # fmt: skip
 TO_PANEL = {  # what a supply's driver says last, once zero and off are read back; the others' panels need no word
     "tti-pl": b"LOCAL\n",
     "rigol-dp800": b":SYST:LOC\n",

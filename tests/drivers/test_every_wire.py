@@ -6,6 +6,7 @@ Bytes are those of the manuals and fact sheets; what is special to one instrumen
 from __future__ import annotations
 
 import socket
+import struct
 import threading
 import time
 from collections.abc import Callable
@@ -118,6 +119,12 @@ def zaber(k: int, position: int = 384_000) -> tuple[bytes, bytes]:
     return b"/1 1 %02d get pos\r\n" % (k + 2), b"@01 1 %02d OK IDLE -- %d\r\n" % (k + 2, position)
 
 
+def apt_position(counts: int) -> bytes:
+    """MOT_GET_POSCOUNTER of channel 1."""
+    return struct.pack("<HHBBHi", 0x0412, 6, 0x81, 0x50, 1, counts)
+
+
+APT_WHO = struct.pack("<HHBBI8sH4s60s3H", 6, 84, 0x81, 0x50, 55_000_042, b"K10CR1", 16, b"\3\0\1", b"", 1, 3, 1)
 FETCH = b":INIT;:FETC:ARR:X? 1,9;:FETC:ARR:Y? 1,9;:FETC:ARR:Z? 1,9\n"
 WIRES: dict[str, Wire] = {
     "rigol-dp800": Wire(
@@ -181,6 +188,12 @@ WIRES: dict[str, Wire] = {
     "newport-smc100": Wire(
         always(b"1TP\r\n", b"1TP30.5\r\n"), angle, 30.5, b"1TP99.0\r\n", nonsense=(b"2TP30.5\r\n", b"1TS000033\r\n"),
         timeout_s=0.5, settings={"tries": 1},
+    ),
+    "thorlabs-apt": Wire(
+        always(bytes.fromhex("110401005001"), apt_position(4_164_267)), angle, 30.5, apt_position(9_999),
+        before=[(bytes.fromhex("120000005001"), None), (bytes.fromhex("050000005001"), APT_WHO)],
+        prepare=lambda d: d.identify(), timeout_s=0.5,
+        nonsense=(bytes.fromhex("120406008150") + b"\2\0\0\0\0\0", bytes.fromhex("150406008150010000000000")),
     ),
     "oriental-az": Wire(
         always(*read("0103 00CC 0002", words(1525))), angle, 30.5, read("0103 00CC 0002", words(111))[1]
