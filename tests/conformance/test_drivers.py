@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from drivers.framing.tmcl import summed
 from labcal.bench.clock import RealClock
 from labcal.bench.links import EmulatedLink, WiredLink, open_link
 from labcal.errors import InstrumentError
@@ -92,6 +93,12 @@ FORBIDDEN = {  # a message of each driver's deny-list
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "manual": [b"x"],
+    "pi-gcs2": [b"MVR 1 5\n", b"POS 1 0\n", b"SEP 100 1 0x50 4\n", b"SPA 1 0x1 9\n", b"RBT\n", b"MOV 1 5\nMVR 1 5\n"],
+    "standa-8smc5": [b"movr" + bytes(14), b"left", b"rigt", b"save", b"spos" + bytes(22), b"cmdf", b"getsleft"],
+    "trinamic-tmcl": [  # endless, relative, another parameter, to memory, an output, factory settings, its driver
+        summed(1, command, kind, 0, 5)
+        for command, kind in ((1, 0), (4, 1), (5, 6), (7, 4), (14, 0), (137, 0), (147, 0))
+    ],
     "thorlabs-apt": [  # relative, endless, jog, a new zero, to flash, an immediate stop of a rack, two messages in one
         bytes.fromhex(h)
         for h in (
