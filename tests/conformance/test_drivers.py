@@ -35,6 +35,7 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
         "signals": {"x": "Field.Bx", "y": "Field.By", "z": "Field.Bz", "count": "Field.Counter"},
     },
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
+    "velmex-vxm": {"home": "negative"},
     "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
 FORBIDDEN = {  # a message of each driver's deny-list
@@ -95,6 +96,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "manual": [b"x"],
     "pi-gcs2": [b"MVR 1 5\n", b"POS 1 0\n", b"SEP 100 1 0x50 4\n", b"SPA 1 0x1 9\n", b"RBT\n", b"MOV 1 5\nMVR 1 5\n"],
     "standa-8smc5": [b"movr" + bytes(14), b"left", b"rigt", b"save", b"spos" + bytes(22), b"cmdf", b"getsleft"],
+    "velmex-vxm": [b"I1M400,R\r", b"C,S1M80,I1M5,R\r", b"N\r", b"C,IA1M-0,R\rI1M5,R\r", b"setM1M4\r", b"rst\r"],
     "trinamic-tmcl": [  # endless, relative, another parameter, to memory, an output, factory settings, its driver
         summed(1, command, kind, 0, 5)
         for command, kind in ((1, 0), (4, 1), (5, 6), (7, 4), (14, 0), (137, 0), (147, 0))

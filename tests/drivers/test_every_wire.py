@@ -205,8 +205,12 @@ WIRES: dict[str, Wire] = {
         nonsense=(b"2=30.5\n", b"1=nan\n", b"30.5\n", b"1 0x50=30.5\n"), timeout_s=0.5,
     ),
     "standa-8smc5": Wire(
-        always(b"gets", standa(2440)), angle, 30.5, standa(7), timeout_s=0.5, before=[(b"geng", STANDA_PARTS)],
-        prepare=lambda d: d._parts(), nonsense=(standa(2440)[:-1] + b"\0", b"gpos" + standa(2440)[4:]),
+        always(b"gets", standa(2440)), angle, 30.5, standa(7), timeout_s=0.5, before=[(b"gets", standa(0)), (b"geng", STANDA_PARTS)],
+        prepare=angle, nonsense=(standa(2440)[:-1] + b"\0", b"gpos" + standa(2440)[4:]),
+    ),
+    "velmex-vxm": Wire(
+        always(b"X\r", b"+0001220\r"), angle, 30.5, b"+0009999\r", timeout_s=0.5,
+        nonsense=(b"X\r", b"1220\r", b"+000122\r", b"+00012.0\r"),
     ),
     "trinamic-tmcl": Wire(
         always(tmcl(1, 6, 1, 0, 0), tmcl(2, 1, 100, 6, 390_400)), angle, 30.5, tmcl(2, 1, 100, 6, 7), timeout_s=0.5,
