@@ -205,8 +205,8 @@ WIRES: dict[str, Wire] = {
         nonsense=(b"2=30.5\n", b"1=nan\n", b"30.5\n", b"1 0x50=30.5\n"), timeout_s=0.5,
     ),
     "standa-8smc5": Wire(
-        always(b"gets", standa(2440)), angle, 30.5, standa(7), timeout_s=0.5, before=[(b"gets", standa(0)), (b"geng", STANDA_PARTS)],
-        prepare=angle, nonsense=(standa(2440)[:-1] + b"\0", b"gpos" + standa(2440)[4:]),
+        always(b"gets", standa(2440)), angle, 30.5, standa(7), timeout_s=0.5,
+        before=[(b"gets", standa(0)), (b"geng", STANDA_PARTS)], prepare=angle, nonsense=(standa(2440)[:-1] + b"\0", b"gpos" + standa(2440)[4:]),
     ),
     "velmex-vxm": Wire(
         always(b"X\r", b"+0001220\r"), angle, 30.5, b"+0009999\r", timeout_s=0.5,
