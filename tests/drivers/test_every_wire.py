@@ -206,7 +206,8 @@ WIRES: dict[str, Wire] = {
     ),
     "standa-8smc5": Wire(
         always(b"gets", standa(2440)), angle, 30.5, standa(7), timeout_s=0.5,
-        before=[(b"gets", standa(0)), (b"geng", STANDA_PARTS)], prepare=angle, nonsense=(standa(2440)[:-1] + b"\0", b"gpos" + standa(2440)[4:]),
+        before=[(b"gets", standa(0)), (b"geng", STANDA_PARTS)], prepare=angle,
+        nonsense=(standa(2440)[:-1] + b"\0", b"gpos" + standa(2440)[4:]),
     ),
     "velmex-vxm": Wire(
         always(b"X\r", b"+0001220\r"), angle, 30.5, b"+0009999\r", timeout_s=0.5,
