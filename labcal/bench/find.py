@@ -25,6 +25,7 @@ IDN = (  # of what answers *IDN?, by its text
     (r"[^,]*,E3631[123]A,.*", "keysight-e36300", "coil"),
     (r"(KORAD|TENMA|VELLEMAN).*", "korad-ka3005p", "coil"),
     (r"METROLAB.*", "metrolab", "reference"),
+    (r"\(C\)[^,]*PHYSIK INSTRUMENTE[^,]*,.*", "pi-gcs2", "platform"),
 )
 Recognise = Callable[[str], dict[str, str] | None]
 

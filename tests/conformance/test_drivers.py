@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from drivers.framing.tmcl import summed
 from labcal.bench.clock import RealClock
 from labcal.bench.links import EmulatedLink, WiredLink, open_link
 from labcal.errors import InstrumentError
@@ -34,6 +35,7 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
         "signals": {"x": "Field.Bx", "y": "Field.By", "z": "Field.Bz", "count": "Field.Counter"},
     },
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
+    "velmex-vxm": {"home": "negative"},
     "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
 FORBIDDEN = {  # a message of each driver's deny-list
@@ -92,7 +94,21 @@ FORBIDDEN = {  # a message of each driver's deny-list
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "manual": [b"x"],
-}
+    "pi-gcs2": [b"MVR 1 5\n", b"POS 1 0\n", b"SEP 100 1 0x50 4\n", b"SPA 1 0x1 9\n", b"RBT\n", b"MOV 1 5\nMVR 1 5\n"],
+    "standa-8smc5": [b"movr" + bytes(14), b"left", b"rigt", b"save", b"spos" + bytes(22), b"cmdf", b"getsleft"],
+    "velmex-vxm": [b"I1M400,R\r", b"C,S1M80,I1M5,R\r", b"N\r", b"C,IA1M-0,R\rI1M5,R\r", b"setM1M4\r", b"rst\r"],
+    "trinamic-tmcl": [  # endless, relative, another parameter, to memory, an output, factory settings, its driver
+        summed(1, command, kind, 0, 5)
+        for command, kind in ((1, 0), (4, 1), (5, 6), (7, 4), (14, 0), (137, 0), (147, 0))
+    ],
+    "thorlabs-apt": [  # relative, endless, jog, a new zero, to flash, an immediate stop of a rack, two messages in one
+        bytes.fromhex(h)
+        for h in (
+            "48040600d001010055150200", "570401015001", "6a0401015001", "10040600d001010000000000",
+            "b9040400d00101005304", "650401012101", "110401005001480401005001",
+        )
+    ],
+}  # fmt: skip
 TO_PANEL = {  # what a supply's driver says last, once zero and off are read back; the others' panels need no word
     "tti-pl": b"LOCAL\n",
     "rigol-dp800": b":SYST:LOC\n",

@@ -6,6 +6,7 @@ Bytes are those of the manuals and fact sheets; what is special to one instrumen
 from __future__ import annotations
 
 import socket
+import struct
 import threading
 import time
 from collections.abc import Callable
@@ -18,7 +19,9 @@ import numpy as np
 import pytest
 from frames import read, rtu
 
+from drivers.framing import ximc
 from drivers.framing.coil_line import sealed
+from drivers.framing.tmcl import summed as tmcl
 from labcal.bench.clock import RealClock
 from labcal.bench.config import DutLimits, PlatformConfig
 from labcal.bench.driver_kit.testing import SILENT, UNPLUGGED, Exchange, scripted
@@ -118,6 +121,21 @@ def zaber(k: int, position: int = 384_000) -> tuple[bytes, bytes]:
     return b"/1 1 %02d get pos\r\n" % (k + 2), b"@01 1 %02d OK IDLE -- %d\r\n" % (k + 2, position)
 
 
+def standa(steps: int) -> bytes:
+    """The status of an 8SMC5 at rest."""
+    form = ximc.ANSWERS["gets"]
+    return b"gets" + ximc.packed(struct.pack(form, 0, 1, 1, 0, 0, steps, 0, *[0] * 8, 32, 0, 8))
+
+
+STANDA_PARTS = b"geng" + ximc.packed(struct.pack(ximc.ANSWERS["geng"], 0, 670, 3200, 0, 164, 200, 9, 0))
+
+
+def apt_position(counts: int) -> bytes:
+    """MOT_GET_POSCOUNTER of channel 1."""
+    return struct.pack("<HHBBHi", 0x0412, 6, 0x81, 0x50, 1, counts)
+
+
+APT_WHO = struct.pack("<HHBBI8sH4s60s3H", 6, 84, 0x81, 0x50, 55_000_042, b"K10CR1", 16, b"\3\0\1", b"", 1, 3, 1)
 FETCH = b":INIT;:FETC:ARR:X? 1,9;:FETC:ARR:Y? 1,9;:FETC:ARR:Z? 1,9\n"
 WIRES: dict[str, Wire] = {
     "rigol-dp800": Wire(
@@ -181,6 +199,29 @@ WIRES: dict[str, Wire] = {
     "newport-smc100": Wire(
         always(b"1TP\r\n", b"1TP30.5\r\n"), angle, 30.5, b"1TP99.0\r\n", nonsense=(b"2TP30.5\r\n", b"1TS000033\r\n"),
         timeout_s=0.5, settings={"tries": 1},
+    ),
+    "pi-gcs2": Wire(
+        always(b"POS? 1\n", b"1=30.500000\n"), angle, 30.5, b"1=99.0\n",
+        nonsense=(b"2=30.5\n", b"1=nan\n", b"30.5\n", b"1 0x50=30.5\n"), timeout_s=0.5,
+    ),
+    "standa-8smc5": Wire(
+        always(b"gets", standa(2440)), angle, 30.5, standa(7), timeout_s=0.5,
+        before=[(b"gets", standa(0)), (b"geng", STANDA_PARTS)], prepare=angle,
+        nonsense=(standa(2440)[:-1] + b"\0", b"gpos" + standa(2440)[4:]),
+    ),
+    "velmex-vxm": Wire(
+        always(b"X\r", b"+0001220\r"), angle, 30.5, b"+0009999\r", timeout_s=0.5,
+        nonsense=(b"X\r", b"1220\r", b"+000122\r", b"+00012.0\r"),
+    ),
+    "trinamic-tmcl": Wire(
+        always(tmcl(1, 6, 1, 0, 0), tmcl(2, 1, 100, 6, 390_400)), angle, 30.5, tmcl(2, 1, 100, 6, 7), timeout_s=0.5,
+        nonsense=(tmcl(2, 3, 100, 6, 390_400), tmcl(2, 1, 100, 5, 390_400), tmcl(2, 1, 3, 6, 390_400)),
+    ),
+    "thorlabs-apt": Wire(
+        always(bytes.fromhex("110401005001"), apt_position(4_164_267)), angle, 30.5, apt_position(9_999),
+        before=[(bytes.fromhex("120000005001"), None), (bytes.fromhex("050000005001"), APT_WHO)],
+        prepare=lambda d: d.identify(), timeout_s=0.5,
+        nonsense=(bytes.fromhex("120406008150") + b"\2\0\0\0\0\0", bytes.fromhex("150406008150010000000000")),
     ),
     "oriental-az": Wire(
         always(*read("0103 00CC 0002", words(1525))), angle, 30.5, read("0103 00CC 0002", words(111))[1]
