@@ -21,7 +21,7 @@ from labcal.bench.steps import Resume
 from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
-from labcal.record.stream import NOT_KEPT, Event, Item, Measurement, Step
+from labcal.record.stream import NOT_KEPT, REMARK, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
 from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
@@ -82,13 +82,15 @@ def run_procedure(
     specification: Specification | None = None,
     run_id: str | None = None,
     filled: Mapping[str, Any] | None = None,
+    remark: str | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
     show: Show = lambda state: None,
 ) -> Outcome:
     """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
 
-    `filled` are keywords that no text can state, such as a calibration that was read from its file.
+    `filled` are keywords that no text can state, such as a calibration that was read from its file; `remark` is put
+    into the record before the first sample.
     Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
     wrong later is in the Outcome, and so is how the coils were left.
     """
@@ -117,6 +119,7 @@ def run_procedure(
     )
     writer = store.begin(header, lambda: iso(bench.clock.utc()))
     _tell_lifted(bench, writer, bench.clock.now())
+    _remark(remark, writer, bench.clock.now(), tell)
     return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
 
 
@@ -128,6 +131,7 @@ def resume_run(
     store: Store,
     answer: Answer,
     dut_serial: str | None = None,
+    remark: str | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
     show: Show = lambda state: None,
@@ -147,6 +151,7 @@ def resume_run(
     software = {"software": f"labcal {__version__}"}
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
     _tell_lifted(bench, writer, at_s)
+    _remark(remark, writer, at_s, tell)
     return _drive(bench, procedure, values | {"resume": done}, writer, answer, control, tell, show, offset)
 
 
@@ -154,6 +159,13 @@ def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
     """Who lifted the doubt that the coils were at zero, and what was measured, into the first record after it."""
     if (doubt := bench.cage.latch.told()) is not None:
         writer.write(Event(t_s, "zero-in-doubt", f"{doubt.utc}: {doubt.words}; lifted: {doubt.lifted}", asdict(doubt)))
+
+
+def _remark(text: str | None, writer: RunWriter, t_s: float, tell: Tell) -> None:
+    if text is not None:
+        item = Event(t_s, REMARK, text)
+        writer.write(item)
+        tell(item)
 
 
 def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:
