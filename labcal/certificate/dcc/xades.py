@@ -64,7 +64,7 @@ def signed_xml(xml: bytes, by: XmlKey) -> bytes:
     """The document with its signature as the last child of its root. Raises InputError where signxml is missing."""
     try:
         from lxml import etree
-        from signxml.xades import XAdESDataObjectFormat, XAdESSigner
+        from signxml.xades.xades import XAdESDataObjectFormat, XAdESSigner
     except ImportError:
         raise InputError(MISSING) from None
     form = XAdESDataObjectFormat("Digital Calibration Certificate", "application/xml")
