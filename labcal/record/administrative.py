@@ -72,7 +72,7 @@ class Laboratory(Address):
     def __post_init__(self) -> None:
         _Stated.__post_init__(self)
         if self.timestamp_url is not None and not re.fullmatch(r"https?://[^\s/@]+(/\S*)?", self.timestamp_url):
-            raise ValueError(f"timestamp_url must be as http://HOST/PATH, without a password: {self.timestamp_url!r}")
+            raise ValueError("timestamp_url must be as http://HOST/PATH, without blanks or a password")
         if not re.fullmatch("[A-Z0-9]{1,12}", self.code):
             raise ValueError(f"code must be 1 to 12 capital letters and digits, not {self.code!r}")
 

@@ -33,7 +33,7 @@ from labcal.record import Run
 from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.session.audited import note_file, note_run, read_audit
-from labcal.session.cage import approve_cage, approver_with_key, cage_remark
+from labcal.session.cage import approve_cage, cage_remark
 from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import Asked, Taken, import_foreign
@@ -73,7 +73,6 @@ __all__ = [
     "apply_calibration",
     "approve",
     "approve_cage",
-    "approver_with_key",
     "asks_passphrase",
     "cage_remark",
     "changed_since",
@@ -177,17 +176,9 @@ def resume(
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
         outcome = resume_run(
-            lab,
-            found,
-            run,
-            store=kept,
-            answer=ask,
-            dut_serial=dut,
-            remark=remark,
-            control=control,
-            tell=tell,
+            lab, found, run, store=kept, answer=ask, dut_serial=dut, remark=remark, control=control, tell=tell,
             show=show,
-        )
+        )  # fmt: skip
         return note_run(outcome, kept, kept.header(run).operator)
 
 

@@ -24,43 +24,27 @@ from labcal.session.trust import handed_out
 from labcal.store import Store
 
 
-def approver_with_key(name: str) -> str | None:
-    """Whose key at hand signs for the approver `name`; None where they have none here: the file stays unsigned.
-
-    Raises InputError where this lab has roles, so that it would not be used unsigned.
-    """
-    trusted = certificate.keys.trusted(home())
-    found = cage_signer(name, trusted)
-    if found is not None and certificate.keys.has_key_at_hand(home(), found):
-        return found
-    if any(signer.roles for signer in trusted):
-        told = f"in this lab an approver with a role signs a cage calibration, and no key of {name} is at hand here"
-        raise InputError(f"{told}; nothing was written")
-    return None
-
-
 def approve_cage(
     run: str,
     name: str,
     out: Path,
-    passphrase: str = "",
+    ask: Callable[[str], str] = lambda signer: "",
     *,
     tell: Callable[[str], None] = lambda remark: None,
     force: bool = False,
 ) -> tuple[CageCalibration, Path | None]:
     """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft.
 
-    Signed by them, under `passphrase`, where their key is at hand. Returns the signature's path too; `tell`
-    hears what came of asking for a time stamp.
+    Signed by them where their key is at hand: `ask` is asked for its passphrase, once all else is well. Returns the
+    signature's path too; `tell` hears what came of asking for a time stamp.
     """
     [output] = claim("bench cage", out, force=force)
-    signer = approver_with_key(name)
-    certificate.check_approver(signer or " ".join(name.split()), certificate.keys.trusted(home()))
+    signer = _approver_with_key(name)
     with Store.open() as kept:
         found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
     armoured = None
     if signer is not None:
-        armoured = signed(cage_text(found).encode(), certificate.keys.signing_key(home(), signer, passphrase))
+        armoured = signed(cage_text(found).encode(), certificate.keys.signing_key(home(), signer, ask(signer)))
     with output.writing():
         write_cage(found, out)
     signature = None if armoured is None else cage_signature_file(out)
@@ -85,3 +69,19 @@ def cage_remark(bench: Path) -> str | None:
         approver = read_cage(cage).approved_by
     gone = certificate.keys.revoked(home())
     return check_cage(cage, approver, handed_out(), gone, datetime.now(UTC), shown)
+
+
+def _approver_with_key(name: str) -> str | None:
+    """Whose key at hand signs for the approver `name`; None where they have none here: the file stays unsigned.
+
+    Raises InputError where they lack the role, or this lab has roles, so that it would not be used unsigned.
+    """
+    trusted = certificate.keys.trusted(home())
+    found = cage_signer(name, trusted)
+    certificate.check_approver(found or " ".join(name.split()), trusted)
+    if found is not None and certificate.keys.has_key_at_hand(home(), found):
+        return found
+    if any(signer.roles for signer in trusted):
+        told = f"in this lab an approver with a role signs a cage calibration, and no key of {name} is at hand here"
+        raise InputError(f"{told}; nothing was written")
+    return None

@@ -125,8 +125,6 @@ class CertificatePage(QWidget):
         card.body.addWidget(self.views.told)
         self.next = label("", "", wrap=True)
         card.body.addWidget(self.next)
-        self.stated = StatedRow()
-        card.body.addWidget(self.stated)
         card.body.addLayout(self._approve_row())
         card.body.addLayout(self._sign_row())
         card.body.addLayout(self._paper_row())
@@ -147,7 +145,9 @@ class CertificatePage(QWidget):
         self.approve.clicked.connect(self._approve)
         row = QHBoxLayout()
         row.addWidget(label(self.tr("1"), "title"))
+        self.stated = StatedRow()
         row.addWidget(self.approver, 1)
+        row.addWidget(self.stated, 1)
         row.addWidget(self.approve)
         return row
 

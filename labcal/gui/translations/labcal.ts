@@ -1607,15 +1607,11 @@
 <context>
     <name>StatedRow</name>
     <message>
-        <source>Good until, as 2027-11-21</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The last day on which it is good; empty: no date is stated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Good until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

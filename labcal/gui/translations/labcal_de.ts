@@ -1607,12 +1607,8 @@
 <context>
     <name>StatedRow</name>
     <message>
-        <source>Good until, as 2027-11-21</source>
-        <translation>Gültig bis, etwa 2027-11-21</translation>
-    </message>
-    <message>
-        <source>The last day on which it is good; empty: no date is stated</source>
-        <translation>Der letzte Tag, an dem sie gilt; leer: kein Datum</translation>
+        <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
+        <translation>Der letzte Tag, an dem sie gilt, etwa 2027-11-21; leer: kein Datum</translation>
     </message>
     <message>
         <source>Good until</source>

@@ -1607,12 +1607,8 @@
 <context>
     <name>StatedRow</name>
     <message>
-        <source>Good until, as 2027-11-21</source>
-        <translation>Valable jusqu’au, p. ex. 2027-11-21</translation>
-    </message>
-    <message>
-        <source>The last day on which it is good; empty: no date is stated</source>
-        <translation>Le dernier jour où il est valable ; vide : aucune date</translation>
+        <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
+        <translation>Le dernier jour où il est valable, p. ex. 2027-11-21 ; vide : aucune date</translation>
     </message>
     <message>
         <source>Good until</source>

@@ -23,8 +23,8 @@ class StatedRow(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(GRID)
         self.until = QLineEdit()
-        self.until.setPlaceholderText(self.tr("Good until, as 2027-11-21"))
-        self.until.setToolTip(self.tr("The last day on which it is good; empty: no date is stated"))
+        self.until.setPlaceholderText(self.tr("Good until"))
+        self.until.setToolTip(self.tr("The last day on which it is good, as 2027-11-21; empty: no date is stated"))
         self.until.setAccessibleName(self.tr("Good until"))
         self.superseded = combo_box(
             self.tr("The calibration of the same serial that this one takes the place of"), self.tr("Supersedes")
