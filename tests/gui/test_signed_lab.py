@@ -72,7 +72,7 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "a.smith" in page.standing.text(), timeout=LONG_MS)
     assert not page.fault.isVisible()
-    assert not page.stated.isVisible()  # what the approver has seen stays
+    assert not page.stated.until.isVisible()  # what the approver has seen stays
     assert json.loads(Path(page.chosen().path).read_text())["validity"]["until"] == "2099-12-31"
     page.signer.setCurrentText("jdoe@lab")
     page.passphrase.setText("a long passphrase")

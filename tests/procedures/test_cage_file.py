@@ -200,8 +200,11 @@ def test_a_cage_that_another_signed_or_whose_signer_is_revoked_or_lacks_the_role
     cage.with_name("cage.json.sshsig").unlink()
     with pytest.raises(InputError, match="is not signed, and in this lab an approver with a role signs it"):
         session.cage_remark(bench)
-    with pytest.raises(InputError, match=r"no key of R. Loe is at hand here; nothing was written"):
+    with pytest.raises(InputError, match=r"R\. Loe has not the role approve; nothing was written"):
         session.approve_cage("any", "R. Loe", tmp_path / "another.json")
+    (home() / "keys" / "eve.pem").unlink()
+    with pytest.raises(InputError, match=r"no key of eve is at hand here; nothing was written"):
+        session.approve_cage("any", "eve", tmp_path / "another.json")
     a_signed_cage(tmp_path)
     session.revoke_keys("r.roe")
     with pytest.raises(InputError, match="its key is revoked"):

@@ -44,7 +44,7 @@ from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
-from labcal.gui.widgets.stated_row import StatedRow
+from labcal.gui.widgets.stated_fields import StatedFields
 
 R = TypeVar("R")
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
@@ -145,9 +145,9 @@ class CertificatePage(QWidget):
         self.approve.clicked.connect(self._approve)
         row = QHBoxLayout()
         row.addWidget(label(self.tr("1"), "title"))
-        self.stated = StatedRow()
-        row.addWidget(self.approver, 1)
-        row.addWidget(self.stated, 1)
+        self.stated = StatedFields()
+        row.addWidget(self.approver, 2)
+        row.addWidget(self.stated.superseded, 1)
         row.addWidget(self.approve)
         return row
 
@@ -179,6 +179,7 @@ class CertificatePage(QWidget):
         grid = QGridLayout()
         grid.addWidget(label(self.tr("2"), "title"), 0, 0)
         grid.addWidget(self.signer, 0, 1, 1, 2)
+        grid.addWidget(self.stated.until, 0, 3)
         grid.addWidget(self.passphrase, 1, 1)
         grid.addWidget(self.again, 1, 2)
         for widget in (self.new_key, self.sign):

@@ -1605,13 +1605,17 @@
     </message>
 </context>
 <context>
-    <name>StatedRow</name>
+    <name>StatedFields</name>
     <message>
         <source>Good until</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1605,7 +1605,11 @@
     </message>
 </context>
 <context>
-    <name>StatedRow</name>
+    <name>StatedFields</name>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
         <translation>Der letzte Tag, an dem sie gilt, etwa 2027-11-21; leer: kein Datum</translation>

@@ -1605,7 +1605,11 @@
     </message>
 </context>
 <context>
-    <name>StatedRow</name>
+    <name>StatedFields</name>
+    <message>
+        <source>Until</source>
+        <translation>Jusqu’au</translation>
+    </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
         <translation>Le dernier jour où il est valable, p. ex. 2027-11-21 ; vide : aucune date</translation>

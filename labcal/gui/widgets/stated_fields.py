@@ -5,37 +5,32 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QWidget
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QLineEdit, QSizePolicy
 
 from labcal.gui.ipc.answers import CalibrationFile
-from labcal.gui.theming.theme import GRID
 from labcal.gui.widgets.common import combo_box
 
 
-class StatedRow(QWidget):
+class StatedFields(QObject):
     """Two fields for a draft that nobody has approved yet, both empty at first; away for any other file."""
 
     def __init__(self) -> None:
         super().__init__()
         self._draft = ""
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(GRID)
         self.until = QLineEdit()
-        self.until.setPlaceholderText(self.tr("Good until"))
+        self.until.setPlaceholderText(self.tr("Until"))
+        self.until.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)  # as wide as what is below it
         self.until.setToolTip(self.tr("The last day on which it is good, as 2027-11-21; empty: no date is stated"))
         self.until.setAccessibleName(self.tr("Good until"))
-        self.superseded = combo_box(
-            self.tr("The calibration of the same serial that this one takes the place of"), self.tr("Supersedes")
-        )
-        row.addWidget(self.until, 1)
-        row.addWidget(self.superseded, 1)
+        tip = self.tr("The calibration of the same serial that this one takes the place of")
+        self.superseded = combo_box(tip, self.tr("Supersedes"), letters=6)
 
     def show_draft(self, one: CalibrationFile | None, others: Iterable[CalibrationFile]) -> None:
         """What can be stated of this file: nothing where it is approved or signed."""
         draft = one is not None and not one.standing.signatures and not one.approvers
-        self.setVisible(draft)
+        for field in (self.until, self.superseded):
+            field.setVisible(draft)
         if one is None or not draft or one.path == self._draft:
             return
         self._draft = one.path
@@ -48,6 +43,6 @@ class StatedRow(QWidget):
 
     def stated(self) -> tuple[str, str]:
         """The day, and the file that is superseded; "" for neither, and for both where there is nothing to state."""
-        if self.isHidden():
+        if self.until.isHidden():
             return "", ""
         return self.until.text().strip(), str(self.superseded.currentData(Qt.ItemDataRole.UserRole) or "")
