@@ -23,7 +23,7 @@ from labcal.certificate.signing import (
     signature_files,
     verify,
 )
-from labcal.certificate.stated import Stated, stated_by_people
+from labcal.certificate.stated import Stated, state, stated_by_people
 from labcal.certificate.superseding import keep_superseding, superseded_by
 
 __all__ = [
@@ -53,6 +53,7 @@ __all__ = [
     "sign",
     "sign_simulated",
     "signature_files",
+    "state",
     "stated_by_people",
     "superseded_by",
     "verify",

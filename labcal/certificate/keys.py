@@ -25,7 +25,7 @@ from labcal.certificate.administration import (
     check_list,
     signature_file,
 )
-from labcal.certificate.agent import Key, in_agent, public_half, signed
+from labcal.certificate.agent import AgentKey, Key, in_agent, public_half, signed
 from labcal.certificate.allowed_signers import (
     LARGEST_BYTES,
     NEVER,
@@ -108,18 +108,29 @@ def has_private_key(home: Path, name: str) -> bool:
     return _private(home, name).exists()
 
 
+def has_key_at_hand(home: Path, name: str) -> bool:
+    """Whether `name` can sign here: by a key file, or by a key of theirs that the SSH agent holds."""
+    return has_private_key(home, name) or _agents(home, name)[1] is not None
+
+
 def signing_key(home: Path, name: str, passphrase: str) -> Key:
     """The key of `name`: the one that lies here, else one in the SSH agent that the list knows as theirs.
 
     Raises InputError.
     """
     if not has_private_key(home, name):
-        theirs = [s for s in with_revocations(listed(home)) if s.principal == name and not s.revoked]
-        if (held := in_agent(theirs)) is not None:
+        theirs, held = _agents(home, name)
+        if held is not None:
             return held
         if theirs:
             raise InputError(f"there is no key for {name} here, and no SSH agent here holds theirs; nothing was signed")
     return open_key(home, name, passphrase)
+
+
+def _agents(home: Path, name: str) -> tuple[list[Signer], AgentKey | None]:
+    """The keys of `name` that are good, and the one of them that the SSH agent holds."""
+    theirs = [s for s in with_revocations(listed(home)) if s.principal == name and not s.revoked]
+    return theirs, in_agent(theirs)
 
 
 def trust_list(home: Path) -> Path:

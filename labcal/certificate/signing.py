@@ -22,6 +22,7 @@ from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes
 from labcal.certificate.keys import SIMULATED
 from labcal.certificate.recomputed import Recomputed
 from labcal.certificate.sshsig import NAMESPACE, BadSignature, public_key_blob
+from labcal.certificate.timestamp import ShownTime, claimed
 from labcal.errors import InputError
 from labcal.files import atomic
 from labcal.model import Calibration
@@ -29,7 +30,7 @@ from labcal.record.person import same_person
 
 LARGEST_SIGNATURE_BYTES = 2**14
 Status = Literal["released", "provisional", "unsigned", "invalid", "expired", "superseded"]
-Shown = Callable[[Path, bytes], datetime | None]  # a signature's file and bytes: since when they are shown to be there
+Shown = Callable[[Path, bytes], ShownTime | None]  # a signature's file and bytes: since when they are shown to be there
 Examine = Callable[[Calibration], object]  # raises InputError where something else does not hold of it
 Revise = Callable[[Calibration], Calibration]
 
@@ -38,14 +39,14 @@ Revise = Callable[[Calibration], Calibration]
 class Check:
     """What one signature file came to: `objection` is None where it holds and its signer is trusted.
 
-    `shown_utc` is when it was there already, by what its signer cannot have made; None where nothing shows that.
+    `shown` is when it was there already, and by what its signer cannot have made; None where nothing shows that.
     """
 
     file: Path
     principal: str | None
     fingerprint: str | None
     objection: str | None
-    shown_utc: datetime | None = None
+    shown: ShownTime | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +102,11 @@ class Verification:
         if self.calibration and (lacking := roles.objection(self.calibration, self.signers, self.trusted)):
             return lacking
         return None if self.recomputed is None or self.recomputed.same else "its numbers were not confirmed by its run"
+
+    def signed_at(self, check: Check) -> str:
+        """When that signature was made, with what says so."""
+        stated = self.calibration.issued_utc if self.calibration else None
+        return claimed(stated) if check.shown is None else check.shown.in_words()
 
     def faults(self) -> list[str]:
         """What is against its signatures and its run, a sentence each."""
@@ -227,7 +233,7 @@ def sign(
     there, spent = _expected(path), list[Path]()
     for file in there:
         earlier, armoured = _holding(file, content)
-        if (line := revoked.get(earlier.public_key)) and line.objection(NAMESPACE, shown(file, armoured) or _now()):
+        if (line := revoked.get(earlier.public_key)) and line.objection(NAMESPACE, _at(shown(file, armoured), _now())):
             spent.append(file)
         elif earlier.public_key in person:
             raise InputError(f"{name} has signed it already ({file.name}); a second person signs next", file=path)
@@ -273,7 +279,7 @@ def verify(
     """
     content = read_limited(path, LARGEST_BYTES)
     trusted = with_revocations(signers)
-    checks = _once_each([_check(file, content, trusted, revoked, now, shown) for file in _expected(path)])
+    checks = _once_each([check_signature(file, content, trusted, revoked, now, shown) for file in _expected(path)])
     if all(check.objection for check in checks):
         return Verification(path, content, checks, None)
     calibration = parse_calibration(content, path)
@@ -310,9 +316,10 @@ def _expected(path: Path) -> list[Path]:
     return sorted({*there, *(_signature_path(path, n + 1) for n in range(len(there)))}, key=lambda f: (len(f.name), f))
 
 
-def _check(
+def check_signature(
     file: Path, content: bytes, signers: Sequence[Signer], revoked: frozenset[bytes], now: datetime, shown: Shown
 ) -> Check:
+    """What the signature in `file` of these bytes comes to, by a trust list and the keys that are `revoked`."""
     try:
         armoured = read_limited(file, LARGEST_SIGNATURE_BYTES)
         signature = sshsig.parse(armoured)
@@ -320,15 +327,15 @@ def _check(
         return Check(file, None, None, "is missing, though a later signature is there")
     except (BadSignature, InputError) as error:
         return Check(file, None, None, error.what if isinstance(error, InputError) else str(error))
-    shown_utc = shown(file, armoured)
-    at = shown_utc or now
+    seen = shown(file, armoured)
+    at = _at(seen, now)
     mine = [s for s in signers if s.key == signature.public_key]
     mine.sort(key=lambda signer: signer.objection(NAMESPACE, at) is not None)  # one line that vouches is enough
     objection = _objection(signature, content, mine, revoked, at)
-    if objection and shown_utc is None and mine and mine[0].revoked and (mine[0].valid_before or NEVER) > NEVER:
+    if objection and seen is None and mine and mine[0].revoked and (mine[0].valid_before or NEVER) > NEVER:
         objection += "; a time that is only claimed does not show that it signed before"
     principal = mine[0].principal if mine else None
-    return Check(file, principal, sshsig.fingerprint(signature.public_key), objection, shown_utc)
+    return Check(file, principal, sshsig.fingerprint(signature.public_key), objection, seen)
 
 
 def _objection(
@@ -376,6 +383,11 @@ def _holding(file: Path, content: bytes) -> tuple[sshsig.Signature, bytes]:
     except BadSignature as error:
         raise InputError(f"{error}; nothing was signed", file=file) from None
     return signature, armoured
+
+
+def _at(shown: ShownTime | None, now: datetime) -> datetime:
+    """The time at which a key is judged."""
+    return now if shown is None else shown.utc
 
 
 def _now() -> datetime:

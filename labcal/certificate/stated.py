@@ -7,8 +7,10 @@ from datetime import date, datetime
 from hashlib import sha256
 from pathlib import Path
 
-from labcal.certificate.calibration_file import LARGEST_BYTES, parse_calibration, read_limited
+from labcal.certificate.calibration_file import LARGEST_BYTES, calibration_bytes, parse_calibration, read_limited
+from labcal.certificate.signing import signature_files
 from labcal.errors import InputError
+from labcal.files.atomic import write_bytes
 from labcal.model import Calibration
 
 
@@ -35,6 +37,17 @@ class Stated:
             )
             raise InputError(f"{told}; nothing was written")
         return stated
+
+
+def state(path: Path, stated: Stated) -> Calibration:
+    """Write it into the draft at `path`, for who works alone. Raises InputError, also after any signature."""
+    draft = parse_calibration(read_limited(path, LARGEST_BYTES), path)
+    if signed := signature_files(path):
+        raise InputError(f"is signed already ({signed[0].name}); `until` and `supersedes` are a draft's", file=path)
+    changed = stated.on(draft)
+    if changed != draft:
+        write_bytes(path.resolve(), calibration_bytes(changed))
+    return changed
 
 
 def stated_by_people(until: str | None, supersedes: Path | None, today: date | None = None) -> Stated:

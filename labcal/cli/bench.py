@@ -5,11 +5,13 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 
 import typer
 
 from labcal.cli import DONE, INSTRUMENT_FAILED, NEGATIVE, app
+from labcal.cli.keys import own_passphrase
 from labcal.cli.results import FORCE
 from labcal.cli.screen import console, say
 
@@ -29,7 +31,7 @@ def check(
     from rich.table import Table
     from rich.text import Text
 
-    from labcal.session import greetings, look_again
+    from labcal.session import cage_remark, greetings, look_again
 
     table = Table("instrument", "role", "link", "answers as")
     silent = 0
@@ -43,6 +45,8 @@ def check(
         say(looked.words)
     elif clear_as:
         say("No zero of this bench is in doubt; there is nothing to clear.")
+    if (remark := cage_remark(file)) is not None:
+        say(f"! {remark}")
     raise typer.Exit(INSTRUMENT_FAILED if silent or (looked is not None and not looked.lifted) else DONE)
 
 
@@ -115,9 +119,10 @@ def cage(
     ),
     force: bool = FORCE,
 ) -> None:
-    """Approve the cage calibration of RUN, a draft until then."""
-    from labcal.session import approve_cage
+    """Approve the cage calibration of RUN, a draft until then; signed where the key of who approves it is at hand."""
+    from labcal import session
 
-    found = approve_cage(run, name, out, force=force)
+    found, signature = session.approve_cage(run, name, out, own_passphrase, tell=partial(say, err=True), force=force)
     say(f"{out}: the cage as run {found.run_id} found it, approved by {found.approved_by}")
+    say(f"{signature}: signed" if signature else f"NOT SIGNED: no key of {name} is at hand here.")
     say(f'Put calibration = "{out.name}" into [cage] of the bench file, in place of its matrix.')

@@ -109,9 +109,9 @@ class Bar(Nothing):
 
     def tell(self, item: Item) -> None:
         """Move the bar at a step, print a measurement that has a limit."""
-        from labcal.record.stream import NOT_KEPT, Event, Measurement, Step
+        from labcal.record.stream import NOT_KEPT, REMARK, Event, Measurement, Step
 
-        if isinstance(item, Event) and (item.kind == NOT_KEPT or _of_a_stream_at_once(item)):
+        if isinstance(item, Event) and (item.kind in (NOT_KEPT, REMARK) or _of_a_stream_at_once(item)):
             self._progress.console.print(f"! {item.text}", highlight=False, markup=False)
         if isinstance(item, Event) and item.kind == "slow-zero":
             self._progress.console.print(item.text, highlight=False, markup=False)

@@ -8,8 +8,10 @@ from pathlib import Path
 import typer
 
 from labcal.cli import app
+from labcal.cli.keys import passphrase
 from labcal.cli.results import FORCE
 from labcal.cli.screen import say
+from labcal.errors import InputError
 
 
 @app.command(rich_help_panel="Certificate")
@@ -20,6 +22,12 @@ def report(
     before: Path | None = typer.Option(
         None, metavar="OLDCAL", help="Say what changed since this calibration, not since the lab's own before CAL."
     ),
+    xml_key: Path | None = typer.Option(
+        None, "--xml-key", metavar="KEY.pem", help="Sign a DCC's XML (XAdES) with this key, RSA or ECDSA."
+    ),
+    xml_cert: Path | None = typer.Option(
+        None, "--xml-cert", metavar="CERT.pem", help="The key's X.509 certificate, then those of its issuers."
+    ),
     force: bool = FORCE,
 ) -> None:
     """Write the report of a run, or the certificate of a calibration.
@@ -28,6 +36,13 @@ def report(
     stderr says so; its XML needs the extra `dcc`.
     """
     from labcal import session
+    from labcal.session.reporting import XmlKeyFiles
 
-    session.report(source, out, allowed_signers, before=before, tell=partial(say, err=True), force=force)
+    if (xml_key is None) != (xml_cert is None):
+        raise InputError("--xml-key and --xml-cert belong together: a key, and the certificate that says whose it is")
+    by = None
+    if xml_key is not None and xml_cert is not None:
+        by = XmlKeyFiles(xml_key, xml_cert, partial(passphrase, f"Passphrase of {xml_key.name}: "))
+    tell = partial(say, err=True)
+    session.report(source, out, allowed_signers, before=before, xml_key=by, tell=tell, force=force)
     say(out)

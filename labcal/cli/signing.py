@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -15,7 +16,7 @@ from labcal.cli.screen import say
 from labcal.files.outputs import claim
 
 if TYPE_CHECKING:
-    from labcal.certificate import Verification
+    from labcal.certificate import Check, Verification
 
 CALIBRATION = typer.Argument(..., metavar="CAL", help="The calibration file.")
 
@@ -49,7 +50,7 @@ def sign(calibration: Path = CALIBRATION, key: str = typer.Option(..., help="The
     """
     from labcal import session
 
-    say(session.sign(calibration, key, own_passphrase(key), step_line))
+    say(session.sign(calibration, key, own_passphrase(key), step_line, partial(say, err=True)))
     if not session.load_calibration(calibration).approvers:
         say("PROVISIONAL: no approver is named, and after a signature none can be.")
 
@@ -86,9 +87,19 @@ def _document(result: Verification) -> dict[str, object]:
         "valid": result.valid,
         "status": result.status,
         "signers": list(result.signers),
+        "signatures": [_signature(result, check) for check in result.checks],
         "recomputed": None if again is None else again.same,
         "why": [*result.faults(), *(again.why if again else ()), *_limits(result)],
     }
+
+
+def _signature(result: Verification, check: Check) -> dict[str, object]:
+    """One signature: whose it is, when it was made, and by what that is known: a token, the audit log, or a claim."""
+    stated = result.calibration.issued_utc if result.calibration else None
+    seen = check.shown
+    utc = stated if seen is None else seen.utc.isoformat(timespec="seconds").replace("+00:00", "Z")
+    by = "claimed" if seen is None else seen.by
+    return {"file": check.file.name, "signer": check.principal, "good": check.objection is None, "utc": utc, "by": by}
 
 
 def _limits(result: Verification) -> list[str]:
@@ -102,6 +113,6 @@ def _limits(result: Verification) -> list[str]:
 def _show(result: Verification) -> None:
     for check in result.checks:
         signer = f"{check.principal or 'unknown'} {check.fingerprint or ''}".strip()
-        say(f"{check.file.name}: {check.objection or 'good'} ({signer})")
+        say(f"{check.file.name}: {check.objection or 'good'} ({signer}); {result.signed_at(check)}")
     for sentence in result.sentences():
         say(sentence)

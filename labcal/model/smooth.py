@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Table = tuple[tuple[float, ...], ...]
-ROUNDING = 1e-9  # of a hull's size
+ROUNDING = 1e-9  # of a hull's size: what was seen at its edge lies within
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,9 @@ class Domain:
         """Rows (n,) of inputs (n, k) that lie outside; a missing one lies nowhere, and so not outside."""
         corners = np.array(self.hull)
         if len(self.inputs) == 1:
-            return np.asarray((x[:, 0] < corners.min()) | (x[:, 0] > corners.max()))
+            low, high = corners.min(), corners.max()
+            margin = ROUNDING * (high - low)
+            return np.asarray((x[:, 0] < low - margin) | (x[:, 0] > high + margin))
         size = np.maximum(np.ptp(corners, axis=0), 1e-300)
         here, ends = x / size, corners / size
         edge = np.roll(ends, -1, axis=0) - ends

@@ -61,15 +61,18 @@ class Address(_Stated):
 class Laboratory(Address):
     """Who issues the certificate; `code` begins its numbers, `accreditation` is the body and the number it gave.
 
-    `place` is where the measurement was made, if not at this address.
+    `place` is where the measurement was made, if not at this address; `timestamp_url` whom to ask for RFC 3161 tokens.
     """
 
     code: str = "LAB"
     accreditation: str | None = None
     place: str | None = None
+    timestamp_url: str | None = None
 
     def __post_init__(self) -> None:
         _Stated.__post_init__(self)
+        if self.timestamp_url is not None and not re.fullmatch(r"https?://[^\s/@]+(/\S*)?", self.timestamp_url):
+            raise ValueError("timestamp_url must be as http://HOST/PATH, without blanks or a password")
         if not re.fullmatch("[A-Z0-9]{1,12}", self.code):
             raise ValueError(f"code must be 1 to 12 capital letters and digits, not {self.code!r}")
 

@@ -136,5 +136,6 @@ NOT_USED = (
     "not-used"  # an Event of this kind: the segments so far that its data name are kept, and no run is made of them
 )
 NOT_KEPT = "not-kept"  # an Event of this kind: the store does not take what is recorded, or not yet
+REMARK = "remark"  # an Event of this kind: what whoever uses the run has to hear of its bench
 
 Item = Block | SegmentOpened | SegmentClosed | ModeChanged | Step | Measurement | Event | Prompt

@@ -23,7 +23,7 @@ from labcal.errors import InputError, InstrumentError, LimitNotMet, Stopped
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
-from labcal.record.stream import NOT_KEPT, Event, Item, Measurement, Step
+from labcal.record.stream import NOT_KEPT, REMARK, Event, Item, Measurement, Step
 from labcal.runner.catalogue import Found
 from labcal.runner.control import Control
 from labcal.runner.drive import Drive, Ending, Show, Tell
@@ -84,6 +84,7 @@ def run_procedure(
     specification: Specification | None = None,
     run_id: str | None = None,
     filled: Mapping[str, Any] | None = None,
+    remark: str | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
     show: Show = lambda state: None,
@@ -91,8 +92,8 @@ def run_procedure(
 ) -> Outcome:
     """Run `procedure` with the settings `given` ({key: text}) into a new run of `store`.
 
-    `filled` are keywords that no text can state, such as a calibration that was read from its file.
-    `first` is an event (kind, text, data) that the record begins with.
+    `filled` are keywords that no text can state, such as a calibration that was read from its file. The record begins
+    with the event `first` (kind, text, data), and has the `remark` before its first sample.
     Raises InputError before anything moves where a setting is wrong, or the DUT has no serial number; what goes
     wrong later is in the Outcome, and so is how the coils were left.
     """
@@ -124,6 +125,7 @@ def run_procedure(
     _tell_lifted(bench, writer, bench.clock.now())
     if first is not None:
         writer.write(Event(bench.clock.now(), *first))
+    _remark(remark, writer, bench.clock.now(), tell)
     return _drive(bench, procedure, {**values, **(filled or {})}, writer, answer, control, tell, show, 0.0)
 
 
@@ -135,6 +137,7 @@ def resume_run(
     store: Store,
     answer: Answer,
     dut_serial: str | None = None,
+    remark: str | None = None,
     control: Control | None = None,
     tell: Tell = lambda item: None,
     show: Show = lambda state: None,
@@ -154,6 +157,7 @@ def resume_run(
     software = {"software": f"labcal {__version__}"}
     writer.write(Event(at_s, RESUMED, "goes on after an interruption", software))
     _tell_lifted(bench, writer, at_s)
+    _remark(remark, writer, at_s, tell)
     return _drive(bench, procedure, values | {"resume": done}, writer, answer, control, tell, show, offset)
 
 
@@ -161,6 +165,13 @@ def _tell_lifted(bench: Bench, writer: RunWriter, t_s: float) -> None:
     """Who lifted the doubt that the coils were at zero, and what was measured, into the first record after it."""
     if (doubt := bench.cage.latch.told()) is not None:
         writer.write(Event(t_s, "zero-in-doubt", f"{doubt.utc}: {doubt.words}; lifted: {doubt.lifted}", asdict(doubt)))
+
+
+def _remark(text: str | None, writer: RunWriter, t_s: float, tell: Tell) -> None:
+    if text is not None:
+        item = Event(t_s, REMARK, text)
+        writer.write(item)
+        tell(item)
 
 
 def _refuse_modes(bench: Bench, values: Mapping[str, Any]) -> None:

@@ -2,9 +2,9 @@
 
 Beside the line: `sources` (what names a run), `records` (the local store), `importing` (what others wrote), `trust`
 (keys), `signing`, `numbering` (of certificates), `reporting`, `audited` (who did what), `working_out` (a calibration
-worked out again from its run), `instruments` (the bench without a procedure), `archiving` (finished work of several
-labs in one place), `check_standard` (its charts, and who lets a run begin in spite of them), `figures` (of a run's
-sensor), and `measuring`, where the loop closes on the instruments.
+worked out again from its run), `cage` (its own calibration), `instruments` (the bench without a procedure),
+`archiving` (finished work of several labs in one place), `check_standard` (its charts, and who lets a run begin in
+spite of them), `figures` (of a run's sensor), and `measuring`, where the loop closes on the instruments.
 """
 
 from __future__ import annotations
@@ -36,11 +36,12 @@ from labcal.record.stream import Item
 from labcal.runner import Answer, Control, Outcome, find, procedures, resume_run, run_procedure, yes_to_all
 from labcal.runner.run import run_id_at
 from labcal.session.audited import note, note_file, note_run, read_audit
+from labcal.session.cage import approve_cage, cage_remark
 from labcal.session.check_standard import Override, admitted
 from labcal.session.fits import filter_history, fit_run
 from labcal.session.foreign_calibration import FOREIGN_CALIBRATIONS, import_calibration
 from labcal.session.importing import Asked, Taken, import_foreign
-from labcal.session.instruments import approve_cage, coils_off, find_instruments, greetings, look_again, serve_bench
+from labcal.session.instruments import coils_off, find_instruments, greetings, look_again, serve_bench
 from labcal.session.numbering import numbers, void_number
 from labcal.session.records import (
     check_store,
@@ -78,6 +79,7 @@ __all__ = [
     "approve",
     "approve_cage",
     "asks_passphrase",
+    "cage_remark",
     "changed_since",
     "check_store",
     "close_loop",
@@ -151,6 +153,7 @@ def run(
         filled["calibration"] = load_calibration(Path(texts.pop("calibration")))
     named = run_id or run_id_at(datetime.now(UTC))
     first = admitted(bench, dut, found.name, named, override)  # before any instrument is spoken to
+    remark = cage_remark(bench)
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
         if first is not None and override is not None:
             note("override", override.who, run=named, because=override.because, key=override.key)
@@ -158,7 +161,7 @@ def run(
             lab, found, texts, filled=filled, store=kept, answer=answer or yes_to_all(lab.simulated), operator=operator,
             dut_serial=dut, bench_file=bench.read_text(encoding="utf-8"), cage_sha256=sha256_of(lab.config, bench),
             specification=specification_of(lab.config, bench), run_id=run_id if first is None else named,
-            control=control, tell=tell, show=show, first=first,
+            remark=remark, control=control, tell=tell, show=show, first=first,
         )  # fmt: skip
         return note_run(outcome, kept, operator) if store is None else outcome
 
@@ -180,11 +183,13 @@ def resume(
 
     `procedure` names the file where the run's was a file of one's own.
     """
+    remark = cage_remark(bench)
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)
         outcome = resume_run(
-            lab, found, run, store=kept, answer=ask, dut_serial=dut, control=control, tell=tell, show=show
-        )
+            lab, found, run, store=kept, answer=ask, dut_serial=dut, remark=remark, control=control, tell=tell,
+            show=show,
+        )  # fmt: skip
         return note_run(outcome, kept, kept.header(run).operator)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import datetime
 from hashlib import sha256
 from pathlib import Path
 
@@ -34,6 +35,23 @@ def note_run(outcome: Outcome, store: Store, who: str) -> Outcome:
     except InputError as fault:
         return replace(outcome, told=f"{outcome.told}; {fault}")
     return outcome
+
+
+def noted_utc(signature: bytes) -> datetime | None:
+    """When the log took down that these bytes signed a file; None where it did not, or is not as it was written."""
+    try:
+        digest, rows = sha256(signature).hexdigest(), audit.stored(home())
+        if not any(digest.encode() in text for _, text, _ in rows):
+            return None
+        log = audit.read(home())
+    except InputError:
+        return None
+    latest = ""
+    for entry in () if log.fault else log.entries:
+        latest = max(latest, entry.utc)  # a clock that was put back shows nothing earlier than what it had told
+        if entry.deed in ("sign", "approve") and entry.about.get("signature") == digest:
+            return datetime.fromisoformat(latest)
+    return None
 
 
 def _sha256(path: Path) -> str:

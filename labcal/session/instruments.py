@@ -1,4 +1,4 @@
-"""The bench without a procedure: who answers, coils off, a zero in doubt, the cage's own calibration."""
+"""The bench without a procedure: who answers, coils off, and a zero in doubt."""
 
 from __future__ import annotations
 
@@ -6,34 +6,16 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from labcal import certificate
 from labcal.bench import shutdown
 from labcal.bench.coils.at_zero import AtZero
-from labcal.bench.coils.cage_file import CageCalibration, write_cage
 from labcal.bench.identify import Identified, identify_all
 from labcal.files.atomic import write_text
-from labcal.files.home import home
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
-from labcal.runner.cage import approved_cage
-from labcal.session.audited import note_file
-from labcal.store import Store
 
 if TYPE_CHECKING:
     from labcal.bench.find import Found
     from labcal.bench.look_again import Looked
-
-
-def approve_cage(run: str, name: str, out: Path, *, force: bool = False) -> CageCalibration:
-    """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft."""
-    [output] = claim("bench cage", out, force=force)
-    certificate.check_approver(" ".join(name.split()), certificate.keys.trusted(home()))
-    with Store.open() as kept:
-        found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
-    with output.writing():
-        write_cage(found, out)
-    note_file("approve", name, out)
-    return found
 
 
 def greetings(bench: Path) -> list[Identified]:

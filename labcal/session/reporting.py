@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
 from labcal import certificate
-from labcal.certificate.dcc import write_dcc
+from labcal.certificate.dcc import read_xml_key, write_dcc
 from labcal.certificate.laboratory import FILE as LABORATORY
 from labcal.certificate.laboratory import administrative_of
 from labcal.certificate.report import Circumstances, calibration_page, run_page, write_report
@@ -27,25 +28,40 @@ from labcal.uncertainty.conformity import Changes
 THIS_LAB = "this lab's trust list"
 
 
+@dataclass(frozen=True, slots=True)
+class XmlKeyFiles:
+    """Files in PEM of who signs a DCC's XML: key and certificates; `ask` asks for the passphrase of a locked key."""
+
+    key: Path
+    certificates: Path
+    ask: Callable[[], str]
+
+
 def report(
     source: str,
     out: Path,
     allowed_signers: Path | None = None,
     *,
     before: Path | None = None,
+    xml_key: XmlKeyFiles | None = None,
     tell: Callable[[str], None] = lambda remark: None,
     force: bool = False,
 ) -> None:
     """Write the report of a calibration file or of a run, as `.html` or `.pdf`; a calibration's also as DCC `.xml`.
 
+    `xml_key` signs a DCC's XML. Raises InputError where it is given for anything else.
+
     A calibration's page and DCC say what changed since `before`, else since the lab's own before it, if there is one.
     `tell` hears what a DCC lacks, by the clause that asks for it, and what a PDF is not.
     """
     read = [*paths(source), Path(source), *(file for file in (allowed_signers, before) if file)]
+    read += [xml_key.key, xml_key.certificates] if xml_key else []
+    if xml_key and not (out.suffix.lower() == ".xml" and certificate.looks_like_calibration(Path(source))):
+        raise InputError("a key with a certificate signs the DCC of a calibration alone: name a FILE.xml", file=out)
     [output] = claim("report", out, inputs=read, force=force)
     with output.writing():
         if certificate.looks_like_calibration(Path(source)):
-            _report_calibration(Path(source), out, allowed_signers, before, tell)
+            _report_calibration(Path(source), out, allowed_signers, before, tell, xml_key)
             return
         bundle = run_bundle(source)
         run = bundle.run()
@@ -53,15 +69,21 @@ def report(
 
 
 def _report_calibration(
-    path: Path, out: Path, allowed_signers: Path | None, before: Path | None, tell: Callable[[str], None]
+    path: Path,
+    out: Path,
+    allowed_signers: Path | None,
+    before: Path | None,
+    tell: Callable[[str], None],
+    xml_key: XmlKeyFiles | None,
 ) -> None:
+    by = None if xml_key is None else read_xml_key(xml_key.key, xml_key.certificates, xml_key.ask)
     verification = verify(path, allowed_signers)
     calibration = certificate.parse_calibration(verification.content, path)
     run = run_of(calibration)
     said = _circumstances(calibration, run)
     changed = certificate.changed_from(calibration, before) if before else changed_since(calibration)
     if out.suffix.lower() == ".xml":
-        for clause in write_dcc(calibration, verification, run, said, home() / LABORATORY, out, changed):
+        for clause in write_dcc(calibration, verification, run, said, home() / LABORATORY, out, changed, by):
             tell(f"not stated: {clause}")
         return
     checked = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC, against {allowed_signers or THIS_LAB}"

@@ -11,13 +11,14 @@ from typing import Any
 from labcal import certificate
 from labcal.certificate import Stated, Verification, read_allowed_signers
 from labcal.certificate.allowed_signers import with_revocations
-from labcal.certificate.timestamp import shown_utc
+from labcal.certificate.timestamp import ShownTime, shown_utc
 from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.model import Calibration
-from labcal.session.audited import note_file
+from labcal.session.audited import note_file, noted_utc
 from labcal.session.numbering import check_number, issuing, keep_signed
 from labcal.session.sources import Source, run_bundle
+from labcal.session.stamping import authorities, stamp
 from labcal.session.trust import handed_out
 from labcal.session.working_out import Progress, recomputed
 
@@ -40,16 +41,28 @@ def approve(
     return approved
 
 
-def sign(calibration: Path, name: str, passphrase: str, progress: Progress = lambda step: None) -> Path:
-    """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another."""
+def sign(
+    calibration: Path,
+    name: str,
+    passphrase: str,
+    progress: Progress = lambda step: None,
+    tell: Callable[[str], None] = lambda remark: None,
+) -> Path:
+    """Sign the calibration as `name`; returns the signature's path. Raises InputError where its run gives another.
+
+    `tell` hears what came of asking for a time stamp, where the laboratory names an authority.
+    """
     key = certificate.keys.signing_key(home(), name, passphrase)
     examine = _same_as_its_run(calibration, progress, name)
     with issuing(calibration) as issue:
         written = certificate.sign(calibration, name, key, handed_out(), examine, shown=shown, issue=issue)
     content = calibration.read_bytes()
-    keep_signed(certificate.parse_calibration(content, calibration), content)
+    signed = certificate.parse_calibration(content, calibration)
+    keep_signed(signed, content)
     note_file("sign", name, calibration, written)
     certificate.keep_superseding(signatures(calibration), home() / SUPERSEDING)
+    if (said := stamp(written, signed.run_id)) is not None:
+        tell(said)
     return written
 
 
@@ -102,6 +115,11 @@ def signatures(
     return certificate.verify(path, signers, revoked, datetime.now(UTC), sha256, chain, shown=shown)
 
 
-def shown(file: Path, signature: bytes) -> datetime | None:
-    """Since when a signature is shown to be there, by a token beside it of an authority that this lab trusts."""
-    return shown_utc(file, signature, certificate.keys.trust_list(home()).with_name("timestamp_ca.pem"))
+def shown(file: Path, signature: bytes) -> ShownTime | None:
+    """Since when a signature is shown to be there, the earliest that is shown: by a token beside it of an authority
+    that this lab trusts, or by the lab's audit log.
+    """
+    token, noted = shown_utc(file, signature, authorities()), noted_utc(signature)
+    seen = [ShownTime(token, "token")] if token is not None else []
+    seen += [ShownTime(noted, "audit log")] if noted is not None else []
+    return min(seen, key=lambda one: one.utc, default=None)

@@ -1,14 +1,21 @@
 from __future__ import annotations
 
 import base64
+import shutil
+import subprocess
 from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import numpy as np
 import pytest
+from cryptography import x509
+from cryptography.hazmat.primitives import hashes
+from cryptography.hazmat.primitives.asymmetric import ec, rsa
+from cryptography.hazmat.primitives.serialization import BestAvailableEncryption, Encoding, NoEncryption, PrivateFormat
 
 from labcal.certificate.calibration_file import calibration_bytes
-from labcal.certificate.dcc import DCC, SI, dcc_xml, objections, si_unit
+from labcal.certificate.dcc import DCC, SI, dcc_xml, objections, read_xml_key, si_unit, signed_xml
 from labcal.certificate.dcc.rules import RULES
 from labcal.certificate.laboratory import read_laboratory
 from labcal.certificate.report import Circumstances
@@ -253,3 +260,76 @@ def test_the_command_needs_run_laboratory_and_signature(
     assert execute(command) == 2
     assert "names its laboratory" in capsys.readouterr().err
     assert not (tmp_path / "cal.xml").exists()
+
+
+KINDS = {"rsa": lambda: rsa.generate_private_key(65537, 2048), "p-256": lambda: ec.generate_private_key(ec.SECP256R1())}
+DAY = timedelta(days=1)
+
+
+def certified(folder: Path, kind: str = "p-256", lock: bytes = b"", since: timedelta = -DAY) -> tuple[Path, Path]:
+    """A key in PEM, locked by `lock`, and its certificate, which is valid for two days."""
+    folder.mkdir(exist_ok=True)
+    key, name = KINDS[kind](), x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, "A lab")])
+    begins = datetime.now(UTC) + since
+    made = x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number(), begins, begins + 2 * DAY)
+    for_file = BestAvailableEncryption(lock) if lock else NoEncryption()
+    paths = (folder / "key.pem", folder / "cert.pem")
+    paths[0].write_bytes(key.private_bytes(Encoding.PEM, PrivateFormat.PKCS8, for_file))
+    paths[0].chmod(0o600)
+    paths[1].write_bytes(made.sign(key, hashes.SHA256()).public_bytes(Encoding.PEM))
+    return paths
+
+
+def nobody() -> str:
+    raise AssertionError("nobody is asked")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_xml_is_signed_by_a_key_with_a_certificate(kind: str, whole: Calibration, run: Run, tmp_path: Path):
+    xades = pytest.importorskip("signxml.xades", reason="needs the extra `dcc` (signxml), which is not installed")
+    key, certificate = certified(tmp_path / "lab", kind)
+    xml = signed_xml(xml_of(whole, run), read_xml_key(key, certificate, nobody))
+    seen = xades.XAdESVerifier().verify(xml, x509_cert=certificate.read_text(), expect_references=3)[0]
+    assert seen.signed_xml.tag == f"{{{DCC}}}digitalCalibrationCertificate"
+    assert objections(etree.fromstring(xml)) == objections(etree.fromstring(xml_of(whole, run)))
+    forged = xml.replace(b"A lab &amp; co", b"Another lab")
+    assert forged != xml
+    with pytest.raises(pytest.importorskip("signxml").InvalidDigest):
+        xades.XAdESVerifier().verify(forged, x509_cert=certificate.read_text(), expect_references=3)
+    if (xmlsec1 := shutil.which("xmlsec1")) is not None:  # another's reading of the same standard
+        for content, holds in ((xml, True), (forged, False)):
+            (tmp_path / "dcc.xml").write_bytes(content)
+            signed_id = ["--id-attr:Id", "http://uri.etsi.org/01903/v1.3.2#:SignedProperties"]
+            trusted = ["--trusted-pem", str(certificate), str(tmp_path / "dcc.xml")]
+            done = subprocess.run([xmlsec1, "--verify", *signed_id, *trusted], capture_output=True, text=True)
+            assert (done.returncode == 0) is holds, done.stderr
+
+
+def test_a_signed_certificate_obeys_its_schema(whole: Calibration, run: Run, schema: object, tmp_path: Path):
+    signed = signed_xml(xml_of(whole, run), read_xml_key(*certified(tmp_path), nobody))
+    schema.assertValid(etree.fromstring(signed))
+
+
+def test_a_key_that_may_not_sign_is_refused_in_a_sentence(tmp_path: Path):
+    key, certificate = certified(tmp_path / "one", lock=b"correct horse")
+    assert read_xml_key(key, certificate, lambda: "correct horse").algorithm == "ecdsa-sha256"
+    other, late = certified(tmp_path / "two")[1], certified(tmp_path / "three", since=DAY)
+    short, text = tmp_path / "short.pem", tmp_path / "text.pem"
+    weak = rsa.generate_private_key(65537, 1024)
+    short.write_bytes(weak.private_bytes(Encoding.PEM, PrivateFormat.PKCS8, NoEncryption()))
+    text.write_text("no key")
+    open_to_all = certified(tmp_path / "four")
+    open_to_all[0].chmod(0o644)
+    for path in (short, text):
+        path.chmod(0o600)
+    for key_file, certificate_file, says in (
+        (key, certificate, "the passphrase is not its own"),
+        (text, certificate, "is no private key in PEM"),
+        (short, certificate, "is no RSA key of 2048 bits or more"),
+        (open_to_all[0], open_to_all[1], "others may read this key"),
+        (late[0], late[1], "not now; nothing was signed"),
+        (late[0], other, "its first certificate is not that of the key in key.pem"),
+        (late[0], text, "holds no X.509 certificate in PEM"),
+    ):
+        with pytest.raises(InputError, match=says):
+            read_xml_key(key_file, certificate_file, lambda: "wrong horse")

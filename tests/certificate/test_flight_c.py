@@ -16,10 +16,15 @@ import pytest
 from labcal.certificate import read_calibration
 from labcal.certificate.flight import flight_files
 from labcal.certificate.flight.content import content_of
+from labcal.certificate.flight.vectors import scene
 from labcal.errors import InputError
+from labcal.loop.empirical.splines import functions_of_length, splines_of, table
 from labcal.model import Calibration, EffectRecord, Parameter, Validity
+from labcal.model.apply import apply
 from labcal.model.effects import families, registry
-from labcal.model.smooth import Domain
+from labcal.model.effects.inputs import channels_of, values
+from labcal.model.readings import readings_of
+from labcal.model.smooth import Domain, convex_hull
 from labcal.record import Channel, Run
 from labcal.store import read_bundle
 
@@ -41,7 +46,7 @@ def each(**values: float) -> dict[str, float]:
     return {f"{name}_{axis}": value for name, value in values.items() for axis in "xyz"}
 
 
-REFUSED = {"empirical"}  # its splines have no form in C yet: refused by name, as a plugin's effect without one
+SMOOTH = (("channel:temp",), ("field",), ("rate",), ("channel:i", "attitude_y"), ("field_x", "channel:temp"))
 FORMS = {
     "map": (),
     "current": (("offset-current", *CURRENT, C),),
@@ -144,10 +149,54 @@ def test_each_form_gives_in_c_what_apply_gives(form: str, run: Run, tmp_path: Pa
 
 
 def test_every_effect_that_ships_is_tried_in_one_of_its_forms() -> None:
-    tried = {effect[0] for effects in FORMS.values() for effect in effects}
+    tried = {effect[0] for effects in FORMS.values() for effect in effects} | {"empirical"}  # by SMOOTH
     ours = {f.id for f in families() if f.belongs_to == "sensor" and f.kernel.__module__.startswith("labcal.")}
-    assert tried == (ours := ours - REFUSED)
+    assert tried == ours
     assert all(f.bound_to_run or f.in_c is not None for f in families() if f.id in ours)
+
+
+def smooth(inputs: tuple[str, ...], run: Run) -> EffectRecord:
+    """A function of these that is no simple one; part of the run lies where it was not seen."""
+    content = content_of(calibration(), b"", "")
+    seen = values(inputs, scene(content, readings_of(run)))
+    plain, random = splines_of(seen), np.random.default_rng(len(inputs))
+    functions = functions_of_length(len(inputs), 0.35)[:, :7]
+    coefficients = 40 * random.normal(size=(functions.shape[1], 3))
+    basis = replace(
+        plain, prior_nT=60.0, functions=table(functions), coefficients=table(coefficients),
+        projection=table(0.05 * random.normal(size=(12, coefficients.size))),
+        covariance=table(4.0 * np.eye(coefficients.size)),
+    )  # fmt: skip
+    middle, ends = seen.mean(axis=0), np.quantile(seen, [[0.1], [1.0]], axis=0)[:, 0]
+    hull = convex_hull(middle + 0.9 * (seen - middle)) if len(inputs) == 2 else ends
+    names = [f"s{j}_{axis}" for j in range(len(coefficients)) for axis in "xyz"]
+    parameters = (Parameter(n, v, 2.0, "nT") for n, v in zip(names, coefficients.ravel().tolist(), strict=True))
+    channels = channels_of(inputs)
+    return EffectRecord(
+        "empirical", channels, dict.fromkeys(channels, 0.2), "sensor", tuple(parameters), holdout_rms_before_nT=30.0,
+        holdout_rms_after_nT=12.0, inputs=inputs, basis=basis, domain=(Domain(inputs, table(hull)),),
+    )  # fmt: skip
+
+
+@needs_cc
+@pytest.mark.parametrize("inputs", SMOOTH, ids=" ".join)
+def test_a_function_without_a_name_gives_in_c_what_apply_gives(
+    inputs: tuple[str, ...], run: Run, tmp_path: Path
+) -> None:
+    """Its inputs, its basis, and where it was seen: there it is large, and elsewhere it is left out."""
+    made = replace(calibration(*FORMS["late"]), effects=(smooth(inputs, run), *calibration(*FORMS["late"]).effects))
+    applied = apply(made, readings_of(run))
+    out = np.array(["domain" in flag for flag in applied.flags])
+    without = apply(replace(made, effects=made.effects[1:]), readings_of(run))
+    assert 0.02 < out.mean() < 0.9
+    assert np.abs(applied.field_nT - without.field_nT)[~out].max() > 20
+    folder = exported(made, run, tmp_path)
+    for more in ((), ("-DLABCAL_FLOAT32",)):
+        done = checked(folder, *more)
+        assert done.returncode == 0, done.stdout + done.stderr
+    text = (folder / "labcal_calibration.c").read_text()
+    (folder / "labcal_calibration.c").write_text(text.replace("double phi = 0.0;", "double phi = 0.01;"))
+    assert checked(folder).returncode == 1
 
 
 @needs_cc

@@ -12,7 +12,7 @@ import pytest
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal import session
-from labcal.certificate import Signer, read_calibration, signing, stated_by_people
+from labcal.certificate import Signer, Stated, read_calibration, signing, state, stated_by_people
 from labcal.certificate.calibration_file import calibration_bytes
 from labcal.cli import execute
 from labcal.errors import InputError
@@ -199,3 +199,23 @@ def test_what_is_superseded_is_never_written_over(
         assert execute([command, "some-run", *given]) == 2
         assert "is what this command reads" in capsys.readouterr().err
     assert old.read_bytes() == before
+
+
+@pytest.mark.usefixtures("trusting")
+def test_who_works_alone_states_it_in_the_draft_and_nobody_after_a_signature_or_an_approval(
+    draft: Path, calibration: Calibration, key: Ed25519PrivateKey
+):
+    before = draft.read_bytes()
+    state(draft, Stated())
+    assert draft.read_bytes() == before
+    older = later_than(draft, calibration, "older.json", supersedes=None)
+    state(draft, stated_by_people("2099-12-31", older))
+    found = read_calibration(draft)
+    assert (found.validity.until, found.supersedes) == ("2099-12-31", sha256(older.read_bytes()).hexdigest())
+    session.new_key("bob.smith", "correct horse")
+    session.approve(draft, "bob.smith")
+    with pytest.raises(InputError, match=r"bob\.smith approved it as it is"):
+        state(draft, Stated("2098-12-31"))
+    signing.sign(draft, "ada", key)
+    with pytest.raises(InputError, match="is signed already"):
+        state(draft, Stated("2098-12-31"))

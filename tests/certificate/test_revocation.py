@@ -15,6 +15,7 @@ from labcal.certificate.allowed_signers import NEVER, own_line, read_allowed_sig
 from labcal.certificate.calibration_file import calibration_bytes
 from labcal.certificate.signing import Verification, approve, sign, verify
 from labcal.certificate.sshsig import public_key_blob
+from labcal.certificate.timestamp import ShownTime
 from labcal.cli import execute
 from labcal.errors import InputError
 from labcal.files.home import home
@@ -26,7 +27,7 @@ PASSPHRASE = "correct horse"
 
 
 def check(path: Path, lab: tuple[Signer, ...], shown: datetime | None = None) -> Verification:
-    return verify(path, lab, frozenset(), NOW, shown=lambda file, signature: shown)
+    return verify(path, lab, frozenset(), NOW, shown=lambda file, signature: shown and ShownTime(shown, "token"))
 
 
 @pytest.fixture

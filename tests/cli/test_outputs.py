@@ -33,6 +33,8 @@ READ = (
     "supersedes",
     "result",
     "table",
+    "xml_key",
+    "xml_cert",
 )  # options that name a file to read
 # What is asked for with each option that names a file to write, and the file's name. A command that is not here is
 # new: give it `--force`, and `labcal.files.outputs.claim` before its work.

@@ -65,9 +65,15 @@ def test_a_draft_is_approved_signed_and_verified_by_two(qtbot, own_lab):
     qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "a.smith is nobody of the trust list" in page.fault.text.text(), timeout=LONG_MS)
     session.new_key("a.smith", "a long passphrase")
+    page.stated.until.setText("31.12.2099")
+    qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "'31.12.2099' is no date like" in page.fault.text.text(), timeout=LONG_MS)
+    page.stated.until.setText("2099-12-31")
     qtbot.mouseClick(page.approve, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "a.smith" in page.standing.text(), timeout=LONG_MS)
     assert not page.fault.isVisible()
+    assert not page.stated.until.isVisible()  # what the approver has seen stays
+    assert json.loads(Path(page.chosen().path).read_text())["validity"]["until"] == "2099-12-31"
     page.signer.setCurrentText("jdoe@lab")
     page.passphrase.setText("a long passphrase")
     page.again.setText("a long passphrasf")

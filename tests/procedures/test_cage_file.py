@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
-from labcal import session
+from labcal import certificate, session
 from labcal.bench.coils.cage_file import CageCalibration, Place, read_cage, write_cage
+from labcal.certificate.agent import signed
+from labcal.cli import execute
 from labcal.errors import InputError
+from labcal.files.home import home
+from labcal.record.stream import REMARK
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
@@ -20,6 +26,7 @@ PLACE_M = [0.0, 0.0, 0.3]
 REMOTE = ('place = "dut"\nposition_m = [0.0, 0.0, 0.15]', f'place = "remote"\nposition_m = {PLACE_M}')
 TWIN = f"reference_place_m = {PLACE_M}\nambient = {{ drift_nT = 0.0, mains_nT = 0.0 }}"
 MATRIX = ((49942.0, -221.0, 169.0), (-301.0, 49951.0, 101.0), (-179.0, 151.0, 49944.0))
+PASSPHRASE = "correct horse"
 QUICK = {"rate_deg_per_s": "20", "zero_s": "2"}
 
 
@@ -80,7 +87,8 @@ def test_a_draft_is_approved_by_another_person_and_only_within_its_limits(
 ) -> None:
     out, bench, given = tmp_path / "cage.json", bench_file(TWIN, REMOTE), {"steps": "2", "dwell_s": "1"}
     measured = session.run("cage-calibration", bench, given, operator="J. Doe", seed=4).run_id
-    found = session.approve_cage(measured, "R. Roe", out)
+    found, signature = session.approve_cage(measured, "R. Roe", out)
+    assert signature is None
     assert read_cage(out) == found
     assert (found.approved_by, found.operator, found.reference_position_m) == ("R. Roe", "J. Doe", (0.0, 0.0, 0.3))
     assert found.carry is not None
@@ -118,3 +126,93 @@ def test_a_file_that_does_not_fit_is_refused_in_a_sentence_and_the_coils_still_g
     with pytest.raises(InputError, match=says):
         session.run("rotate-axis", bench, QUICK)
     assert all(end.fault is None for end in session.coils_off(bench))
+
+
+def a_signed_cage(folder: Path, signer: str = "r.roe") -> Path:
+    """A cage calibration in `folder` that R. Roe approved and `signer`, whose key is made here, signed."""
+    cage = folder / "cage.json"
+    write_cage(a_calibration(np.zeros((3, 3)), np.zeros(3)), cage)
+    if not session.asks_passphrase(signer):
+        session.new_key(signer, PASSPHRASE)
+    key = certificate.keys.signing_key(home(), signer, PASSPHRASE)
+    cage.with_name("cage.json.sshsig").write_text(signed(cage.read_bytes(), key), encoding="utf-8")
+    return cage
+
+
+def test_an_approver_whose_key_is_here_signs_the_cage_and_the_bench_takes_it(
+    bench_file: BenchFile, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The whole way by commands; the file that nobody could sign is named in the record of the run it drives."""
+    bench, given = bench_file(TWIN, REMOTE), {"steps": "2", "dwell_s": "1"}
+    measured = session.run("cage-calibration", bench, given, operator="J. Doe", seed=4).run_id
+    cage = tmp_path / "cage.json"
+    said = command(capsys, "bench", "cage", measured, "--as", "R. Roe", "--out", str(cage))
+    assert "NOT SIGNED: no key of R. Roe is at hand here." in said
+    run = session.run("rotate-axis", with_the_file(bench), QUICK, seed=4)
+    assert run.status == "finished", run.fault
+    with Store.open() as store:
+        [remark] = [i.text for i in store.items(run.run_id, but="block") if getattr(i, "kind", "") == REMARK]
+    assert remark == "cage.json is not signed: that R. Roe approved it is a claim."
+    assert f"! {remark}" in command(capsys, "bench", "check", str(bench))
+
+    session.new_key("r.roe", PASSPHRASE)
+    monkeypatch.setenv("LABCAL_PASSPHRASE", PASSPHRASE)
+    signature = tmp_path / "cage.json.sshsig"
+    assert f"{signature}: signed " in command(capsys, "bench", "cage", measured, "--as", "R. Roe", "--out", str(cage))
+    assert session.cage_remark(bench) is None
+    [*_, last] = session.read_audit().entries
+    assert last.about["signature"] == hashlib.sha256(signature.read_bytes()).hexdigest()
+    with pytest.raises(InputError, match=r"is signed \(cage.json.sshsig\): nothing replaces it"):
+        session.approve_cage(measured, "R. Roe", cage, lambda signer: PASSPHRASE, force=True)
+
+
+def test_a_signed_cage_that_was_altered_drives_no_coil(bench_file: BenchFile, tmp_path: Path) -> None:
+    cage, bench = a_signed_cage(tmp_path), with_the_file(bench_file(TWIN, REMOTE))
+    assert session.cage_remark(bench) is None
+    as_signed = cage.read_text(encoding="utf-8")
+    forgeries = (
+        lambda: cage.write_text(as_signed.replace("49942.0", "49492.0"), encoding="utf-8"),
+        lambda: cage.write_text(as_signed.replace("R. Roe", "J. Roe"), encoding="utf-8"),
+        lambda: cage.write_text(as_signed.replace("49942.0", "Infinity"), encoding="utf-8"),
+        lambda: cage.with_name("cage.json.sshsig").write_bytes(b"-----BEGIN SSH SIGNATURE-----"),
+    )
+    for forge in forgeries:
+        forge()
+        with pytest.raises(InputError, match=r"its signature cage.json.sshsig: .*no coil is driven by it"):
+            session.run("rotate-axis", bench, QUICK)
+        a_signed_cage(tmp_path)
+    assert session.runs() == []
+
+
+def test_a_cage_that_another_signed_or_whose_signer_is_revoked_or_lacks_the_role_drives_no_coil(
+    bench_file: BenchFile, tmp_path: Path
+) -> None:
+    bench = with_the_file(bench_file(TWIN, REMOTE))
+    a_signed_cage(tmp_path, "eve")
+    with pytest.raises(InputError, match=r"approved_by: R\. Roe approved it, and eve signed it"):
+        session.cage_remark(bench)
+    cage = a_signed_cage(tmp_path)
+    listed = tmp_path / "people"
+    listed.write_text(session.handed_out()[0].line() + "\n", encoding="utf-8")
+    session.trust_keys(listed, ["approve"])  # eve alone has a role
+    with pytest.raises(InputError, match=r"r\.roe has not the role approve"):
+        session.cage_remark(bench)
+    cage.with_name("cage.json.sshsig").unlink()
+    with pytest.raises(InputError, match="is not signed, and in this lab an approver with a role signs it"):
+        session.cage_remark(bench)
+    with pytest.raises(InputError, match=r"R\. Loe has not the role approve; nothing was written"):
+        session.approve_cage("any", "R. Loe", tmp_path / "another.json")
+    (home() / "keys" / "eve.pem").unlink()
+    with pytest.raises(InputError, match=r"no key of eve is at hand here; nothing was written"):
+        session.approve_cage("any", "eve", tmp_path / "another.json")
+    a_signed_cage(tmp_path)
+    session.revoke_keys("r.roe")
+    with pytest.raises(InputError, match="its key is revoked"):
+        session.cage_remark(bench)
+
+
+def command(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    """What a command says, which ends well."""
+    with patch.dict(os.environ):
+        assert execute(list(words)) == 0
+    return " ".join(capsys.readouterr().out.split())

@@ -64,9 +64,14 @@ class CageCalibration(_Part):
     reference_position_m: Vector | None = None
 
 
+def cage_text(calibration: CageCalibration) -> str:
+    """What the file holds."""
+    return json.dumps(calibration.model_dump(mode="json"), indent=1, ensure_ascii=False) + "\n"
+
+
 def write_cage(calibration: CageCalibration, out: Path) -> None:
     """Write the file, whole or not at all."""
-    write_text(out, json.dumps(calibration.model_dump(mode="json"), indent=1, ensure_ascii=False) + "\n")
+    write_text(out, cage_text(calibration))
 
 
 def read_cage(path: Path) -> CageCalibration:

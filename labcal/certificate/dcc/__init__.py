@@ -2,7 +2,7 @@
 
 The XML carries the numbers, each with its expanded uncertainty and all with their covariance, method, equipment,
 conditions, budget and conformity: K, k and the parameters of the effects can be taken from it alone. The effects'
-evidence, and the basis of an empirical term, are in the enclosed file, byte for byte. The XML is not signed.
+evidence, and the basis of an empirical term, are in the enclosed file, byte for byte.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from labcal.certificate.dcc.parts import DCC, SI, Makers, one_line
 from labcal.certificate.dcc.results import MODEL, results
 from labcal.certificate.dcc.rules import lacks, objections
 from labcal.certificate.dcc.units import si_unit
+from labcal.certificate.dcc.xades import XmlKey, read_xml_key, signed_xml
 from labcal.certificate.laboratory import WANTED
 from labcal.certificate.report.circumstances import Circumstances
 from labcal.certificate.signing import Verification
@@ -25,7 +26,7 @@ from labcal.model import Calibration
 from labcal.record import Run
 from labcal.uncertainty.conformity import Changes
 
-__all__ = ["DCC", "SI", "dcc_xml", "objections", "si_unit", "write_dcc"]
+__all__ = ["DCC", "SI", "XmlKey", "dcc_xml", "objections", "read_xml_key", "si_unit", "signed_xml", "write_dcc"]
 
 VERSION = "3.2.1"
 
@@ -38,10 +39,11 @@ def write_dcc(
     laboratory: Path,
     out: Path,
     changed: Changes | None = None,
+    xml_key: XmlKey | None = None,
 ) -> tuple[str, ...]:
     """Write the certificate to `out`, whole or not at all; returns what it lacks, a clause each.
 
-    `changed` is what changed since the calibration before.
+    `changed` is what changed since the calibration before; `xml_key` signs the XML itself.
 
     Raises InputError for a draft, a signature that does not hold, and where dates or issuer are not known (`laboratory`
     is the file that may state them).
@@ -56,7 +58,7 @@ def write_dcc(
         told = f"a certificate names its laboratory and its customer: state both in bench.toml, or here {WANTED}"
         raise InputError(told, file=laboratory)
     xml = dcc_xml(calibration, found.content, found.file.name, run, said, found.signers, changed)
-    atomic.write_bytes(out, xml)
+    atomic.write_bytes(out, xml if xml_key is None else signed_xml(xml, xml_key))
     return lacks(xml)
 
 

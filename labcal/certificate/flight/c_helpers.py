@@ -139,6 +139,52 @@ static labcal_real saturating(labcal_real drive, labcal_real stopped, labcal_rea
     return (labcal_real)(tanh(play / (double)level) - tanh((double)drive / (double)level));
 }
 """,
+    "length_of": """\
+static double length_of(const labcal_real field[3])
+{
+    const double x = (double)field[0], y = (double)field[1], z = (double)field[2];
+    return sqrt(x * x + y * y + z * z);
+}
+""",
+    "b_splines": """\
+/* All B-splines of a degree on the knots, at x held between their ends (de Boor, A Practical Guide to Splines, 9). */
+static void b_splines(const double knots[], int count, int degree, double x, double b[])
+{
+    int place = degree;
+    x = fmin(fmax(x, knots[degree]), knots[count - degree - 1]);
+    while (place < count - degree - 2 && knots[place + 1] <= x)
+        ++place;
+    for (int i = 0; i < count - 1; ++i)
+        b[i] = i == place ? 1.0 : 0.0;
+    for (int d = 1; d <= degree; ++d)
+        for (int i = 0; i + d + 1 < count; ++i) {
+            const double rise = knots[i + d] - knots[i], fall = knots[i + d + 1] - knots[i + 1];
+            b[i] = (rise > 0.0 ? (x - knots[i]) / rise * b[i] : 0.0)
+                 + (fall > 0.0 ? (knots[i + d + 1] - x) / fall * b[i + 1] : 0.0);
+        }
+}
+""",
+    "within": """\
+/* Whether a point lies in a convex hull, its corners against the clock; `edge` of the hull's size is still within. */
+static int within(const double hull[][2], int corners, double x, double y, double edge)
+{
+    double low[2] = {hull[0][0], hull[0][1]}, high[2] = {hull[0][0], hull[0][1]};
+    for (int i = 1; i < corners; ++i)
+        for (int k = 0; k < 2; ++k) {
+            low[k] = fmin(low[k], hull[i][k]);
+            high[k] = fmax(high[k], hull[i][k]);
+        }
+    const double width = fmax(high[0] - low[0], 1e-300), height = fmax(high[1] - low[1], 1e-300);
+    for (int i = 0; i < corners; ++i) {
+        const double *from = hull[i], *to = hull[(i + 1) % corners];
+        const double left = (to[0] - from[0]) / width * ((y - from[1]) / height)
+                          - (to[1] - from[1]) / height * ((x - from[0]) / width);
+        if (left < -edge)
+            return 0;
+    }
+    return 1;
+}
+""",
     "sum": """\
 static void sum(labcal_real e[][3], const labcal_real beta[], int n, labcal_real value[3])
 {

@@ -19,8 +19,9 @@ from labcal.certificate.flight.c_templates import HEADER, SOURCE
 from labcal.certificate.flight.content import Content, Flown, stamps
 from labcal.certificate.flight.vectors import Vectors, seen
 from labcal.errors import InputError
-from labcal.model.apply import ends_of_channels, reading_noise, temperature_channel
+from labcal.model.apply import ends_of_channels, left_out_variance, reading_noise, temperature_channel
 from labcal.model.effects.c_form import CForm, Input, enumerator, given, mode_enumerator, real
+from labcal.model.effects.c_smooth import seen_in_c
 from labcal.model.effects.shape import DELAY
 from labcal.model.plausibility import stated_limits
 
@@ -92,8 +93,7 @@ def program_of(content: Content, vectors: Vectors) -> Program:
         if one.effect.family.in_c is None:
             told = "its package states none (Family.in_c); --format json and mat take it"
             raise InputError(f"{one.said} has no form in C: {told}")
-        lost = _lost(content, one)
-        size = float(np.mean(np.maximum(over.mean_square, lost)))
+        size = float(np.mean(left_out_variance(content.calibration, one.record, one.effect, over)))
         form = one.effect.family.in_c(one.effect.term)
         if not isinstance(form, CForm):
             raise InputError(f"{one.said}: what its package states as in_c gives no CForm")
@@ -127,6 +127,7 @@ def source(program: Program) -> str:
     """`labcal_calibration.c`."""
     content, calibration = program.content, program.content.calibration
     needed = {name for one in program.instances for name in one.form.helpers}
+    needed |= {n for one in program.instances if one.flown.record.basis for n in seen_in_c(one.flown.record.domain)[1]}
     needed |= {"earlier"} if _keeps_channels(program) else set()
     needed |= {"sum", "keep"} if program.instances else set()
     needed |= {"further"} if any(one.steps for one in program.instances) else set()
@@ -155,11 +156,6 @@ def _largest(one: Instance, content: Content, vectors: Vectors) -> float:
 
     columns = one.flown.effect.term.columns(scene(content, vectors.stamped))
     return float(np.max(np.abs(columns) @ np.abs(one.flown.effect.beta)))
-
-
-def _lost(content: Content, one: Flown) -> Array:
-    before, after = one.record.holdout_rms_before_nT or 0.0, one.record.holdout_rms_after_nT or 0.0
-    return np.full(3, max(before**2 - after**2, 0.0) / (3 if content.calibration.frame_known else 1))
 
 
 def _steps(one: Flown, vectors: Vectors) -> tuple[tuple[int, float], ...]:
@@ -274,6 +270,9 @@ def _functions(program: Program) -> Iterator[str]:
         yield f"static void effect_{n}({', '.join(_parameters(one))})\n{{"
         yield "    (void)now;\n" + ("    (void)shape;\n" if term.shape else "") + textwrap.indent(one.form.body, "    ")
         yield "}\n"
+        if one.flown.record.basis is not None:
+            inside = textwrap.indent(seen_in_c(one.flown.record.domain)[0], "    ")
+            yield f"static int seen_{n}(const labcal_now *now)\n{{\n{inside}\n}}\n"
 
 
 def _parameters(one: Instance) -> list[str]:
@@ -303,7 +302,9 @@ def _blocks(program: Program) -> Iterator[str]:
         n, p = one.number, len(one.flown.effect.beta)
         names = [q.name for q in one.flown.record.parameters]
         calls = [f"effect_{n}({', '.join(_arguments(one, i))});" for i in range(1 + len(one.steps))]
-        lines = [f"if ({_known(program, one)}) {{", f"    labcal_real e[{p}][3], value[3];", "    now.late = 0;"]
+        known, seen_there = _known(program, one), f"seen_{n}(&now)" if one.flown.record.basis is not None else ""
+        lines = [f"if ({known}{f' && {seen_there}' if seen_there else ''}) {{"]
+        lines += [f"    labcal_real e[{p}][3], value[3];", "    now.late = 0;"]
         lines += ["    memset(e, 0, sizeof e);", f"    {calls[0]}", f"    sum(e, BETA_{n}, {p}, value);"]
         lines += [f"    keep(e, PLACE_{n}, {p}, slopes);", "    for (int j = 0; j < 3; ++j)"]
         lines += ["        found->b_nT[j] -= value[j];"]
@@ -321,7 +322,8 @@ def _blocks(program: Program) -> Iterator[str]:
                 f"    {call}",
                 f"    further(e, BETA_{n}, {p}, value, {real(step)}, slopes[{at}]);",
             ]
-        lines += ["} else {", "    flags |= LABCAL_LEFT_OUT;", f"    variance += {real(one.size)};", "}"]
+        why = f"{known} ? LABCAL_DOMAIN : LABCAL_LEFT_OUT" if seen_there else "LABCAL_LEFT_OUT"
+        lines += ["} else {", f"    flags |= {why};", f"    variance += {real(one.size)};", "}"]
         yield textwrap.indent("\n".join([f"/* {_ascii(one.flown.said)} */", *lines]), "    ")
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from labcal.certificate.flight.content import Content, Flown, stamps
+from labcal.model import EffectRecord
 
 MAT_TITLE = b"MATLAB 5.0 MAT-file, a labcal calibration".ljust(116)  # scipy writes the date there
 FORMAT = "labcal-export/1"
@@ -82,6 +83,25 @@ def _effect(one: Flown) -> dict[str, Any]:
         "channels": list(one.record.channels),
         "reference_value": dict(one.record.reference_value),
         "parameters": [{"name": p.name, "value": p.value, "u": p.u, "unit": p.unit} for p in one.record.parameters],
+        **_smooth(one.record),
+    }
+
+
+def _smooth(record: EffectRecord) -> dict[str, Any]:
+    """Of a smooth function: what it depends on, its basis, where it was seen, outside of which it is left out."""
+    if record.basis is None:
+        return {}
+    basis = record.basis
+    return {
+        "inputs": list(record.inputs),
+        "basis": {
+            "kind": basis.kind,
+            "degree": basis.degree,
+            "knots": [list(row) for row in basis.knots],
+            "functions": [list(row) for row in basis.functions],
+            "projection": [list(row) for row in basis.projection],
+        },
+        "domain": [{"inputs": list(d.inputs), "hull": [list(row) for row in d.hull]} for d in record.domain],
     }
 
 

@@ -1,4 +1,4 @@
-"""Other people's calibrations as drafts: A and b of MATLAB's `magcal`, A⁻¹ and b of Magneto.
+"""Other people's calibrations as drafts: A and b of MATLAB's `magcal`, A⁻¹ and b of Magneto, parameters of autopilots.
 
 `magcal` corrects rows, C = (D − b) A, so K = Aᵀ and k = Aᵀ b; Magneto columns, h = A⁻¹ (m − b), so K = A⁻¹ and
 k = A⁻¹ b. A `.mat` file holds `A`, `b` and, where it has them, `expmfs`, `unit`, `serial`, `model`; a text the same as
@@ -18,19 +18,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.certificate.calibration_file import read_limited
+from labcal.certificate.flight.parameter_files import AUTOPILOTS, parameters
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, Validity
 from labcal.record import Dut
 from labcal.version import __version__
 
 Array = NDArray[np.float64]
-KINDS = ("magcal", "magneto")
+KINDS = ("magcal", "magneto", *AUTOPILOTS)
 LARGEST_BYTES = 2**20
 UNITS_nT = {"nT": 1.0, "uT": 1e3, "µT": 1e3, "mG": 1e2, "G": 1e5, "gauss": 1e5, "T": 1e9}
 EARTH_nT = (15e3, 80e3)  # a field strength that is stated without its unit is the Earth's in one of these
 LABEL = re.compile(r"\s*([A-Za-z][^=:\n]*?)\s*[=:](.*)")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 WANTED = "expected A (3x3) and b (3), each after its name: `A = …`, `b = …`; and `unit = uT` where it is not clear"
+AXES = "axes: the sensor's own; no body frame is known"
+AS_STATED = "unit as the file states"
 UNKNOWN = "nothing of its uncertainty is known: the file states a matrix and an offset alone, and no run is there"
 
 
@@ -38,6 +41,8 @@ def read_foreign(path: Path, kind: str) -> Calibration:
     """The draft that a file of `kind` states. Raises InputError saying what is missing in it."""
     content = read_limited(path, LARGEST_BYTES)
     try:
+        if kind in AUTOPILOTS:
+            return _draft(parameters(content, kind), kind, content)
         stated = _mat(path) if content.startswith(b"MATLAB") or path.suffix.lower() == ".mat" else _text(content)
         return _draft(stated, kind, content)
     except InputError as error:
@@ -72,7 +77,13 @@ def _draft(stated: Mapping[str, Any], kind: str, content: bytes) -> Calibration:
         run_sha256=digest,
         metrics={"before": {}, "after": {}},
         software=f"labcal {__version__}",
-        not_covered=(UNKNOWN, f"taken from {kind}; {known}", why, "axes: the sensor's own; no body frame is known"),
+        not_covered=(
+            UNKNOWN,
+            f"taken from {kind}; {known}",
+            why,
+            AXES,
+            *(f"not taken: {x}" for x in stated.get("left", ())),
+        ),
         made_by={"command": "import", "method": kind, "channels": None, "empirical": False, "version": __version__},
     )
 
@@ -83,7 +94,7 @@ def _unit(stated: Mapping[str, Any], field: float | None, kind: str) -> tuple[fl
         name = str(stated["unit"]).strip()
         if name not in UNITS_nT:
             raise InputError(f"unit {name[:20]!r} is none of {', '.join(UNITS_nT)}")
-        return UNITS_nT[name], f"unit as the file states: {name}"
+        return UNITS_nT[name], f"unit of {kind}'s parameters: {name}" if kind in AUTOPILOTS else f"{AS_STATED}: {name}"
     if field is not None:
         fitting = [u for u in ("nT", "uT", "mG", "G") if EARTH_nT[0] <= abs(field) * UNITS_nT[u] <= EARTH_nT[1]]
         if fitting:

@@ -327,7 +327,7 @@ class Signature:
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """How the signatures of a calibration file stand."""
+    """How the signatures of a calibration file stand; `status` as in `labcal verify --json`."""
 
     path: str
     valid: bool
@@ -335,6 +335,7 @@ class Standing:
     signers: tuple[str, ...]
     signatures: tuple[Signature, ...]
     sentences: tuple[str, ...]
+    status: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -390,5 +391,6 @@ class CalibrationFile:
     approvers: tuple[str, ...]
     standing: Standing
     specification: tuple[Judged, ...] = ()
+    until: str = ""  # the last day on which it is good
     left_open: tuple[str, ...] = ()  # what the specification limits and nothing determined
     figures: tuple[Figure, ...] = ()

@@ -44,7 +44,7 @@ from labcal.uncertainty.conformity.decision import Measured
 from labcal.uncertainty.conformity.of_the_map import figures_of_the_map
 
 if TYPE_CHECKING:
-    from labcal.certificate import Verification
+    from labcal.certificate import Stated, Verification
     from labcal.model import Calibration
     from labcal.store import RunSummary
 
@@ -124,6 +124,7 @@ def _calibration(path: Path) -> CalibrationFile:
         approvers=found.approvers,
         standing=_standing(path, session.verify(path, only_kept=True)),
         specification=stated_lines(found),
+        until=found.validity.until or "",
         left_open=tuple(said for said in found.not_covered if said.startswith(LEFT_OPEN)),
         figures=figures(found),
     )
@@ -157,6 +158,7 @@ def verify(channel: Channel, asked: VerifyFile) -> Standing:
 def _standing(path: Path, verification: Verification) -> Standing:
     return Standing(
         path=str(path),
+        status=verification.status,
         valid=verification.valid,
         provisional=bool(verification.provisional),
         signers=tuple(verification.signers),
@@ -208,14 +210,22 @@ def approve(channel: Channel, asked: Approve) -> CalibrationFile:
     from labcal import session
 
     _may_sign(asked.name)
-    session.approve(Path(asked.path), asked.name, _telling(channel))
+    session.approve(Path(asked.path), asked.name, _telling(channel), _stated(asked))
     return _calibration(Path(asked.path))
+
+
+def _stated(asked: Approve | Sign) -> Stated:
+    from labcal.certificate import stated_by_people
+
+    return stated_by_people(asked.until or None, Path(asked.supersedes) if asked.supersedes else None)
 
 
 def sign(channel: Channel, asked: Sign) -> CalibrationFile:
     """Sign; the passphrase is used and forgotten."""
-    from labcal import session
+    from labcal import certificate, session
 
+    if (stated := _stated(asked)) != certificate.Stated():
+        certificate.state(Path(asked.path), stated)
     session.sign(Path(asked.path), asked.name, asked.passphrase, _telling(channel))
     return _calibration(Path(asked.path))
 

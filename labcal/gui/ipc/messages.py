@@ -213,19 +213,23 @@ class NewKey(Command[str]):
 
 @dataclass(frozen=True, slots=True)
 class Approve(Command[answers.CalibrationFile]):
-    """Write an approver into a draft."""
+    """Write an approver into a draft, with until when it is good and the file that it supersedes, "" for neither."""
 
     path: str
     name: str
+    until: str = ""
+    supersedes: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Sign(Command[answers.CalibrationFile]):
-    """Sign a calibration; the passphrase is used and forgotten."""
+    """Sign a calibration; the passphrase is used and forgotten. `until` and `supersedes` as of a draft to approve."""
 
     path: str
     name: str
     passphrase: str = field(repr=False)
+    until: str = ""
+    supersedes: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,13 +37,14 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS
-from labcal.gui.viewmodels.signing import next_step
+from labcal.gui.viewmodels.signing import next_step, standing_word, state_of
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, label, say_wanted, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
+from labcal.gui.widgets.stated_fields import StatedFields
 
 R = TypeVar("R")
 REPORTS = "HTML (*.html);;PDF (*.pdf);;DCC (*.xml)"
@@ -144,7 +145,9 @@ class CertificatePage(QWidget):
         self.approve.clicked.connect(self._approve)
         row = QHBoxLayout()
         row.addWidget(label(self.tr("1"), "title"))
-        row.addWidget(self.approver, 1)
+        self.stated = StatedFields()
+        row.addWidget(self.approver, 2)
+        row.addWidget(self.stated.superseded, 1)
         row.addWidget(self.approve)
         return row
 
@@ -176,6 +179,7 @@ class CertificatePage(QWidget):
         grid = QGridLayout()
         grid.addWidget(label(self.tr("2"), "title"), 0, 0)
         grid.addWidget(self.signer, 0, 1, 1, 2)
+        grid.addWidget(self.stated.until, 0, 3)
         grid.addWidget(self.passphrase, 1, 1)
         grid.addWidget(self.again, 1, 2)
         for widget in (self.new_key, self.sign):
@@ -220,7 +224,7 @@ class CertificatePage(QWidget):
         self._files = {one.path: one for one in files}
         self.list.clear()
         for one in files:
-            self.list.addItem(f"{self._word(one.standing)}  {one.dut.serial}\n{Path(one.path).stem}")
+            self.list.addItem(f"{standing_word(one.standing)}  {one.dut.serial}\n{Path(one.path).stem}")
             self.list.item(self.list.count() - 1).setData(Qt.ItemDataRole.UserRole, one.path)
         paths = list(self._files)
         self.list.setCurrentRow(paths.index(kept) if kept in paths else 0)
@@ -228,13 +232,6 @@ class CertificatePage(QWidget):
             widget.setVisible(not files)
         self._wanted = ""
         self._show()
-
-    def _word(self, one: Standing) -> str:
-        if not one.signatures:
-            return self.tr("○ draft")
-        if not one.valid:
-            return self.tr("✕ not valid")
-        return self.tr("▲ provisional") if one.provisional else self.tr("✓ signed")
 
     def _keys_known(self, names: tuple[str, ...]) -> None:
         for chooser, first in ((self.signer, names[0] if names else ""), (self.approver, "")):
@@ -248,13 +245,14 @@ class CertificatePage(QWidget):
 
     def _show(self) -> None:
         one = self.chosen()
+        self.stated.show_draft(one, self._files.values())
         self.detail.setVisible(one is not None)
         self.list.setVisible(bool(self._files))
         if one is not None:
             self.heading.setText(f"{one.dut.serial}  ·  {one.run_id}")
             standing = one.standing
             draft = not standing.signatures
-            state = "" if draft else "bad" if not standing.valid else "warning" if standing.provisional else "good"
+            state = "" if draft else state_of(standing)
             approved = ", ".join(one.approvers) or self.tr("nobody yet")
             words = [self.tr("Draft: not signed.")] if draft else list(standing.sentences)
             words.append(self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved))
@@ -292,7 +290,7 @@ class CertificatePage(QWidget):
     def _approve(self) -> None:
         if (one := self.chosen()) is not None:
             name = self.approver.currentText().strip()
-            self._ask(Approve(one.path, name), self.approver, self._approved)
+            self._ask(Approve(one.path, name, *self.stated.stated()), self.approver, self._approved)
 
     def _approved(self) -> None:
         self.approver.setCurrentText("")
@@ -301,7 +299,8 @@ class CertificatePage(QWidget):
     def _sign(self) -> None:
         if (one := self.chosen()) is not None:
             name, passphrase = self.signer.currentText(), self.passphrase.text()
-            self._ask(Sign(one.path, name, passphrase), self.passphrase, self.signer.setFocus)
+            command = Sign(one.path, name, passphrase, *self.stated.stated())
+            self._ask(command, self.passphrase, self.signer.setFocus)
             self.passphrase.clear()
 
     def _ask(self, command: Command[R], entry: QWidget, then: Callable[[], object]) -> None:
@@ -393,7 +392,7 @@ class CertificatePage(QWidget):
 
     def _verified(self, said: Standing) -> None:
         self.said.clear()
-        shape = "✕" if not said.valid else "▲" if said.provisional else "✓"
+        shape = {"bad": "✕", "warning": "▲", "good": "✓"}[state_of(said)]
         faults = [f"{one.file}: {one.objection}" for one in said.signatures if one.objection]
         self.drop.words.setText(f"{shape} {Path(said.path).name}: {' '.join([*said.sentences, *faults])}")
-        set_state(self.drop.words, "bad" if not said.valid else "warning" if said.provisional else "good")
+        set_state(self.drop.words, state_of(said))

@@ -395,22 +395,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>○ draft</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✕ not valid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ provisional</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✓ signed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Draft: not signed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2156,6 +2140,37 @@
     </message>
 </context>
 <context>
+    <name>StatedFields</name>
+    <message>
+        <source>Good until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration of the same serial that this one takes the place of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Supersedes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Supersedes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Supersedes {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StudyViewModel</name>
     <message>
         <source>history of {0}</source>
@@ -3021,6 +3036,34 @@
     </message>
     <message>
         <source>DONE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ provisional</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ expired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ superseded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ released</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -403,22 +403,6 @@
         <translation>Einer .csv mit Messwerten das Feld, seine Unsicherheit und Kennzeichen zufügen</translation>
     </message>
     <message>
-        <source>○ draft</source>
-        <translation>○ Entwurf</translation>
-    </message>
-    <message>
-        <source>✕ not valid</source>
-        <translation>✕ ungültig</translation>
-    </message>
-    <message>
-        <source>▲ provisional</source>
-        <translation>▲ vorläufig</translation>
-    </message>
-    <message>
-        <source>✓ signed</source>
-        <translation>✓ unterschrieben</translation>
-    </message>
-    <message>
         <source>nobody yet</source>
         <translation>niemand</translation>
     </message>
@@ -2156,6 +2140,37 @@
     </message>
 </context>
 <context>
+    <name>StatedFields</name>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
+        <translation>Der letzte Tag, an dem sie gilt, etwa 2027-11-21; leer: kein Datum</translation>
+    </message>
+    <message>
+        <source>Good until</source>
+        <translation>Gültig bis</translation>
+    </message>
+    <message>
+        <source>The calibration of the same serial that this one takes the place of</source>
+        <translation>Die Kalibrierung derselben Seriennummer, die diese ersetzt</translation>
+    </message>
+    <message>
+        <source>Supersedes</source>
+        <translation>Ersetzt</translation>
+    </message>
+    <message>
+        <source>Supersedes nothing</source>
+        <translation>Ersetzt keine</translation>
+    </message>
+    <message>
+        <source>Supersedes {0}</source>
+        <translation>Ersetzt {0}</translation>
+    </message>
+</context>
+<context>
     <name>StudyViewModel</name>
     <message>
         <source>history of {0}</source>
@@ -3022,6 +3037,34 @@
     <message>
         <source>DONE</source>
         <translation>FERTIG</translation>
+    </message>
+    <message>
+        <source>○ draft</source>
+        <translation>○ Entwurf</translation>
+    </message>
+    <message>
+        <source>✕ not valid</source>
+        <translation>✕ ungültig</translation>
+    </message>
+    <message>
+        <source>▲ provisional</source>
+        <translation>▲ vorläufig</translation>
+    </message>
+    <message>
+        <source>▲ expired</source>
+        <translation>▲ abgelaufen</translation>
+    </message>
+    <message>
+        <source>▲ superseded</source>
+        <translation>▲ ersetzt</translation>
+    </message>
+    <message>
+        <source>✓ released</source>
+        <translation>✓ freigegeben</translation>
+    </message>
+    <message>
+        <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
+        <translation>Nicht mehr verwenden: neu messen, oder die Kalibrierung nehmen, die danach kam.</translation>
     </message>
 </context>
 </TS>

@@ -403,22 +403,6 @@
         <translation>Ajouter le champ, son incertitude et ses repères à un .csv de lectures</translation>
     </message>
     <message>
-        <source>○ draft</source>
-        <translation>○ projet</translation>
-    </message>
-    <message>
-        <source>✕ not valid</source>
-        <translation>✕ non valable</translation>
-    </message>
-    <message>
-        <source>▲ provisional</source>
-        <translation>▲ provisoire</translation>
-    </message>
-    <message>
-        <source>✓ signed</source>
-        <translation>✓ signé</translation>
-    </message>
-    <message>
         <source>nobody yet</source>
         <translation>personne encore</translation>
     </message>
@@ -2156,6 +2140,37 @@
     </message>
 </context>
 <context>
+    <name>StatedFields</name>
+    <message>
+        <source>Until</source>
+        <translation>Jusqu’au</translation>
+    </message>
+    <message>
+        <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
+        <translation>Le dernier jour où il est valable, p. ex. 2027-11-21 ; vide : aucune date</translation>
+    </message>
+    <message>
+        <source>Good until</source>
+        <translation>Valable jusqu’au</translation>
+    </message>
+    <message>
+        <source>The calibration of the same serial that this one takes the place of</source>
+        <translation>L’étalonnage du même numéro de série que celui-ci remplace</translation>
+    </message>
+    <message>
+        <source>Supersedes</source>
+        <translation>Remplace</translation>
+    </message>
+    <message>
+        <source>Supersedes nothing</source>
+        <translation>Ne remplace rien</translation>
+    </message>
+    <message>
+        <source>Supersedes {0}</source>
+        <translation>Remplace {0}</translation>
+    </message>
+</context>
+<context>
     <name>StudyViewModel</name>
     <message>
         <source>history of {0}</source>
@@ -3022,6 +3037,34 @@
     <message>
         <source>DONE</source>
         <translation>FINI</translation>
+    </message>
+    <message>
+        <source>○ draft</source>
+        <translation>○ projet</translation>
+    </message>
+    <message>
+        <source>✕ not valid</source>
+        <translation>✕ non valable</translation>
+    </message>
+    <message>
+        <source>▲ provisional</source>
+        <translation>▲ provisoire</translation>
+    </message>
+    <message>
+        <source>▲ expired</source>
+        <translation>▲ expiré</translation>
+    </message>
+    <message>
+        <source>▲ superseded</source>
+        <translation>▲ remplacé</translation>
+    </message>
+    <message>
+        <source>✓ released</source>
+        <translation>✓ délivré</translation>
+    </message>
+    <message>
+        <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
+        <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
     </message>
 </context>
 </TS>

@@ -2,8 +2,35 @@
 
 from __future__ import annotations
 
-from labcal.gui.ipc.answers import CalibrationFile
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.translations.translate import translated
+
+NO_LONGER = ("expired", "superseded")
+WORDS = {
+    "unsigned": QT_TRANSLATE_NOOP("Words", "○ draft"),
+    "invalid": QT_TRANSLATE_NOOP("Words", "✕ not valid"),
+    "provisional": QT_TRANSLATE_NOOP("Words", "▲ provisional"),
+    "expired": QT_TRANSLATE_NOOP("Words", "▲ expired"),
+    "superseded": QT_TRANSLATE_NOOP("Words", "▲ superseded"),
+    "released": QT_TRANSLATE_NOOP("Words", "✓ released"),
+}
+NO_MORE = QT_TRANSLATE_NOOP(
+    "Words", "Do not use it any more: measure anew, or take the calibration that came after it."
+)
+
+
+def standing_word(one: Standing) -> str:
+    """How a file stands, in a word with its shape."""
+    return translated(str(WORDS[one.status])) if one.status else ""
+
+
+def state_of(one: Standing) -> str:
+    """The colour of a file that somebody has signed: good where it is released."""
+    if not one.valid:
+        return "bad"
+    return "warning" if one.provisional or one.status in NO_LONGER else "good"
 
 
 def next_step(one: CalibrationFile, operator: str) -> str:
@@ -20,6 +47,8 @@ def next_step(one: CalibrationFile, operator: str) -> str:
         return translated("Approved by {0}. Now both sign, each under their own name.").format(", ".join(one.approvers))
     if waiting:
         return translated("Good to use as PROVISIONAL; {0} has still to sign.").format(", ".join(waiting))
+    if one.standing.status in NO_LONGER:
+        return translated(str(NO_MORE))
     if not one.approvers:
         return translated("Good to use as PROVISIONAL: nobody approved it before it was signed.")
     return translated("Done: hand it out.")

@@ -8,6 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from labcal.errors import InputError
+from labcal.model.effects.c_form import CForm
+from labcal.model.effects.c_smooth import smooth_in_c
 from labcal.model.effects.inputs import RATE, WINDOW_S, value
 from labcal.model.effects.protocol import Array, Family, Scene, Term
 from labcal.record import Run
@@ -30,6 +32,13 @@ def of_base(scene: Scene) -> Array:
     return np.asarray((onto[:, None, :, None] * np.eye(3)[None, :, None, :]).reshape(len(scene), 3, 12))
 
 
+def in_c(term: Term) -> CForm:
+    """The same in C. Raises InputError."""
+    if term.basis is None:
+        raise InputError("the empirical effect states no basis")
+    return smooth_in_c(term, term.basis, SCALE_nT)
+
+
 def candidates(run: Run) -> list[Term]:
     """None: what it is shows only once the search has ended."""
     return []
@@ -49,4 +58,5 @@ FAMILY = Family(
     experiment="hold all else and move its input up and down through its range, twice",
     reach_s=reach_s,
     in_pieces=True,
+    in_c=in_c,
 )

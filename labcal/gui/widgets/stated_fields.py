@@ -1,0 +1,48 @@
+"""What people state of a draft beside its numbers: until when it is good, and which calibration it supersedes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QLineEdit, QSizePolicy
+
+from labcal.gui.ipc.answers import CalibrationFile
+from labcal.gui.widgets.common import combo_box
+
+
+class StatedFields(QObject):
+    """Two fields for a draft that nobody has approved yet, both empty at first; away for any other file."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._draft = ""
+        self.until = QLineEdit()
+        self.until.setPlaceholderText(self.tr("Until"))
+        self.until.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)  # as wide as what is below it
+        self.until.setToolTip(self.tr("The last day on which it is good, as 2027-11-21; empty: no date is stated"))
+        self.until.setAccessibleName(self.tr("Good until"))
+        tip = self.tr("The calibration of the same serial that this one takes the place of")
+        self.superseded = combo_box(tip, self.tr("Supersedes"), letters=6)
+
+    def show_draft(self, one: CalibrationFile | None, others: Iterable[CalibrationFile]) -> None:
+        """What can be stated of this file: nothing where it is approved or signed."""
+        draft = one is not None and not one.standing.signatures and not one.approvers
+        for field in (self.until, self.superseded):
+            field.setVisible(draft)
+        if one is None or not draft or one.path == self._draft:
+            return
+        self._draft = one.path
+        self.until.setText(one.until)
+        self.superseded.clear()
+        self.superseded.addItem(self.tr("Supersedes nothing"), "")
+        for other in others:
+            if other.standing.signatures and other.dut.serial == one.dut.serial:
+                self.superseded.addItem(self.tr("Supersedes {0}").format(Path(other.path).stem), other.path)
+
+    def stated(self) -> tuple[str, str]:
+        """The day, and the file that is superseded; "" for neither, and for both where there is nothing to state."""
+        if self.until.isHidden():
+            return "", ""
+        return self.until.text().strip(), str(self.superseded.currentData(Qt.ItemDataRole.UserRole) or "")

@@ -1,0 +1,87 @@
+"""The cage's own calibration: approved and signed here, and its signature checked before a coil is driven by it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from datetime import UTC, datetime
+from pathlib import Path
+
+from labcal import certificate
+from labcal.bench.coils.cage_file import CageCalibration, cage_text, read_cage, write_cage
+from labcal.bench.config import read_config
+from labcal.certificate.agent import signed
+from labcal.certificate.cage_signature import cage_signature_file, cage_signer, check_cage
+from labcal.errors import InputError
+from labcal.files.atomic import write_text
+from labcal.files.home import home
+from labcal.files.outputs import claim
+from labcal.runner.cage import approved_cage
+from labcal.session.audited import note_file
+from labcal.session.signing import shown
+from labcal.session.stamping import stamp
+from labcal.session.trust import handed_out
+from labcal.store import Store
+
+
+def approve_cage(
+    run: str,
+    name: str,
+    out: Path,
+    ask: Callable[[str], str] = lambda signer: "",
+    *,
+    tell: Callable[[str], None] = lambda remark: None,
+    force: bool = False,
+) -> tuple[CageCalibration, Path | None]:
+    """Write what a run of `cage-calibration` found to `out`, approved by `name`; until then it is a draft.
+
+    Signed by them where their key is at hand: `ask` is asked for its passphrase, once all else is well. Returns the
+    signature's path too; `tell` hears what came of asking for a time stamp.
+    """
+    [output] = claim("bench cage", out, force=force)
+    signer = _approver_with_key(name)
+    with Store.open() as kept:
+        found = approved_cage(kept.header(run), kept.status(run), kept.items(run, but="block"), name)
+    armoured = None
+    if signer is not None:
+        armoured = signed(cage_text(found).encode(), certificate.keys.signing_key(home(), signer, ask(signer)))
+    with output.writing():
+        write_cage(found, out)
+    signature = None if armoured is None else cage_signature_file(out)
+    if signature is not None and armoured is not None:
+        write_text(signature, armoured)
+    note_file("approve", name, out, signature)
+    if signature is not None and (said := stamp(signature, run)) is not None:
+        tell(said)
+    return found, signature
+
+
+def cage_remark(bench: Path) -> str | None:
+    """What is to be said of the cage calibration that a bench file names; None where it is signed, or none is named.
+
+    Raises InputError where its signature does not hold.
+    """
+    named = read_config(bench).cage.calibration
+    if named is None or not (cage := bench.parent / named).is_file():
+        return None  # a file that is not there is told when the bench is opened
+    approver = ""
+    with suppress(InputError):  # what is wrong with its text is told by its signature, else when the bench is opened
+        approver = read_cage(cage).approved_by
+    gone = certificate.keys.revoked(home())
+    return check_cage(cage, approver, handed_out(), gone, datetime.now(UTC), shown)
+
+
+def _approver_with_key(name: str) -> str | None:
+    """Whose key at hand signs for the approver `name`; None where they have none here: the file stays unsigned.
+
+    Raises InputError where they lack the role, or this lab has roles, so that it would not be used unsigned.
+    """
+    trusted = certificate.keys.trusted(home())
+    found = cage_signer(name, trusted)
+    certificate.check_approver(found or " ".join(name.split()), trusted)
+    if found is not None and certificate.keys.has_key_at_hand(home(), found):
+        return found
+    if any(signer.roles for signer in trusted):
+        told = f"in this lab an approver with a role signs a cage calibration, and no key of {name} is at hand here"
+        raise InputError(f"{told}; nothing was written")
+    return None
