@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.geometry import rotate, rotation, shortest_rotation
+from labcal.geometry import rotate, rotation, rotation_vector, shortest_rotation
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.selection.equivalents import equally_likely
 from labcal.loop.selection.stepwise import stepwise_forward
 from labcal.model.effects import family
 from labcal.model.effects.iron import table_axes
@@ -80,6 +81,19 @@ def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
     accepted, _ = stepwise_forward(pool)
     assert [c.cause for c in accepted] == [("cage-field", channels)]
     assert np.sqrt(np.mean(pool.residual(accepted) ** 2)) < 1.1
+
+
+def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    table = Table(making)
+    leaning = rotation_vector(np.radians([1.1, -0.5, 0.0])) - np.eye(3)
+    turned = np.einsum("nij,nj->ni", table.to_table, table.rows["ref"] @ leaning.T)
+    pool = CandidateSet.of(table.problem(tmp_path, turned, zeros=True), 0.85)
+    chosen = next(c for c in pool.candidates if c.family.id == "axis-tilt" and len(c.term.parameters) == 2)
+    iron = next(c for c in pool.candidates if c.term.parameters[-1][0] == "bz_z")
+    assert pool.score(iron, pool.null_model()).evidence > 100
+    assert [w.candidate.family.id for w in equally_likely(pool, [chosen], chosen)] == ["axis-tilt"]
 
 
 def test_nothing_is_added_where_there_is_no_iron(making: ModuleType, tmp_path: Path) -> None:
