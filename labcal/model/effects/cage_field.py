@@ -26,10 +26,10 @@ def kernel(term: Term, scene: Scene) -> Array:
     `bx_y` along y of C for each unit of the reference along x; `t…` of iron that turns with the table (`effects.iron`).
     """
     assert scene.rig is not None
-    rig, turned = scene.rig, iron.table_axes(scene.rig)
-    out = np.empty((len(scene), 3, len(term.parameters)))
-    for place, (name, _) in enumerate(term.parameters):
-        part = _part(name)
+    rig, parts = scene.rig, [_part(name) for name, _ in term.parameters]
+    turned = iron.table_axes(rig) if any(part.kind.startswith("t") for part in parts) else rig.to_body
+    out = np.empty((len(scene), 3, len(parts)))
+    for place, part in enumerate(parts):
         if part.kind.startswith("t"):
             out[:, :, place] = iron.column(part.kind, part.along, turned, rig.prediction_nT)
         else:
