@@ -70,8 +70,11 @@ class Table:
         return np.einsum("nij,nj->ni", self.to_table, in_cage)
 
 
-@pytest.mark.parametrize("zeros", [False, True], ids=["attitude declared", "each mounting's own zero"])
-@pytest.mark.parametrize(("where", "channels"), [("beside", ()), ("on the table", ()), ("motor", ("motor_on",))])
+@pytest.mark.parametrize(
+    ("where", "channels", "zeros"),
+    [("beside", (), False), ("beside", (), True), ("on the table", (), False),
+     ("motor", ("motor_on",), False), ("motor", ("motor_on",), True)],
+)  # fmt: skip
 def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
     making: ModuleType, tmp_path: Path, where: str, channels: tuple[str, ...], zeros: bool
 ) -> None:

@@ -100,11 +100,8 @@ def _waves(most: int, before: str = "", unit: str = "nT", least: int = 1) -> Nam
 
 
 def _on_table(run: Run) -> list[Names]:
-    """Iron on the table, where mountings tell it from the device's own soft iron."""
-    numbers = list(mountings(run))
-    if len(numbers) < 2:
-        return []
-    return [iron.ON_TABLE if _one_zero(run) else iron.of_each_mounting(numbers)]
+    """Iron on the table, where mountings with one zero of the angle tell it from the device's own soft iron."""
+    return [iron.ON_TABLE] if len(mountings(run)) > 1 and _one_zero(run) else []
 
 
 def _one_zero(run: Run) -> bool:
