@@ -64,8 +64,20 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, always)
     if pool.problem.whole is not None and len(near) > 1:
         near = within_reach(pool.undecimated().rank([w.candidate for w in near], others), chosen, always)
-    earning = [w for w in near[1:] if earns_its_extension(pool, others, w)]
+    apart = [w for w in near[1:] if not _merely_contains(pool, others, chosen, w.candidate)]
+    earning = [w for w in apart if earns_its_extension(pool, others, w)]
     return [near[0], *earning, *plausible_extensions(pool, accepted, chosen)]
+
+
+def _merely_contains(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, larger: Candidate) -> bool:
+    """Whether `larger` can do all that `chosen` does, and has no evidence for what else it can.
+
+    Iron that answers by any tensor turns the field as a tilted axis does: what is a turn alone is no iron.
+    """
+    if pool.score(chosen, pool.null_model([*others, larger])).rank:
+        return False
+    more = pool.score(larger, pool.null_model([*others, chosen]))
+    return more.rank > 0 and more.evidence < policy.POLICY.min_evidence
 
 
 def plausible_extensions(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> list[Scored]:

@@ -35,12 +35,10 @@ def stepwise_forward(
     out_of_play, left = set(refused), set[Cause]()
     while len(accepted) < most:
         open_to = [c for c in all_candidates(pool, accepted) if not _already_accepted(c, accepted)]
-        ranking = pool.rank(open_to, accepted)
-        if accepted and _is_white(pool, accepted, ranking):
-            rankings.append(ranking)
+        if accepted and _is_white(pool, accepted) and not _is_likely(at_last := pool.rank(open_to, accepted)):
+            rankings.append(at_last)
             break
-        if accepted:
-            ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
+        ranking = pool.rank(open_to, accepted, related_columns(pool, accepted))
         rankings.append(ranking)
         best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in out_of_play])
         whole = best_set(pool, accepted, out_of_play)
@@ -63,11 +61,15 @@ def stepwise_forward(
     return accepted, rankings
 
 
-def _is_white(pool: CandidateSet, accepted: Sequence[Candidate], ranking: Sequence[Scored]) -> bool:
-    """Whether the accepted effects leave nearly white noise, and no candidate has half the evidence of a name."""
+def _is_white(pool: CandidateSet, accepted: Sequence[Candidate]) -> bool:
+    """Whether the accepted effects leave nearly white noise."""
     null_model = pool.null_model(accepted)
-    highest = float(null_model.bands.spectra[null_model.null.spectrum].max())
-    return highest < NEARLY_WHITE and ranking[0].evidence < policy.POLICY.min_evidence / 2
+    return float(null_model.bands.spectra[null_model.null.spectrum].max()) < NEARLY_WHITE
+
+
+def _is_likely(ranking: Sequence[Scored]) -> bool:
+    """Whether the first has half the evidence of a name."""
+    return ranking[0].evidence >= policy.POLICY.min_evidence / 2
 
 
 def _material_pair(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from labcal.geometry import skew
 from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
+from labcal.model.effects.regressors import mountings
 from labcal.record import Run, offers
 from labcal.record.run import Vector
 
@@ -37,13 +38,13 @@ def kernel(term: Term, scene: Scene) -> Array:
     assert scene.rig is not None
     out = np.zeros((len(scene), 3, len(term.parameters)))
     turning = np.isfinite(scene.rig.angle_rad)
-    axes, mountings = _mounted(scene.rig.axis_body), scene.rig.mounting + 1
+    axes, mounting = _mounted(scene.rig.axis_body), scene.rig.mounting + 1
     for column, (name, _) in enumerate(term.parameters):
         where, _, direction = name.rpartition(":" if ":" in name else "_")
         frame, _, number = where.partition("_")
         rows = turning
         if number and number not in WAVES:
-            rows = turning & ((mountings if number[0] == "m" else axes) == int(number.removeprefix("m")))
+            rows = turning & ((mounting if number[0] == "m" else axes) == int(number.removeprefix("m")))
         turn = skew(np.eye(3)["xyz".index(direction)]) * DEG
         if frame == "cage":
             cage = -scene.rig.reference_nT[rows] @ turn.T
@@ -83,20 +84,10 @@ def candidates(run: Run) -> list[Term]:
         body = tuple((f"body_{i}:{a}", "deg") for i, axis in numbered for a in _across([tuple(axis)]))
         terms.append(Term(kernel, body))
         terms.append(Term(kernel, (*common, *body)))  # levelled on the cage: its axis is tilted in both
-    if len(each := _mountings(run)) > len(mounted):
-        terms.append(Term(kernel, tuple((f"body_m{i}:{a}", "deg") for i, axis in each for a in _across([axis]))))
+    if len(each := mountings(run)) > len(mounted):
+        names = (f"body_m{i}:{a}" for i, axis in each.items() for a in _across([axis]))
+        terms.append(Term(kernel, tuple((name, "deg") for name in names)))
     return terms
-
-
-def _mountings(run: Run) -> list[tuple[int, Vector]]:
-    """The number from 1 and the axis of each mounting that turns, in the order of its first segment."""
-    names = list(dict.fromkeys(s.mounting or i for i, s in enumerate(run.segments)))
-    turning = {
-        names.index(s.mounting or i) + 1: s.axis_body
-        for i, s in enumerate(run.segments)
-        if s.kind == "rotation" and offers(run, s) == "vector" and s.axis_body is not None and len(run.rows(i))
-    }
-    return list(turning.items())
 
 
 def _across(axes: list[Vector]) -> str:

@@ -14,8 +14,8 @@ from labcal.model.effects.past import Past
 from labcal.model.effects.protocol import Array, Scene, Term
 from labcal.model.effects.recursion import affine_recursion
 from labcal.model.effects.shape import MOMENT, Shape
-from labcal.record import Run
-from labcal.record.run import Channel
+from labcal.record import Run, offers
+from labcal.record.run import Channel, Vector
 
 WEATHER = ("temperature", "pressure", "humidity")
 AXES = ("x", "y", "z")
@@ -73,6 +73,16 @@ def weather_of_the_room(run: Run) -> list[Channel]:
 def some_moment(run: Run) -> Shape:
     """Where a step may lie: the residual shows where it is looked for."""
     return replace(STEP, value=float(run.t_s[0] + run.t_s[-1]) / 2)
+
+
+def mountings(run: Run) -> dict[int, Vector]:
+    """The axis in B of each mounting that turns, by its number from 1 in the order of first segments."""
+    names = list(dict.fromkeys(s.mounting or i for i, s in enumerate(run.segments)))
+    return {
+        names.index(s.mounting or i) + 1: s.axis_body
+        for i, s in enumerate(run.segments)
+        if s.kind == "rotation" and offers(run, s) == "vector" and s.axis_body is not None and len(run.rows(i))
+    }
 
 
 def _moves(values: Array) -> bool:

@@ -1,0 +1,51 @@
+"""Iron that the cage's field magnetises: its field at the device, linear in the reference, beside its remanence.
+
+What stands beside the cage answers with one tensor of the cage, for the coils' field at its place is linear in the one
+at the centre. What turns with the table answers with one tensor of the table: in the cage that has the harmonics 0, 1
+and 2 of the platform angle, within one mounting it is the device's own soft iron.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+
+from labcal.geometry import rotation
+from labcal.model.effects.protocol import Array, Rig
+from labcal.model.effects.regressors import AXES
+
+Names = tuple[tuple[str, str], ...]
+TABLE = ("u", "v", "w")  # axes that turn with the table, w along the platform's
+REMANENT = tuple((f"t_{a}", "nT") for a in TABLE)
+BESIDE: Names = tuple((f"b{driven}_{a}", "1") for driven, a in product(AXES, AXES))
+ON_TABLE: Names = (*REMANENT, *((f"t{driven}_{a}", "1") for driven, a in product(TABLE, TABLE)))
+
+
+def table_axes(rig: Rig) -> Array:
+    """The table's axes u, v and w in the body (n, 3, 3), as columns; zero where it does not turn."""
+    out = np.zeros_like(rig.to_body)
+    turning = np.isfinite(rig.angle_rad) & np.isfinite(rig.axis_cage).all(axis=1)
+    for axis in np.unique(rig.axis_cage[turning], axis=0):
+        rows = turning & (rig.axis_cage == axis).all(axis=1)
+        upright = np.column_stack([*_across(axis), axis])
+        out[rows] = rig.to_body[rows] @ rotation(axis, rig.angle_rad[rows]) @ upright
+    return out
+
+
+def _across(axis: Array) -> tuple[Array, Array]:
+    """Two directions across an axis: u, v and it are right-handed."""
+    u = np.cross(np.eye(3)[int(np.argmin(np.abs(axis)))], axis)
+    u = u / np.linalg.norm(u)
+    return u, np.cross(axis, u)
+
+
+def column(kind: str, along: str, axes: Array, prediction_nT: Array) -> Array:
+    """What iron on the table adds in the body (n, 3), `axes` being the table's and `prediction_nT` the reference there.
+
+    `t_u`: its remanence along u. `tw_u`: along u, what the field along w induces.
+    """
+    if kind == "t":
+        return np.asarray(axes[:, :, TABLE.index(along)])
+    induced_by = np.einsum("ni,ni->n", axes[:, :, TABLE.index(kind[1])], prediction_nT)
+    return np.asarray(induced_by[:, None] * axes[:, :, TABLE.index(along)])

@@ -1,0 +1,134 @@
+"""Iron that the cage's field magnetises, and a motor's magnets: one name, and the device's own map beside it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from labcal import session
+from labcal.geometry import rotate, rotation, rotation_vector, shortest_rotation
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.close import prepare
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.selection.equivalents import equally_likely
+from labcal.loop.selection.stepwise import stepwise_forward
+from labcal.model.effects import family
+from labcal.model.effects.iron import table_axes
+from labcal.model.effects.protocol import Rig
+
+Rows = dict[str, np.ndarray]
+UP = np.array([0.0, 0.0, 1.0])
+ANSWER = 1e-3 * np.array([[4.0, -2.5, 1.0], [3.0, -1.5, 5.0], [-2.0, 3.5, 6.0]])  # of iron to the field about it
+REMANENT_nT = np.array([180.0, -260.0, 120.0])
+ZEROS = (0.4, -1.9, 2.2, 1.1, -0.7, 2.9)  # rad, of the platform's angle in each mounting
+
+
+class Table:
+    """Six mountings on a platform that stands upright, each in a field of another direction."""
+
+    def __init__(self, making: ModuleType) -> None:
+        self.making = making
+        self.rows, self.segments = making.recorded(seconds=60.0)
+        draw = np.random.default_rng(3)
+        self.number = np.zeros(len(self.rows["t_s"]), dtype=int)
+        for k, segment in enumerate(self.segments):
+            mount = shortest_rotation(UP, segment["axis_body"])
+            segment |= {"axis_cage": UP.tolist(), "body_from_cage": mount.tolist()}
+            here = self.rows["segment"] == segment["id"]
+            self.number[here] = k
+            self.rows["ref"][here] = 45000 * (v := draw.normal(size=3)) / np.linalg.norm(v)
+        self.mounts = np.array([segment["body_from_cage"] for segment in self.segments])[self.number]
+        self.to_table = rotation(UP, -self.rows["angle"])
+        self.on = (np.mod(self.rows["t_s"], 21.0) < 9.0).astype(float)
+
+    def problem(self, folder: Path, in_table_nT: np.ndarray, *, zeros: bool) -> LinearProblem:
+        """The base fitted to what the device reads with a field on it that is given along the table's axes."""
+        seen = np.einsum("nij,njk,nk->ni", self.mounts, self.to_table, self.rows["ref"])
+        seen = seen + np.einsum("nij,nj->ni", self.mounts, in_table_nT)
+        noise = np.random.default_rng(4).normal(0, self.making.NOISE_nT, seen.shape)
+        rows, segments = dict(self.rows, dut=1.05 * seen + 800 + noise, motor_on=self.on), self.segments
+        if zeros:
+            rows["angle"] = rows["angle"] + np.array(ZEROS)[self.number]
+            segments = [{k: v for k, v in s.items() if k != "body_from_cage"} for s in segments]
+        channels = self.making.CHANNELS | {"motor_on": {"unit": "1", "quantity": "other", "role": "platform"}}
+        return prepare(session.load_run(str(self.making.written(folder, rows, segments, channels))))[0]
+
+    def cage(self, name: str) -> np.ndarray:
+        """What stands in the cage or turns there, along the table's axes (n, 3)."""
+        in_cage: Any
+        if name == "beside":
+            in_cage = self.rows["ref"] @ ANSWER.T + REMANENT_nT
+        elif name == "motor":
+            poles = rotate(UP, 3 * self.rows["angle"], np.tile([90.0, -40.0, 70.0], (len(self.on), 1)))
+            in_cage = poles + self.on[:, None] * (poles + [120.0, 60.0, -150.0])
+        else:
+            return np.einsum("nij,nj->ni", self.to_table, self.rows["ref"]) @ ANSWER.T + REMANENT_nT
+        return np.einsum("nij,nj->ni", self.to_table, in_cage)
+
+
+@pytest.mark.parametrize(
+    ("where", "channels", "zeros"),
+    [("beside", (), False), ("beside", (), True), ("on the table", (), False),
+     ("motor", ("motor_on",), False), ("motor", ("motor_on",), True)],
+)  # fmt: skip
+def test_iron_and_a_motor_are_one_field_of_the_cage_down_to_the_noise(
+    making: ModuleType, tmp_path: Path, where: str, channels: tuple[str, ...], zeros: bool
+) -> None:
+    table = Table(making)
+    pool = CandidateSet.of(table.problem(tmp_path, table.cage(where), zeros=zeros), 0.85)
+    assert np.sqrt(np.mean(pool.residual(()) ** 2)) > 2
+    accepted, _ = stepwise_forward(pool)
+    assert [c.cause for c in accepted] == [("cage-field", channels)]
+    assert np.sqrt(np.mean(pool.residual(accepted) ** 2)) < 1.1
+
+
+def test_a_tilted_axis_alone_has_no_rival_in_iron_that_can_turn_the_field_too(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    table = Table(making)
+    leaning = rotation_vector(np.radians([1.1, -0.5, 0.0])) - np.eye(3)
+    turned = np.einsum("nij,nj->ni", table.to_table, table.rows["ref"] @ leaning.T)
+    pool = CandidateSet.of(table.problem(tmp_path, turned, zeros=True), 0.85)
+    chosen = next(c for c in pool.candidates if c.family.id == "axis-tilt" and len(c.term.parameters) == 2)
+    iron = next(c for c in pool.candidates if c.term.parameters[-1][0] == "bz_z")
+    assert pool.score(iron, pool.null_model()).evidence > 100
+    assert [w.candidate.family.id for w in equally_likely(pool, [chosen], chosen)] == ["axis-tilt"]
+
+
+def test_nothing_is_added_where_there_is_no_iron(making: ModuleType, tmp_path: Path) -> None:
+    table = Table(making)
+    for zeros in (False, True):
+        problem = table.problem(tmp_path / str(zeros), np.zeros((len(table.on), 3)), zeros=zeros)
+        assert stepwise_forward(CandidateSet.of(problem, 0.85))[0] == []
+
+
+@pytest.mark.parametrize("axis", [UP, np.array([0.48, -0.6, 0.64])])
+def test_the_tables_axes_turn_with_it(axis: np.ndarray) -> None:
+    angle = np.array([0.0, 0.9, np.nan])
+    to_body = np.stack([rotation(axis, -a) for a in np.nan_to_num(angle)])
+    none, cage = np.zeros((3, 3)), np.tile(axis, (3, 1))
+    axes = table_axes(Rig(none, none, to_body, cage, cage, angle, np.zeros(3, dtype=np.intp)))
+    assert np.allclose(axes[0], axes[1])  # this body turns with the table
+    assert np.allclose(axes[0].T @ axes[0], np.eye(3))
+    assert np.allclose(axes[0][:, 2], axis)
+    assert np.linalg.det(axes[0]) == pytest.approx(1.0)
+    assert not axes[2].any()
+
+
+def test_what_iron_on_the_table_answers_has_harmonics_up_to_the_second(making: ModuleType, tmp_path: Path) -> None:
+    table = Table(making)
+    problem = table.problem(tmp_path, np.zeros((len(table.on), 3)), zeros=False)
+    (term,) = (t for t in family("cage-field").candidates(problem.run) if t.parameters[0][0] == "t_u")
+    here = problem.scene
+    assert here.rig is not None
+    first = table.number == 0
+    in_cage = np.einsum("nji,njp->nip", here.rig.to_body, term.columns(here))[first]
+    angle = here.rig.angle_rad[first]
+    waves = np.column_stack([np.ones(first.sum()), *(w(h * angle) for h in (1, 2) for w in (np.cos, np.sin))])
+    flat = in_cage.reshape(len(angle), -1)
+    left = flat - waves @ np.linalg.lstsq(waves, flat, rcond=None)[0]
+    assert np.abs(left).max() < 1e-6 * np.abs(flat).max()
