@@ -26,7 +26,8 @@ KINDS = {
         "data.checks:OFFSETS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED",
         "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
-        "selection.select:MAX_ROUNDS OUT_OF_REACH", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
+        "selection.discrepancy:NEAREST", "selection.select:MAX_ROUNDS OUT_OF_REACH",
+        "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
         "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST BETTER PER_RESOLUTION",
         "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
@@ -40,7 +41,7 @@ KINDS = {
     "setting of an estimator": (
         "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
-        "selection.discrepancy:DEGREES HARMONICS",
+        "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "empirical.marginal:RATIOS",
         "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
