@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.empirical.marginal import Reduced
 from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.marginal import Reduced
 from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import delayed, low_passed
