@@ -25,7 +25,7 @@ FILES = {
 }
 SEED = 818
 # Faults of today, counted in docs/closed-loop.md; these lists only shrink.
-WRONG_TODAY = {("spacecraft.py", 0): ["gain-step"], ("spacecraft.py", 1): ["offset-current"]}
+WRONG_TODAY: dict[tuple[str, int], list[str]] = {}
 MISSED_TODAY = {("magnets.py", 1)}
 
 

@@ -12,10 +12,10 @@ from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.empirical.inputs import Inputs, middle_of, sets_of_inputs
-from labcal.loop.empirical.marginal import Marginal, Reduced
 from labcal.loop.empirical.splines import LENGTHS, functions_of_length, splines_of, table
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import Likelihood, NullModel
+from labcal.loop.noise.marginal import Marginal, Reduced
 from labcal.loop.parallel import parallel_map
 from labcal.model.effects import Scene, Term
 from labcal.model.effects.empirical import FAMILY, of_base

@@ -8,6 +8,7 @@ from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.noise.coloured import NullModel
+from labcal.loop.selection.misfit import misfits
 from labcal.loop.selection.related import related_columns, span_of_related
 
 
@@ -22,6 +23,18 @@ def material_beside(pool: CandidateSet, null_model: NullModel) -> float:
     law, null = policy.POLICY, null_model.null
     rest = (null.rss / pool.n_data - 1.0) / pool.decimation
     return max(law.material_share * null.level**2, law.min_share_of_excess * rest)
+
+
+def is_its_own(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> bool:
+    """Whether a cause has the evidence of a name beside whatever the accepted forms may miss."""
+    return not accepted or evidence_of_its_own(pool, accepted, found.candidate) >= policy.POLICY.min_evidence
+
+
+def evidence_of_its_own(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:
+    """The evidence for what no other form in the inputs of an accepted effect takes [nats]: the least of them."""
+    plain = pool.score(candidate, pool.null_model(accepted, related_columns(pool, accepted))).evidence
+    spans = (span for one in accepted for span in misfits(pool, [one]))
+    return min([plain, *(pool.score(candidate, pool.null_model(accepted, [span])).evidence for span in spans)])
 
 
 def earns_its_extension(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> bool:

@@ -20,16 +20,21 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.nuisance import principal_span
 from labcal.loop.selection.admission import min_material_drop
+from labcal.loop.selection.misfit import misfits
 from labcal.model.effects import Scene
 from labcal.model.effects.regressors import on_each_axis, stretches
 
 Array = NDArray[np.float64]
 DEGREES = (2, 3)  # of what is not straight
 HARMONICS = (1, 2, 3)  # of the platform's angle
+NEAREST = 3  # rivals that are weighed beside what both may miss
 
 
 def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate], chosen: Candidate) -> bool:
-    """Whether `chosen` has the evidence of a name, and a lead over every unrelated cause, beside a discrepancy."""
+    """Whether `chosen` has the evidence of a name, and a lead over every unrelated cause, beside a discrepancy.
+
+    Over the nearest rivals where each of the two may miss a smooth function of its own inputs as well.
+    """
     if chosen.family.bound_to_run or chosen.family.generic:
         return False
     others = [c for c in accepted if c is not chosen]
@@ -40,7 +45,17 @@ def stands_beside_discrepancy(pool: CandidateSet, accepted: Sequence[Candidate],
     related = {chosen.family.id, *chosen.family.extends, *chosen.family.related}
     rivals = [c for c in all_candidates(pool, others) if _is_unrelated(c, chosen, related)]
     found = pool.rank(rivals, others, beside)
-    return not found or found[0].evidence < own.evidence - law.equivalent_nats
+    if any(w.evidence >= own.evidence - law.equivalent_nats for w in found[NEAREST:]):
+        return False
+    near = [w.candidate for w in found[:NEAREST] if w.evidence >= law.min_evidence]
+    return all(_leads_beside_both(pool, others, chosen, rival) for rival in near)
+
+
+def _leads_beside_both(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, rival: Candidate) -> bool:
+    """Whether `chosen` still leads where neither it nor the rival may explain what the other's form misses."""
+    beside = [discrepancy(pool, chosen), *misfits(pool, [chosen, rival])]
+    own, other = (pool.score(c, pool.null_model(others, beside)).evidence for c in (chosen, rival))
+    return own >= max(other, 0.0) + policy.POLICY.equivalent_nats
 
 
 def _is_unrelated(candidate: Candidate, chosen: Candidate, related: set[str]) -> bool:

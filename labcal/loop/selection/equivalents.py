@@ -14,6 +14,7 @@ from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.selection.admission import earns_its_extension
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.misfit import evidence_beside_misfit, misfits
 from labcal.loop.selection.related import related_columns
 from labcal.loop.selection.stepwise import is_same_source
 
@@ -59,14 +60,48 @@ def _equally_likely(pool: CandidateSet, accepted: Sequence[Candidate], chosen: C
     others = [c for c in accepted if c is not chosen]
     open_to = [c for c in all_candidates(pool, others) if not any(is_same_source(o, c) for o in others)]
     related = [refined(pool, c, others) for c in _same_response(open_to, chosen)]
-    misfit = float(np.mean(pool.residual(accepted)[pool.rows] ** 2)) > policy.POLICY.floor_ratio**2
-    always = {c.cause for c in related if misfit and chosen.family.second_order}
+    lead = {c.cause: nats for c, nats in leads_over_relatives(pool, others, chosen)}
+    always = {cause for cause, nats in lead.items() if nats < policy.POLICY.equivalent_nats}
     near = within_reach(pool.rank([*open_to, *related, chosen], others), chosen, always)
     if pool.problem.whole is not None and len(near) > 1:
         near = within_reach(pool.undecimated().rank([w.candidate for w in near], others), chosen, always)
     apart = [w for w in near[1:] if not _merely_contains(pool, others, chosen, w.candidate)]
     earning = [w for w in apart if earns_its_extension(pool, others, w)]
-    return [near[0], *earning, *plausible_extensions(pool, accepted, chosen)]
+    known = {w.candidate.cause for w in earning}
+    extensions = [w for w in plausible_extensions(pool, accepted, chosen) if w.candidate.cause not in known]
+    return [near[0], *earning, *extensions]
+
+
+def leads_over_relatives(
+    pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate
+) -> list[tuple[Candidate, float]]:
+    """Causes of a related form in the same channels, at their best, and how far `chosen` leads over each [nats].
+
+    Beside whatever the forms of both may miss: a form that fits a little better because it takes some of the other's
+    delay or curvature has no lead by that.
+    """
+
+    def made() -> list[tuple[Candidate, float]]:
+        found = [refined(pool, c, others) for c in _best_relatives(pool, others, chosen)]
+        return [(c, lead_beside_misfit(pool, others, chosen, c)) for c in found]
+
+    return pool.cached("relatives", [chosen, *others], made)
+
+
+def lead_beside_misfit(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, other: Candidate) -> float:
+    """How much more evidence `chosen` has than `other` where both may miss what either does [nats]."""
+    missed = misfits(pool, [chosen, other])
+    one, two = (evidence_beside_misfit(pool, others, c, missed) for c in (chosen, other))
+    return one - two
+
+
+def _best_relatives(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate) -> list[Candidate]:
+    related = [
+        c
+        for c in all_candidates(pool, others)
+        if c.family.id in chosen.family.related and c.term.channels == chosen.term.channels
+    ]
+    return [w.candidate for w in pool.rank(related, others)] if related else []
 
 
 def _merely_contains(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, larger: Candidate) -> bool:

@@ -20,7 +20,7 @@ from labcal.loop.selection.crossval import (
     fixed_choice,
     own_proof,
 )
-from labcal.loop.selection.equivalents import equally_likely, not_worse
+from labcal.loop.selection.equivalents import equally_likely, leads_over_relatives, not_worse
 from labcal.loop.selection.heldout_rules import first_doubtful, first_unsupported, improves
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
@@ -91,7 +91,8 @@ def select(
 def _select_once(pool: CandidateSet, blocks: BlockFolds | None, most: int, refused: Collection[Cause]) -> _Round:
     accepted, rankings = stepwise(pool, most, refused)
     blocks = blocks or block_folds(pool.problem, correlation_time_s(pool.problem.scene.t_s, pool.residual(accepted)))
-    simple = _simplest(pool, blocks, prefer_computable(pool, blocks, accepted, refused))
+    likelier = likelier_forms(pool, accepted, refused)
+    simple = _simplest(pool, blocks, prefer_computable(pool, blocks, likelier, refused))
     kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
     contributions = [_contribution(pool, blocks, kept, i) for i in range(len(kept))]
     return _Round(kept, rankings, contributions, blocks, {c.cause for c in simple} - {c.cause for c in kept})
@@ -134,6 +135,17 @@ def _contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Can
     if improves(alone) or not also:
         return alone
     return cross_validate(pool, blocks, fixed_choice([*before, accepted[place], *also]), [*before, *also])
+
+
+def likelier_forms(pool: CandidateSet, accepted: list[Candidate], refused: Collection[Cause]) -> list[Candidate]:
+    """Each effect, or a related form in the same channels that leads over it beside what the forms of both may miss."""
+    for place, one in enumerate(accepted):
+        others = [c for c in accepted if c is not one]
+        leads = [(c, nats) for c, nats in leads_over_relatives(pool, others, one) if c.cause not in refused]
+        other, nats = min(leads, key=lambda pair: pair[1], default=(one, 0.0))
+        if nats < -policy.POLICY.equivalent_nats:
+            accepted = [*accepted[:place], other, *accepted[place + 1 :]]
+    return accepted
 
 
 def prefer_computable(

@@ -17,7 +17,12 @@ from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.parallel import parallel_map
-from labcal.loop.selection.admission import earns_its_extension, min_material_drop
+from labcal.loop.selection.admission import (
+    earns_its_extension,
+    evidence_of_its_own,
+    is_its_own,
+    min_material_drop,
+)
 from labcal.loop.selection.pairs import score_pairs
 from labcal.loop.selection.related import related_columns
 from labcal.loop.selection.sets import best_set, pruned_beside
@@ -95,7 +100,7 @@ def best_admissible(pool: CandidateSet, accepted: Sequence[Candidate], ranking: 
     """The best that is material and earns its place."""
     least = min_material_drop(pool, accepted)
     fit = [w for w in ranking if w.drop >= least and w.evidence >= policy.POLICY.min_evidence]
-    return next((w for w in fit if earns_its_extension(pool, accepted, w)), None)
+    return next((w for w in fit if earns_its_extension(pool, accepted, w) and is_its_own(pool, accepted, w)), None)
 
 
 def _already_accepted(candidate: Candidate, accepted: Sequence[Candidate]) -> bool:
@@ -113,11 +118,13 @@ def is_same_source(one: Candidate, other: Candidate) -> bool:
 
 
 def backward_check(pool: CandidateSet, accepted: list[Candidate]) -> list[Candidate]:
-    """Those that still have the evidence of a name beside the others; of sets the members that have."""
+    """Those that still have the evidence of a name beside the others and all that their forms may miss.
+
+    Of sets the members that have.
+    """
 
     def evidence(chosen: Candidate) -> float:
-        others = [c for c in accepted if c is not chosen]
-        return pool.score(chosen, pool.null_model(others, related_columns(pool, others))).evidence
+        return evidence_of_its_own(pool, [c for c in accepted if c is not chosen], chosen)
 
     if len(accepted) > 1 and any(c.members for c in accepted):
         accepted = [pruned_beside(pool, [o for o in accepted if o is not c], c) for c in accepted]

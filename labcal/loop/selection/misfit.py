@@ -1,0 +1,130 @@
+"""What the form of an effect may miss: a smooth function of its own inputs, which must become nobody's name.
+
+An effect of another form in the same inputs is the effect's own columns times something smooth in its channel, in the
+field and in the angle, or the same columns earlier, later or smeared in time (Kennedy & O'Hagan's discrepancy, J. R.
+Stat. Soc. B 63, 425, 2001, of one effect alone). A cause that stands beside another has to show what such a function
+of the other's inputs does not; of two forms in the same inputs the likelier one is found with it integrated out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labcal.loop.candidates.library import Candidate, Span
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.noise.bands import cosine_transform
+from labcal.loop.noise.marginal import Reduced
+from labcal.loop.noise.nuisance import orthogonal_complement, principal_span
+from labcal.model.effects import Scene
+from labcal.model.effects.regressors import delayed, low_passed
+from labcal.record import period_s
+
+Array = NDArray[np.float64]
+HARMONICS = (1, 2)  # of the platform's angle
+LATE_ROWS = 2  # earlier and later
+SMEARED_ROWS = (3, 12, 50)  # time constants of first-order responses
+RESPONSES: tuple[tuple[Callable[[Array, NDArray[np.intp], Array, float], Array], float], ...] = (
+    *((delayed, k) for k in (-LATE_ROWS, LATE_ROWS)),
+    *((low_passed, k) for k in SMEARED_ROWS),
+)
+KEPT = 1e-6  # of the squares of the largest direction: smaller ones are no part of a misfit
+
+
+def misfits(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Span]:
+    """What the forms of the accepted effects may miss; nothing of a sensor's that goes by the run's time alone."""
+    parts = (part for one in accepted for part in one.parts)
+    return [_misfit(pool, part) for part in parts if part.belongs_to == "rig" or not part.family.bound_to_run]
+
+
+def evidence_beside_misfit(
+    pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, missed: Sequence[Span]
+) -> float:
+    """The evidence for a cause beside `others` [nats] where it may miss a function of `missed`, integrated out.
+
+    The prior of that function is as wide as makes the data likeliest: where the form is whole, it costs nothing.
+    """
+    null, model = pool.null_model(others), pool.null_model([*others, chosen])
+    columns = np.concatenate([span.columns for span in missed], axis=2)
+    found = Reduced.of(model, columns, range(len(model.bands.spectra))).best(np.eye(columns.shape[2]))
+    rank = pool.score(chosen, null).rank
+    return max(found.log, model.null.log) - null.null.log - pool.penalty(chosen, rank)
+
+
+def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
+    def on_all_rows(forms: Callable[[Scene, Candidate], Iterator[Array]]) -> Array:
+        return _whitened(pool, np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
+
+    def made() -> Span:
+        driven, carried = (
+            cosine_transform(pool.store.memo.get(forms, (chosen,), partial(on_all_rows, forms))[pool.transformed_rows])
+            for forms in (_otherwise_driven, _otherwise_carried)
+        )
+        own = orthogonal_complement(pool.base, pool.transformed_columns(chosen))
+        driven = orthogonal_complement(np.concatenate([pool.base, own], axis=2), driven)
+        return Span(principal_span(np.concatenate([driven, carried], axis=2), tolerance=KEPT))
+
+    shape = pool.whole.scene.field_nT.shape
+    return pool.cached("misfit", (chosen,), made)
+
+
+def _whitened(pool: CandidateSet, columns: Array) -> Array:
+    problem = pool.problem
+    if problem.bins is None or problem.whole is None:
+        return np.asarray(problem.whiten @ columns)
+    return problem.bins.averaged(problem.whole.whiten @ columns)
+
+
+def _otherwise_driven(scene: Scene, chosen: Candidate) -> Iterator[Array]:
+    """The effect bent in its channels, earlier, later and smeared, each (n, 3, p).
+
+    Of a switched load all powers are the same, and a slow response is mostly the load: only what is new counts.
+    """
+    own = np.nan_to_num(chosen.term.columns(scene))
+    bent = [own * drive[:, None, None] for drive in _channels(scene, chosen)]
+    yield from bent
+    if chosen.belongs_to != "rig" or chosen.term.channels:
+        for columns in (own, *bent[:1]):
+            yield from _in_time(scene, columns)
+
+
+def _otherwise_carried(scene: Scene, chosen: Candidate) -> Iterator[Array]:
+    """The effect as it would be if it grew with the field or with the platform's angle, each (n, 3, p)."""
+    own = np.nan_to_num(chosen.term.columns(scene))
+    yield from (own * drive[:, None, None] for drive in _surroundings(scene, chosen))
+
+
+def _channels(scene: Scene, chosen: Candidate) -> Iterator[Array]:
+    """Its channels and their squares, each (n,)."""
+    for name in chosen.term.channels:
+        x = _scaled(scene.channels[name] - np.median(scene.channels[name]))
+        yield from (x, x**2)
+
+
+def _surroundings(scene: Scene, chosen: Candidate) -> Iterator[Array]:
+    """The field, for the rig in the cage, and the angle, each (n,); nothing for what a channel alone drives."""
+    if chosen.belongs_to == "rig" and scene.rig is not None:
+        yield from _scaled(np.nan_to_num(scene.rig.reference_nT)).T
+        turning = np.isfinite(scene.rig.angle_rad)
+        angle = np.nan_to_num(scene.rig.angle_rad)
+        yield from (turning * wave(k * angle) for k in HARMONICS for wave in (np.cos, np.sin) if turning.any())
+    elif chosen.family.of_field or not chosen.term.channels:
+        yield from _scaled(scene.driving_field_nT).T
+
+
+def _in_time(scene: Scene, columns: Array) -> Iterator[Array]:
+    """How columns (n, 3, p) change where they come earlier, later or smeared."""
+    flat, step = columns.reshape(len(columns), -1), period_s(scene.t_s)
+    live = np.flatnonzero(flat.any(axis=0))
+    for response, by_rows in RESPONSES:
+        moved = np.zeros_like(flat)
+        for j in live:
+            moved[:, j] = response(scene.t_s, scene.segment, flat[:, j], by_rows * step) - flat[:, j]
+        yield moved.reshape(columns.shape)
+
+
+def _scaled(values: Array) -> Array:
+    return np.asarray(values / max(float(np.max(np.abs(values))), 1e-300))

@@ -1,0 +1,73 @@
+"""What a form misses is nobody's name: neither a second cause's, nor that of another form in the same channel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from labcal.loop.candidates.available import all_candidates
+from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.refine import refined
+from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.data.linear_problem import LinearProblem
+from labcal.loop.policy import POLICY
+from labcal.loop.selection.admission import evidence_of_its_own
+from labcal.loop.selection.select import likelier_forms
+
+Rows = dict[str, np.ndarray]
+DIRECTIONS = np.array([1.0, -0.7, 0.5])
+STANDING_nT = np.array([90.0, -120.0, 60.0])
+IRON = 1e-3 * np.array([[4.0, 2.0, -3.0], [-1.0, -5.0, 2.5], [1.5, -2.0, 1.0]])  # of the field that magnetises it
+
+
+def _turned(rows: Rows, in_cage: np.ndarray) -> np.ndarray:
+    """Fields (n, 3) of the cage as the device sees them."""
+    axis = np.eye(3)[["xyz".index(name[0]) for name in rows["segment"]]]
+    along = np.sum(in_cage * axis, axis=1, keepdims=True) * axis
+    turn = rows["angle"][:, None]
+    return np.asarray(along + np.cos(turn) * (in_cage - along) - np.sin(turn) * np.cross(axis, in_cage))
+
+
+def _load(rows: Rows) -> np.ndarray:
+    return np.asarray(200.0 * (np.mod(rows["t_s"], 47.0) < 19.0)[:, None] * DIRECTIONS)
+
+
+def _best(pool: CandidateSet, effect: str) -> Candidate:
+    some = [c for c in all_candidates(pool, []) if c.family.id == effect]
+    return refined(pool, pool.rank(some)[0].candidate, [])
+
+
+@pytest.mark.parametrize("iron", [True, False])
+def test_iron_beside_a_standing_field_is_no_gradient_and_no_tilt_and_a_load_beside_it_is_a_load(
+    started: Callable[..., LinearProblem], iron: bool
+) -> None:
+    def added(rows: Rows) -> np.ndarray:
+        return np.asarray(_turned(rows, STANDING_nT + iron * rows["ref"] @ IRON.T) + (not iron) * _load(rows))
+
+    pool = CandidateSet.of(started(added), 0.85)
+    standing = next(c for c in pool.candidates if c.family.id == "cage-field" and len(c.term.parameters) == 3)
+    for effect in ("axis-tilt", "field-gradient") if iron else ("offset-current",):
+        second = pool.rank([c for c in pool.candidates if c.family.id == effect], [standing])[0]
+        assert second.evidence > 2 * POLICY.min_evidence
+        assert (evidence_of_its_own(pool, [standing], second.candidate) >= POLICY.min_evidence) is not iron
+
+
+@pytest.mark.parametrize(("power", "effect"), [(1, "offset-current"), (2, "offset-current-squared")])
+def test_of_a_current_and_its_square_slow_telemetry_leaves_the_right_one(
+    searching: Callable[..., CandidateSet], power: int, effect: str
+) -> None:
+    t = searching({}, {}).problem.scene.t_s
+    draw = np.random.default_rng(4)
+    ends = np.cumsum(draw.exponential(14.0, 100))
+    level = draw.choice([0.1, 0.5, 0.9, 1.6], 101)
+
+    def amps(at_s: Any) -> np.ndarray:
+        return np.asarray(level[np.searchsorted(ends, at_s)])
+
+    told = amps(np.floor(t / 4.0) * 4.0)  # held for four seconds: up to four late
+    pool = searching({"i": told}, {"i": "current"}, np.outer(amps(t) ** power, 150.0 * DIRECTIONS))
+    (found,) = likelier_forms(pool, [_best(pool, "offset-current")], ())
+    assert found.family.id == effect
