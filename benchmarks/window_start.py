@@ -22,9 +22,14 @@ IN_TIME_S = 2.0
 
 def command_line() -> None:
     """Be `labcal gui`, which starts `watched` in place of the window."""
-    true_run = subprocess.run
+    begin = subprocess.Popen
     watched_window = [sys.executable, __file__, "watched"]
-    subprocess.run = lambda command, **how: true_run([*watched_window, *command[3:]], **how)  # type: ignore[assignment]
+
+    def watched_instead(command: list[str], **how: Any) -> Any:
+        is_window = "labcal.gui" in command
+        return begin([*watched_window, *command[command.index("labcal.gui") + 1 :]] if is_window else command, **how)
+
+    subprocess.Popen = watched_instead  # type: ignore[assignment, misc]
     from labcal.cli import main
 
     sys.argv = ["labcal", "gui", "--bench", str(BENCH)]

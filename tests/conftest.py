@@ -13,6 +13,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("PYSIDE6_OPTION_LAZY", "0")  # as labcal.gui sets it, but pytest-qt imports Qt before
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the commands do: threads cost more than small matrices are
 
 # A property fails for what it says, never for how busy the machine is, and tries the same examples everywhere.
