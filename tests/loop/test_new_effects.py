@@ -41,3 +41,20 @@ def test_a_reference_that_follows_the_room_is_the_rigs(making: ModuleType, tmp_p
     found = {p.name: p.value for p in closed.accepted[0].parameters}
     assert abs(found["g"] - 0.002) < 0.0004
     assert np.allclose([found[f"c_{a}"] for a in "xyz"], 90.0 * DIRECTIONS, atol=20.0)
+
+
+def test_a_reference_that_is_right_at_another_temperature_leaves_the_device_its_own_scale(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    """What the reference's scale is on average is no fit's to tell, unless zero and scale are right together."""
+    rows, segments = making.recorded()
+    t, right_at = rows["t_s"], 18.5
+    rows["temp_room"] = 21.3 + 1.4 * np.sin(t / 61.0) + 0.004 * t
+    warm = (rows["temp_room"] - right_at)[:, None]
+    rows["ref"] = (rows["ref"] - 90.0 * DIRECTIONS * warm) / (1 + 0.002 * warm)
+    channels = making.CHANNELS | {"temp_room": {"unit": "degC", "quantity": "temperature", "role": "room"}}
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, segments, channels))))
+    assert [e.effect for e in closed.accepted] == ["reference-temperature"]
+    found = {p.name: p.value for p in closed.accepted[0].parameters}
+    assert abs(found["right_at"] - right_at) < 0.3
+    assert np.allclose(np.diag(closed.fit().affine.K), 1 / 1.05, rtol=5e-4)  # 0.6 % off, if it were taken for the device's

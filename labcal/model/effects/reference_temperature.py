@@ -8,10 +8,13 @@ import numpy as np
 
 from labcal.model.effects.following import BEHIND
 from labcal.model.effects.protocol import Array, Confounded, Family, Scene, Term
-from labcal.model.effects.regressors import AXES, low_passed, middle, per_axis, weather_of_the_room
+from labcal.model.effects.regressors import low_passed, middle, per_axis, weather_of_the_room
+from labcal.model.effects.shape import LEVEL, Shape
 from labcal.record import Run, offers
 from labcal.record.run import Channel
 
+RIGHT = Shape("right_at", 0.0, "degC", kind=LEVEL)
+REACH = np.linspace(-1.0, 2.0, 7)  # of the channel's range, counted from its least: where the reference may be right
 TAU_S = (30.0, 100.0, 300.0, 1000.0)  # of a reference in its housing, behind the room
 REFERENCE_OR_DEVICE = Confounded(
     "a reference that follows the room", "a sensor that follows the same temperature", "warm the device alone"
@@ -19,24 +22,33 @@ REFERENCE_OR_DEVICE = Confounded(
 
 
 def kernel(term: Term, scene: Scene) -> Array:
-    """E = R (c + g v) (T − T_ref), v the reference in the cage and R into the body; T behind by tau_s where that is.
+    """E = R (c + g v) (T − T_ref) + R o, v the reference in the cage and R into the body; T behind by tau_s if at all.
 
     `c_x` … in nT, `g` common to the axes or `g_x` … of each: by how much the field is larger than the reference tells.
+    Where it is right, zero and scale alike, at the temperature `right_at`, that stands for T_ref: what the scale is at
+    T_ref no fit could tell from the device's own. `o_x` … where the zero alone is not right at T_ref.
     """
     assert scene.rig is not None
-    tau_s = term.at(BEHIND.name) if term.shape else 0.0
-    warm = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)[:, None]
+    shapes = {shape.name for shape in term.shape}
+    tau_s = term.at(BEHIND.name) if BEHIND.name in shapes else 0.0
+    right_at = term.at(RIGHT.name) - term.reference_value[term.channels[0]] if RIGHT.name in shapes else 0.0
+    warm = low_passed(scene.t_s, scene.segment, term.drive(scene), tau_s, scene.past)[:, None] - right_at
     to_body, v = scene.rig.to_body, scene.rig.reference_nT
-    parts = [to_body * warm[:, :, None]]
-    if any(name == "g" for name, _ in term.parameters):
+    names, parts = {name for name, _ in term.parameters}, [to_body * warm[:, :, None]]
+    if "o_x" in names:
+        parts.append(to_body)
+    if "g" in names:
         parts.append((scene.rig.prediction_nT * warm)[:, :, None])
-    elif len(term.parameters) > len(AXES):
+    elif "g_x" in names:
         parts.append(to_body * (v * warm)[:, None, :])
     return np.concatenate(parts, axis=2)
 
 
 def candidates(run: Run) -> list[Term]:
-    """Each temperature of the room that moves: zero alone, with one scale, with one for each axis, and behind."""
+    """Each temperature of the room that moves: zero alone, with one scale, with one for each axis, and behind.
+
+    Each also right at another temperature than T_ref: what that leaves of the zero stands still in the cage.
+    """
     if not any(offers(run, s) == "vector" and s.reference_frame == "cage" for s in run.segments):
         return []
     return [term for channel in weather_of_the_room(run) for term in _of(channel)]
@@ -44,9 +56,13 @@ def candidates(run: Run) -> list[Term]:
 
 def _of(channel: Channel) -> list[Term]:
     zero, unit = per_axis("c", f"nT/{channel.unit}"), f"1/{channel.unit}"
-    common, each = (*zero, ("g", unit)), (*zero, *per_axis("g", unit))
-    tau = (replace(BEHIND, grid=TAU_S),)
-    forms = ((zero, ()), (common, ()), (common, tau), (each, ()))
+    elsewhere, common, each = per_axis("o", "nT"), (("g", unit),), per_axis("g", unit)
+    tau, least, most = replace(BEHIND, grid=TAU_S), float(np.nanmin(channel.values)), float(np.nanmax(channel.values))
+    right = replace(RIGHT, unit=channel.unit, grid=tuple((least + REACH * (most - least)).tolist()))
+    forms: list[tuple[tuple[tuple[str, str], ...], tuple[Shape, ...]]]
+    forms = [(zero, ()), ((*zero, *elsewhere), ())]
+    forms += [((*zero, *scale), shape) for scale in (common, each) for shape in ((), (right,))]
+    forms += [((*zero, *elsewhere, *common), ()), ((*zero, *common), (tau,)), ((*zero, *elsewhere, *common), (tau,))]
     return [Term(kernel, p, (channel.name,), {channel.name: middle(channel)}, shape) for p, shape in forms]
 
 
@@ -55,7 +71,8 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
-    shapes=(BEHIND,),
+    shapes=(BEHIND, RIGHT),
+    extends=("cage-field",),
     of_field=True,
     experiment="warm the room with the device kept as it is, and compare the reference with a second one",
     responds={"bare platform": 1.0},
