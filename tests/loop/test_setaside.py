@@ -81,3 +81,25 @@ def test_wild_stretches_in_many_rows_are_a_process_and_no_bursts() -> None:
         residual[start : start + 5] += draw.normal(0, 300.0, (5, 3))
     aside = hampel_outliers(residual, np.zeros(600, dtype=np.intp))
     assert aside.mean() < 0.05
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("begins", [302, 340])
+def test_the_milder_rows_in_the_middle_of_a_burst_are_set_aside_with_it(begins: int, seed: int) -> None:
+    """Wild neighbours are no measure, and near a segment's end, where they count twice, the least of one."""
+    residual, segment = np.random.default_rng(seed).normal(size=(600, 3)), np.repeat(np.arange(2), 300)
+    residual[begins : begins + 9] = [
+        *([199, -126, -93], [43, -127, -354], [50, -82, -135], [18, -17, 17], [-20, 18, 19], [-132, -43, -102]),
+        *([205, 75, -128], [64, -27, -19], [66, 137, 122]),
+    ]
+    assert np.flatnonzero(hampel_outliers(residual, segment)).tolist() == list(range(begins, begins + 9))
+
+
+def test_a_level_that_holds_beside_a_burst_is_a_process() -> None:
+    draw = np.random.default_rng(5)
+    residual = draw.normal(size=(600, 3))
+    residual[200:260] += 40.0
+    residual[400:405] = draw.normal(scale=200.0, size=(5, 3))
+    aside = hampel_outliers(residual, np.zeros(600, dtype=np.intp))
+    assert not aside[195:265].any()
+    assert aside[400:405].all()

@@ -30,14 +30,20 @@ def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array |
     jump = 0.0 if effects is None else _local_span(effects)
     away, limit = _from_neighbours(residual, segment, WINDOW)
     far = np.asarray((np.abs(away) > limit + jump).any(axis=1))
-    return np.asarray((far & ~_in_long_runs(far)) | _bursts(residual, segment, jump))
+    return np.asarray((far & ~_in_long_runs(far, LONGEST_OUTLIER)) | _bursts(residual, segment, jump))
 
 
 def _bursts(residual: Array, segment: NDArray[np.intp], jump: Array | float) -> Mask:
-    """Stretches of three rows and more (n,) that are far from their neighbours and from each other; few of all rows."""
+    """Stretches of three rows and more (n,) that are far from their neighbours and from each other; few of all rows.
+
+    Wild neighbours widen a row's limit, and the middle of a burst would pass: it is judged again without them.
+    """
     away, limit = _from_neighbours(residual, segment, WIDE_WINDOW)
+    far = np.asarray((np.abs(away) > limit + jump).any(axis=1))
+    if (wild := far & ~_in_long_runs(far, LONGEST_BURST)).any():
+        away, limit = _from_neighbours(np.where(wild[:, None], np.nan, residual), segment, WIDE_WINDOW, residual)
+        far |= np.asarray((np.abs(away) > limit + jump).any(axis=1))
     limit = limit + jump
-    far = np.asarray((np.abs(away) > limit).any(axis=1))
     change = np.max(np.abs(np.diff(residual, axis=0)) / np.maximum(limit[1:], 1e-300), axis=1)
     out = np.zeros_like(far)
     for start, stop in _runs(far):
@@ -46,9 +52,14 @@ def _bursts(residual: Array, segment: NDArray[np.intp], jump: Array | float) -> 
     return out if out.mean() <= policy.POLICY.max_outlier_share else np.zeros_like(out)
 
 
-def _from_neighbours(residual: Array, segment: NDArray[np.intp], window: int) -> tuple[Array, Array]:
-    """Distance of each row from the median of its neighbours (n, q), and the distance that makes an outlier."""
-    away, around = _neighbourhood(residual, segment, window)
+def _from_neighbours(
+    neighbours: Array, segment: NDArray[np.intp], window: int, residual: Array | None = None
+) -> tuple[Array, Array]:
+    """Distance of each row from the median of its neighbours (n, q), and the distance that makes an outlier.
+
+    The rows are those of `residual`, if it is given, and neighbours that are nan do not count.
+    """
+    away, around = _neighbourhood(neighbours, segment, window, residual)
     spread = 1.4826 * np.median(np.abs(away), axis=0)
     return away, policy.POLICY.outlier_sigmas * np.maximum(np.maximum(spread, 1.0), 1.4826 * around)
 
@@ -68,25 +79,28 @@ def _local_span(effects: Array) -> Array:
     return np.asarray(near.max(axis=0) - near.min(axis=0))
 
 
-def _neighbourhood(residual: Array, segment: NDArray[np.intp], window: int) -> tuple[Array, Array]:
+def _neighbourhood(
+    neighbours: Array, segment: NDArray[np.intp], window: int, residual: Array | None
+) -> tuple[Array, Array]:
     """Distance of each row from the median of its neighbours (n, q), and their own median distance from it."""
-    away, around = np.zeros_like(residual), np.zeros_like(residual)
+    away, around = np.zeros_like(neighbours), np.zeros_like(neighbours)
+    rows, median = (neighbours, np.median) if residual is None else (residual, np.nanmedian)
     for part in stretches(segment):
-        y = residual[part]
+        y = neighbours[part]
         if len(y) < 2 * window + 1:
             continue
         padded = np.pad(y, ((window, window), (0, 0)), mode="reflect")
         near = np.stack([padded[k : k + len(y)] for k in range(2 * window + 1) if k != window])
-        middle = np.median(near, axis=0)
-        away[part], around[part] = y - middle, np.median(np.abs(near - middle), axis=0)
+        middle = median(near, axis=0)
+        away[part], around[part] = rows[part] - middle, median(np.abs(near - middle), axis=0)
     return away, around
 
 
-def _in_long_runs(mask: Mask) -> Mask:
-    """Members of stretches longer than LONGEST_OUTLIER rows."""
+def _in_long_runs(mask: Mask, longest: int) -> Mask:
+    """Members of stretches of more rows than `longest`."""
     out = np.zeros_like(mask)
     for start, stop in _runs(mask):
-        out[start:stop] = stop - start > LONGEST_OUTLIER
+        out[start:stop] = stop - start > longest
     return out
 
 
