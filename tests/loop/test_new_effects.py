@@ -57,4 +57,4 @@ def test_a_reference_that_is_right_at_another_temperature_leaves_the_device_its_
     assert [e.effect for e in closed.accepted] == ["reference-temperature"]
     found = {p.name: p.value for p in closed.accepted[0].parameters}
     assert abs(found["right_at"] - right_at) < 0.3
-    assert np.allclose(np.diag(closed.fit().affine.K), 1 / 1.05, rtol=5e-4)  # 0.6 % off, if it were taken for the device's
+    assert np.allclose(np.diag(closed.fit().affine.K), 1 / 1.05, rtol=5e-4)  # else 0.6 % off
