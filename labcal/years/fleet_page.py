@@ -155,7 +155,7 @@ def fleet_document(found: Fleet) -> dict[str, Any]:
          "least": float(s.values.min()), "most": float(s.values.max()), "sensors": len(s.values)}
         for s in found.spreads
     ]  # fmt: skip
-    outliers = [
+    stand_out = [
         {"serial": serial, "model": model, "quantity": s.quantity, "value": value, "unit": s.unit, "sigma": far}
         for far, model, serial, s, value in found.outliers
     ]
@@ -165,6 +165,6 @@ def fleet_document(found: Fleet) -> dict[str, Any]:
         "calibrations": found.calibrations,
         "batches": {model: dict(batches) for model, batches in found.batches.items()},
         "effects": [asdict(one) for one in found.effects],
-        "outliers": outliers,
+        "stand_out": stand_out,
         "figures": spreads,
     }

@@ -39,7 +39,7 @@ def test_the_worst_batch_and_the_worst_sensor_come_first(fleet: Path, capsys: py
     for one in found["effects"][0]["pooled"]["batches"][1:]:
         assert abs(one["value"] - {"A": 0.2, "B": 0.1}[one["name"]]) < 2 * one["u"]  # hidden in most of them
         assert found["effects"][0]["found_in"][one["name"]] < 6
-    assert (found["outliers"][0]["serial"], found["outliers"][0]["quantity"]) == ("B-4", "offset x")
+    assert (found["stand_out"][0]["serial"], found["stand_out"][0]["quantity"]) == ("B-4", "offset x")
 
 
 def test_the_page_says_it_in_words_and_is_there_as_html_and_pdf(
