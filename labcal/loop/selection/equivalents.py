@@ -14,7 +14,7 @@ from labcal.loop.candidates.refine import refined
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.selection.admission import earns_its_extension
 from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
-from labcal.loop.selection.misfit import evidence_beside_misfit, misfits
+from labcal.loop.selection.misfit import evidence_beside_misfit, mistimed
 from labcal.loop.selection.related import related_columns
 from labcal.loop.selection.stepwise import is_same_source
 
@@ -77,8 +77,8 @@ def leads_over_relatives(
 ) -> list[tuple[Candidate, float]]:
     """Causes of a related form in the same channels, at their best, and how far `chosen` leads over each [nats].
 
-    Beside whatever the forms of both may miss: a form that fits a little better because it takes some of the other's
-    delay or curvature has no lead by that.
+    Beside what both may miss in time: a form that fits a little better because it takes some of the other's delay has
+    no lead by that.
     """
 
     def made() -> list[tuple[Candidate, float]]:
@@ -89,8 +89,11 @@ def leads_over_relatives(
 
 
 def lead_beside_misfit(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, other: Candidate) -> float:
-    """How much more evidence `chosen` has than `other` where both may miss what either does [nats]."""
-    missed = misfits(pool, [chosen, other])
+    """How much more evidence `chosen` has than `other` where either may come earlier, later or smeared [nats].
+
+    Not bent in its channels: that would make the one of the other, and which of the two it is, is what is asked.
+    """
+    missed = mistimed(pool, [chosen, other])
     one, two = (evidence_beside_misfit(pool, others, c, missed) for c in (chosen, other))
     return one - two
 

@@ -9,7 +9,6 @@ of the other's inputs does not; of two forms in the same inputs the likelier one
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +39,11 @@ def misfits(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Span]:
     return [_misfit(pool, part) for part in parts if part.belongs_to == "rig" or not part.family.bound_to_run]
 
 
+def mistimed(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Span]:
+    """What the effects would be if they came earlier, later or smeared in time, and were of their form all the same."""
+    return [_mistimed(pool, part) for one in accepted for part in one.parts]
+
+
 def evidence_beside_misfit(
     pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, missed: Sequence[Span]
 ) -> float:
@@ -55,20 +59,31 @@ def evidence_beside_misfit(
 
 
 def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
-    def on_all_rows(forms: Callable[[Scene, Candidate], Iterator[Array]]) -> Array:
-        return _whitened(pool, np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
-
     def made() -> Span:
-        driven, carried = (
-            cosine_transform(pool.store.memo.get(forms, (chosen,), partial(on_all_rows, forms))[pool.transformed_rows])
-            for forms in (_otherwise_driven, _otherwise_carried)
-        )
+        driven, carried = (_transformed(pool, chosen, forms) for forms in (_otherwise_driven, _otherwise_carried))
         own = orthogonal_complement(pool.base, pool.transformed_columns(chosen))
         driven = orthogonal_complement(np.concatenate([pool.base, own], axis=2), driven)
         return Span(principal_span(np.concatenate([driven, carried], axis=2), tolerance=KEPT))
 
-    shape = pool.whole.scene.field_nT.shape
     return pool.cached("misfit", (chosen,), made)
+
+
+def _mistimed(pool: CandidateSet, chosen: Candidate) -> Span:
+    def made() -> Span:
+        timed = orthogonal_complement(pool.base, _transformed(pool, chosen, _otherwise_timed))
+        return Span(principal_span(timed, tolerance=KEPT))
+
+    return pool.cached("mistimed", (chosen,), made)
+
+
+def _transformed(pool: CandidateSet, chosen: Candidate, forms: Callable[[Scene, Candidate], Iterator[Array]]) -> Array:
+    """These forms of the effect as the pool's columns are: whitened, binned, and cosine-transformed."""
+    shape = pool.whole.scene.field_nT.shape
+
+    def on_all_rows() -> Array:
+        return _whitened(pool, np.concatenate([np.zeros((*shape, 0)), *forms(pool.whole.scene, chosen)], axis=2))
+
+    return cosine_transform(pool.store.memo.get(forms, (chosen,), on_all_rows)[pool.transformed_rows])
 
 
 def _whitened(pool: CandidateSet, columns: Array) -> Array:
@@ -89,6 +104,11 @@ def _otherwise_driven(scene: Scene, chosen: Candidate) -> Iterator[Array]:
     if chosen.belongs_to != "rig" or chosen.term.channels:
         for columns in (own, *bent[:1]):
             yield from _in_time(scene, columns)
+
+
+def _otherwise_timed(scene: Scene, chosen: Candidate) -> Iterator[Array]:
+    """The effect earlier, later and smeared, each (n, 3, p)."""
+    yield from _in_time(scene, np.nan_to_num(chosen.term.columns(scene)))
 
 
 def _otherwise_carried(scene: Scene, chosen: Candidate) -> Iterator[Array]:
