@@ -143,6 +143,7 @@ def test_two_sign_what_the_run_gives_and_scripts_may_require_it(
         True,
         ["named as approver, but has not signed: bob"],
     )
+    assert [(s["signer"], s["by"]) for s in two.pop("signatures")] == [("ada", "claimed"), ("bob", "claimed")]
     assert two == {"valid": True, "status": "released", "signers": ["ada", "bob"], "recomputed": True, "why": []}
 
 

@@ -17,7 +17,8 @@ from labcal.cli import execute as labcal
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals as POSIX has them")
 SIMULATED = Path(__file__).resolve().parents[2] / "examples" / "simulated.toml"
 LOADING = """
-import sys, importlib.abc
+import signal, sys, importlib.abc
+signal.signal(signal.SIGINT, signal.default_int_handler)  # as at a terminal: behind `nohup` it is ignored
 class Waits(importlib.abc.MetaPathFinder):  # says that the commands are being loaded, and takes its time over it
     def find_spec(self, name, path=None, target=None):
         if name == "labcal.cli":

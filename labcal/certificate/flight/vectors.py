@@ -59,7 +59,8 @@ def scene(content: Content, readings: Readings) -> Scene:
     assert readings.t_s is not None
     assert readings.segment is not None
     field = content.calibration.affine.apply(readings.reading)
-    return Scene(readings.t_s, readings.segment, field, readings.channels, readings.mode, content.axes)
+    numbers = np.unique(readings.segment, return_inverse=True)[1]
+    return Scene(readings.t_s, numbers, field, readings.channels, readings.mode, content.axes)
 
 
 def input_columns(content: Content, inputs: tuple[Input, ...], vectors: Vectors) -> Array:
