@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from labcal import session
+from labcal.certificate.calibration_file import read_limited
 from labcal.errors import InputError
 from labcal.quality.gage_rr import GageRR, gage_rr
 from labcal.session.figures import figures_of_run
@@ -109,9 +110,11 @@ def rows_of_runs(
 
 def rows_of_table(path: Path) -> list[Row]:
     """The rows of a CSV with the columns dut, operator, mounting (if there is one) and value. Raises InputError."""
-    if path.stat().st_size > LARGEST_BYTES:
-        raise InputError(f"is larger than {LARGEST_BYTES >> 20} MiB", file=path)
-    reader = csv.DictReader(io.StringIO(path.read_text(encoding="utf-8-sig")))
+    try:
+        text = read_limited(path, LARGEST_BYTES).decode("utf-8-sig")
+    except UnicodeDecodeError as fault:
+        raise InputError(f"is not UTF-8 (byte {fault.start})", file=path) from None
+    reader = csv.DictReader(io.StringIO(text))
     try:
         heads = [head.strip().lower() for head in reader.fieldnames or ()]
         if missing := [name for name in ("dut", "value") if name not in heads]:

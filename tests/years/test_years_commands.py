@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -177,3 +178,11 @@ def test_what_cannot_be_compared_is_refused(tmp_path: Path, capsys: pytest.Captu
     ):
         assert labcal(["intercompare", *words]) == 2
         assert said in capsys.readouterr().err
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="devices as POSIX has them")
+def test_a_table_without_an_end_or_of_bytes_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "t.csv").write_bytes(b"dut,value\na,\xff\n")
+    for file, why in (("/dev/zero", "is not a regular file"), (str(tmp_path / "t.csv"), "is not UTF-8 (byte 12)")):
+        assert labcal(["rr", "--table", file]) == 2
+        assert why in capsys.readouterr().err
