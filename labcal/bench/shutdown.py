@@ -8,6 +8,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, closing, contextmanager, nullcontext, suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.guardian.client import Connection, ask_once, found, guarded_benches, guarding
 from labcal.bench.guardian.wire import zero_of
 from labcal.bench.links import ports
+from labcal.bench.redundant import outlived
 from labcal.errors import InputError, InstrumentError
 
 if TYPE_CHECKING:
@@ -74,7 +76,9 @@ def _brought_down(path: Path, meanwhile: Meanwhile) -> list[AtZero]:
             if ports.hold(real):
                 ports.announce({"pid": os.getpid()})
                 try:
-                    return _with_own_hands(path, config, meanwhile)
+                    ended = outlived(partial(_with_own_hands, path, config))
+                    with meanwhile():
+                        return ended()
                 finally:
                     ports.let_go()
         time.sleep(0.02)  # a guardian that comes or goes
@@ -103,15 +107,14 @@ def _untouched() -> str:
     return OTHERS.format(" and of ".join(benches)) if benches else UNTOUCHED
 
 
-def _with_own_hands(path: Path, config: BenchConfig, meanwhile: Meanwhile) -> list[AtZero]:
+def _with_own_hands(path: Path, config: BenchConfig) -> list[AtZero]:
     """A guardian within this process, for one zero."""
     from labcal.bench.guardian.controller import Guardian  # half a second that is not lost where one lives already
     from labcal.bench.guardian.logbook import note, written
 
     guardian = Guardian(path, config, note)
     try:
-        with meanwhile():
-            return guardian.zero(f"labcal bench off, process {os.getpid()}")
+        return guardian.zero(f"labcal bench off, process {os.getpid()}")
     finally:
         guardian.close()
         written(at_most_s=2.0)

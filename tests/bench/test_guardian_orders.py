@@ -87,7 +87,14 @@ def test_what_a_winding_has_borne_is_known_to_the_next_guardian(
     with pytest.raises(LimitError, match="coil y"):
         again.refuse(AT_REST | {"y": 1.01})
     again.refuse(AT_REST | {"x": 1.01})
-    for spoilt in ("", "[]", '{"utc_s": "x", "mean_A2": [1,2,3]}', '{"utc_s": 0, "mean_A2": [1, NaN, -1]}', "\xff"):
+    for spoilt in (
+        "",
+        "[]",
+        '{"utc_s": "x", "mean_A2": [1,2,3]}',
+        '{"utc_s": 0, "mean_A2": [1, NaN, -1]}',
+        "\xff",
+        "[" * 99_999,
+    ):
         next(tmp_path.glob("duty-*.json")).write_text(spoilt)
         together(tmp_path, monkeypatch, stated).refuse(AT_REST | {"y": 1.01})
 
