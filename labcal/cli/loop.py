@@ -41,7 +41,7 @@ def close_loop(
         False, "--empirical", help="Ship a term without a name where no known effect carries what is left."
     ),
     yes: bool = typer.Option(False, "--yes", help="Agree to the plans; on a real bench prompts still need a person."),
-    seed: int | None = typer.Option(None, help="Of the simulated lab: that of the run."),
+    seed: int | None = typer.Option(None, min=0, help="Of the simulated lab: that of the run."),
     force: bool = FORCE,
 ) -> int:
     """Find the residual, trace it, add the effect. Exit code 0: clean or explained; 1: any other verdict."""

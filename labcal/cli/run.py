@@ -53,7 +53,7 @@ def run(
     yes: bool = typer.Option(False, "--yes", help="Answer prompts; on a real bench only those that do nothing."),
     resume: str | None = typer.Option(None, metavar="RUN", help="Go on with an interrupted run."),
     clock: ClockChoice | None = typer.Option(None, help="True speed, or virtual (the default where all is emulated)."),
-    seed: int | None = typer.Option(None, help="Of the simulated lab."),
+    seed: int | None = typer.Option(None, min=0, help="Of the simulated lab."),
     override: str | None = typer.Option(
         None, metavar="NAME", help="Who lets it begin though the check standard is out of control; with --because."
     ),
