@@ -103,7 +103,8 @@ class Bench:
             for sensor, stated in ((dut, config.dut), (reference, config.reference))
         ]
         if isinstance(platform, BenchPlatform):
-            platform.bring_back = partial(bring_back, partial(self.reconnect, platform.name), clock)
+            again = partial(self.reconnect, platform.name)
+            platform.bring_back = partial(bring_back, again, clock, look=lambda: self.look())
         self._pending: list[Block] = []
         self._polled: dict[tuple[Stream, str, tuple[str, ...]], list[tuple[float, ...]]] = {}  # rows of t_s and values
         self._watches: list[StreamWatch] = []

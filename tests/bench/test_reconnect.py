@@ -22,7 +22,7 @@ from labcal.bench import Bench, open_bench
 from labcal.bench.clock import RealClock, VirtualClock
 from labcal.bench.streams import reconnect
 from labcal.bench.streams.reconnect import BACK_S, Reconnecting, bring_back
-from labcal.errors import InstrumentError
+from labcal.errors import InstrumentError, Stopped
 from labcal.record.stream import Block
 from labcal.twin import open_twin
 
@@ -184,3 +184,16 @@ def test_another_instrument_ends_the_waiting_at_once() -> None:
         bring_back(lost.reopen, clock, InstrumentError("out", fault="link lost"))
     assert caught.value.fault == "another instrument"
     assert clock.now() < BACK_S
+
+
+def test_who_wants_the_end_does_not_wait_for_a_stage_that_is_out() -> None:
+    lost, clock = Lost("link lost"), VirtualClock(datetime(2026, 1, 1, tzinfo=UTC))
+    wanted_s = clock.now() + 0.7
+
+    def look() -> None:
+        if clock.now() >= wanted_s:
+            raise Stopped("stopped by the operator")
+
+    with pytest.raises(Stopped):
+        bring_back(lost.reopen, clock, InstrumentError("out", fault="link lost"), look)
+    assert clock.now() < wanted_s + 0.1

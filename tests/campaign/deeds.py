@@ -97,7 +97,7 @@ def guardian_wakes(trial: Trial) -> None:
     """The guardian was stopped, and wakes while its successor works, or after."""
     trial.signal(signal.SIGSTOP, trial.guardian)
     trial.zero_is_due()
-    trial.wait(0.5, 4.0)
+    trial.wait(1.0, 4.0)  # who is silent for less than 0.8 s is not missed, and nothing is due
     trial.signal(signal.SIGCONT, trial.guardian)
     if not trial.session.ended:
         trial.wait(1.0, 2.0)

@@ -9,16 +9,21 @@ from labcal.bench.driver_kit.roles import Magnetometer
 from labcal.errors import InstrumentError
 from labcal.record.stream import Block, Event
 
-RETRY_S = 0.5
+RETRY_S, LOOK_S = 0.5, 0.05
 BACK_S = 3.0  # so long is a stage waited for
 AWAY = ("link lost", "silent", "in use")  # faults with which a plug that is out, or just in again, may show
 
 
-def bring_back(reopen: Callable[[], object], clock: Clock, lost: InstrumentError) -> None:
-    """Wait until the line is back. Raises `lost` where it does not come in time, or that another instrument answers."""
+def bring_back(
+    reopen: Callable[[], object], clock: Clock, lost: InstrumentError, look: Callable[[], None] = lambda: None
+) -> None:
+    """Wait until the line is back; what `look` raises meanwhile ends that (somebody wants the coils at zero).
+
+    Raises `lost` where it does not come in time, or that another instrument answers.
+    """
     deadline = clock.now() + BACK_S
     while True:
-        clock.wait_until(clock.now() + RETRY_S)
+        _wait_until(clock.now() + RETRY_S, clock, look)
         try:
             reopen()
             return
@@ -27,6 +32,12 @@ def bring_back(reopen: Callable[[], object], clock: Clock, lost: InstrumentError
                 raise
             if clock.now() > deadline:
                 raise lost from fault
+
+
+def _wait_until(t_s: float, clock: Clock, look: Callable[[], None]) -> None:
+    while clock.now() < t_s:
+        look()
+        clock.wait_until(min(t_s, clock.now() + LOOK_S))
 
 
 class Reconnecting:
