@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from benches import until
+from technician import LABCAL, Technician
 from trial import Trial
 
 CALLS = {
@@ -109,12 +110,16 @@ def guardian_wakes(trial: Trial) -> None:
 
 def bench_off(trial: Trial) -> None:
     """`labcal bench off` at another terminal; zero is due from Enter."""
-    from technician import LABCAL, Technician
+    off = _off_begun(trial)
+    until(lambda: off.ended, ATTACHED_S)
+
+
+def _off_begun(trial: Trial) -> Technician:
 
     trial.zero_is_due()
     command = [*LABCAL, "bench", "off", str(trial.bench.file)]
     trial.others.append(Technician(command, trial.bench.env(trial.home)))
-    until(lambda: trial.others[-1].ended, ATTACHED_S)
+    return trial.others[-1]
 
 
 def all_killed_then_off(trial: Trial) -> None:
@@ -122,6 +127,16 @@ def all_killed_then_off(trial: Trial) -> None:
     killed(trial, ("session", "guardian", "standbys"), False)
     trial.wait(0.5, 2.0)
     bench_off(trial)
+
+
+def all_killed_and_off_too(trial: Trial) -> None:
+    """Nobody is left; somebody says off, and that is killed while the coils come down."""
+    killed(trial, ("session", "guardian", "standbys"), False)
+    trial.wait(0.5, 2.0)
+    before = trial.bench.ask("currents")
+    off = _off_begun(trial)
+    until(lambda: trial.bench.ask("currents") != before, ATTACHED_S)
+    trial.signal(signal.SIGKILL, off.pid)
 
 
 def second_labcal(trial: Trial) -> None:

@@ -157,6 +157,7 @@ def _machine() -> list[Kind]:
         Kind("Ctrl-C", "machine", lambda trial: None, stops=True),
         Kind("bench off from elsewhere", "people", deeds.bench_off),
         Kind("all of them killed, then bench off", "people", deeds.all_killed_then_off),
+        Kind("all of them killed, bench off too", "people", deeds.all_killed_and_off_too),
         _else("two labcals on one bench", "people", deeds.second_labcal),
         _else("two benches on one pair", "people", deeds.second_bench, benches=("riden-pair",)),
         _else("clock set back", "machine", lambda trial: deeds.clock_set(trial, -3600.0)),
