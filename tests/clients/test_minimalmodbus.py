@@ -82,6 +82,7 @@ def test_az(line: Line) -> None:
         assert drive.read_long(0xC6, signed=True) == begun + 600
         drive.write_registers(0x58, _longs([0, 1, begun + 9000, 100, 1000, 1000, 1000, 1]))
         drive.write_registers(0x7C, [0, 1 << 5])
+        until(lambda: bool(drive.read_register(0x7F) & 1 << 5))  # it brakes
         stood = drive.read_long(0xCC, signed=True)
         assert begun + 600 <= stood < begun + 9000
         assert drive.read_long(0xCC, signed=True) == stood

@@ -143,6 +143,10 @@ WIRES: dict[str, Wire] = {
         always(b"IOUT1?", b"0.499"), current, 0.499, b"9.999", nonsense=(b"00.49", b"-.499", b"0,499"), timeout_s=0.5,
         asks=2,
     ),
+    "genesys": Wire(
+        always(b"MC?\r", b"00.499\r"), current, 0.499, b"00.999\r", prepare=current,
+        before=[(b"ADR 6\r", b"OK\r"), (b"MC?\r", b"00.000\r")], nonsense=(b"OK\r", b"C01\r", b"nan\r", b"ON\r"),
+    ),
     "scpi-table": Wire(
         always(b"INST:NSEL 1;:MEAS:CURR?\n", b"0.4990\n"), current, 0.499, b"0.9990\n",
         settings={"model": "rohde-schwarz-hmp"}, nonsense=(b"nan\n", b"9.91E37\n", b"0.499A\n"), timeout_s=1.5,
