@@ -36,6 +36,7 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
     },
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
     "velmex-vxm": {"home": "negative"},
+    "gsm": {"period_s": 0.1},
     "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
 FORBIDDEN = {  # a message of each driver's deny-list
@@ -94,6 +95,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
         )
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
+    "gsm": [b"F"],
     "manual": [b"x"],
     "pi-gcs2": [b"MVR 1 5\n", b"POS 1 0\n", b"SEP 100 1 0x50 4\n", b"SPA 1 0x1 9\n", b"RBT\n", b"MOV 1 5\nMVR 1 5\n"],
     "standa-8smc5": [b"movr" + bytes(14), b"left", b"rigt", b"save", b"spos" + bytes(22), b"cmdf", b"getsleft"],
