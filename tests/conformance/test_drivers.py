@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from drivers.framing import tio
 from drivers.framing.tmcl import summed
 from labcal.bench.clock import RealClock
 from labcal.bench.links import EmulatedLink, WiredLink, open_link
@@ -96,6 +97,8 @@ FORBIDDEN = {  # a message of each driver's deny-list
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
     "gsm": [b"F"],
+    "twinleaf": [tio.request(1, b"dev.reset"), tio.request(2, b"dev.name", b"a"), tio.request(3, b"dev.desc", b"a"),
+                 tio.packet(tio.HEARTBEAT) * 2, b"dev.desc\r"],
     "manual": [b"x"],
     "pi-gcs2": [b"MVR 1 5\n", b"POS 1 0\n", b"SEP 100 1 0x50 4\n", b"SPA 1 0x1 9\n", b"RBT\n", b"MOV 1 5\nMVR 1 5\n"],
     "standa-8smc5": [b"movr" + bytes(14), b"left", b"rigt", b"save", b"spos" + bytes(22), b"cmdf", b"getsleft"],

@@ -46,7 +46,7 @@ def fault_of(name: str, *replies: Any) -> str:
 
 
 def test_every_driver_is_here_or_only_listens() -> None:
-    slow = {"pos-1", "mavlink"}  # what it answers comes with a later look: test_pos1.py, test_mavlink.py
+    slow = {"pos-1", "mavlink", "twinleaf"}  # what it answers comes with a later look: test_pos1.py and their own
     listens = {"can-dbc", "ccsds", "csv-line", "gsm", "lemi-025", "pmag", "replay", "rm3100", "text-line"}
     assert set(WIRES) | listens | slow | {"manual"} == set(DRIVERS)
 
