@@ -25,7 +25,7 @@ BEAT_S, DESCRIBED_S = 0.5, 3.0
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """`source`: the stream. `unit_nT`: where it does not say it. `delay_s`: from a sample's middle to its first byte."""
+    """`source`: the stream. `unit_nT`: where it does not say it. `delay_s`: from its middle to its first byte."""
 
     source: str = "vector"
     unit_nT: NotNegative = 0.0

@@ -35,6 +35,7 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
         "file": str(ROOT / "tests" / "drivers" / "magnetometer.dbc"),
         "signals": {"x": "Field.Bx", "y": "Field.By", "z": "Field.Bz", "count": "Field.Counter"},
     },
+    "daq-inputs": {"uT_per_V": (10.0, 10.0, 10.0)},
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
     "velmex-vxm": {"home": "negative"},
     "gsm": {"period_s": 0.1},
@@ -96,6 +97,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
         )
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
+    "daq-inputs": [b"dac 0 5\n", b"who\nwho\n", b"ain 0,1,2 single 10 1"],
     "gsm": [b"F"],
     "twinleaf": [tio.request(1, b"dev.reset"), tio.request(2, b"dev.name", b"a"), tio.request(3, b"dev.desc", b"a"),
                  tio.packet(tio.HEARTBEAT) * 2, b"dev.desc\r"],

@@ -235,6 +235,11 @@ WIRES: dict[str, Wire] = {
         read("0103 0000 0006", [0x4000, 0, 0, 0, 0, 0])[1], settings={"uT_per_V": (10.0, 10.0, 10.0)},
         before=labjack_started(), prepare=lambda d: d.start(),
     ),
+    "daq-inputs": Wire(
+        always(b"ain 0,1,2 single 10 1\n", b"1.0000000,-0.5000000,0.0000000\n"), polled, 10_000.0,
+        b"2.0000000,0.0000000,0.0000000\n", settings={"uT_per_V": (10.0, 10.0, 10.0)}, prepare=lambda d: d.start(),
+        nonsense=(b"? not known\n", b"1,2\n", b"1,2,nan\n", b"LabJack,U6,360018234,1.45\n"), timeout_s=2.0,
+    ),
     "metrolab": Wire(
         always(FETCH, b"0.000020000T;-0.000000010T;4.8E-05T\n"), polled, 20_000.0, b"0.000070000T;0T;0T\n",
         before=metrolab_started(), prepare=lambda d: d.start(), nonsense=(b"1T;2T\n", b"1;2;3\n", b"nanT;0T;0T\n"),
