@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 import struct
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from drivers.framing import slip
 
@@ -87,8 +86,12 @@ class Description:
 
     def take(self, kind: int, payload: bytes) -> None:
         """A packet that describes something; what is too short or unknown is passed over."""
+        known: dict[int, Callable[[bytes], None]] = {
+            TIMEBASE: self._timebase, SOURCE: self._source, STREAM: self._parts,
+        }  # fmt: skip
         try:
-            {TIMEBASE: self._timebase, SOURCE: self._source, STREAM: self._parts}.get(kind, _nothing)(payload)
+            if kind in known:
+                known[kind](payload)
         except (struct.error, KeyError, ZeroDivisionError):
             return
 
@@ -125,7 +128,3 @@ class Description:
         if stream == 0 and len(payload) > A_STREAM.size:
             places = range(A_STREAM.size, A_STREAM.size + parts * A_PART.size, A_PART.size)
             self._stream = timebase, periods, tuple(A_PART.unpack_from(payload, at)[0] for at in places)
-
-
-def _nothing(payload: Any) -> None:
-    """Of a packet that describes nothing."""

@@ -78,7 +78,8 @@ def boxes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(FakeTask, "made", [])
     device = lambda name: SimpleNamespace(product_type="USB-6218", serial_num=0x1A2B3C4)  # noqa: E731
     for name, module in {
-        "u6": SimpleNamespace(U6=FakeU6), "LabJackPython": SimpleNamespace(staticLib=object()), "nidaqmx": SimpleNamespace(Task=FakeTask),
+        "u6": SimpleNamespace(U6=FakeU6), "LabJackPython": SimpleNamespace(staticLib=object()),
+        "nidaqmx": SimpleNamespace(Task=FakeTask),
         "nidaqmx.system": SimpleNamespace(Device=device),
         "nidaqmx.constants": SimpleNamespace(TerminalConfiguration=TerminalConfiguration),
     }.items():  # fmt: skip

@@ -102,18 +102,5 @@ def test_leadshine(line: Line) -> None:
         assert drive.read_long(0x602A, signed=True) == 2000
 
 
-@pytest.mark.met("labjack-t7", BY, "over RTU: product, range of an input, three volts as floats, no such register")
-def test_labjack(line: Line) -> None:
-    with opened(line) as box:
-        assert box.read_float(60000) == 7.0
-        box.write_float(40000, 10.0)
-        assert box.read_float(40000) == 10.0
-        volts = [box.read_float(2 * n) for n in range(3)]
-        assert all(abs(volt) < 10.1 for volt in volts)
-        assert 2.0 < sum((10 * volt) ** 2 for volt in volts) ** 0.5 < 150.0  # µT, at 10 µT/V
-        with pytest.raises(minimalmodbus.ModbusException):
-            box.read_float(999)
-
-
 def _longs(values: list[int]) -> list[int]:
     return [word for value in values for word in divmod(value & 0xFFFFFFFF, 0x10000)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import errno
 from collections.abc import Callable, Sequence
 from contextlib import redirect_stdout, suppress
+from functools import partial
 from importlib import import_module
 from io import StringIO
 from typing import Any, Protocol, TypeVar
@@ -56,7 +57,7 @@ class DaqPort:
     def write(self, data: bytes) -> None:
         """Ask. Raises OSError where the box is gone."""
         for line in data.decode("ascii", "replace").splitlines():
-            self._said += _called(lambda words=line.split(): self._answer(words)).encode() + b"\n"
+            self._said += _called(partial(self._answer, line.split())).encode() + b"\n"
 
     def there(self) -> bool:
         """It is, unless an error says otherwise."""
@@ -116,7 +117,8 @@ class Ni:
 
     def __init__(self, name: str) -> None:
         self._modules = _module("nidaqmx", "nidaqmx")
-        self._name, self._task, self._made = name, None, ()
+        self._name, self._task = name, None
+        self._made: tuple[float, ...] = ()
         device = import_module("nidaqmx.system").Device(name)
         self._facts = str(device.product_type), f"{device.serial_num:X}"
 
