@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import argparse
 import inspect
 import json
-import sys
-from dataclasses import fields
+from collections.abc import Sequence
+from dataclasses import fields, is_dataclass
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any, get_args, get_type_hints
@@ -82,7 +83,7 @@ def _settings(name: str, driver: Any, shared: dict[str, Any]) -> dict[str, Any]:
         _describe(part, key, "")
     shared[f"{name} settings"] = own | {
         "title": f"settings of {name}",
-        "description": inspect.getdoc(kind) or "",
+        "description": "\n\n".join(inspect.cleandoc(one.__doc__ or "") for one in kind.__mro__ if is_dataclass(one)),
         "properties": {key: own["properties"][key] for key in stated},
         "additionalProperties": False,
     }
@@ -90,5 +91,14 @@ def _settings(name: str, driver: Any, shared: dict[str, Any]) -> dict[str, Any]:
     return {"if": {"properties": {"driver": {"const": name}}, "required": ["driver"]}, "then": then}
 
 
+def main(argv: Sequence[str] | None = None) -> None:
+    """Write it."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument(
+        "file", nargs="?", type=Path, default=PAGE, metavar="FILE", help=f"{PAGE.name} of docs/ if none"
+    )
+    parser.parse_args(argv).file.write_text(text(), encoding="utf-8")
+
+
 if __name__ == "__main__":
-    Path(sys.argv[1] if len(sys.argv) > 1 else PAGE).write_text(text(), encoding="utf-8")
+    main()

@@ -19,6 +19,7 @@ from drivers.emulators.modbus_rtu import (
     Refused,
     RtuSlave,
 )  # fmt: skip
+from drivers.emulators.modbus_tcp import NetworkPort
 
 INPUTS, NO_INPUT_V = 14, -9999.0
 RANGES = (10.0, 1.0, 0.1, 0.01)
@@ -40,6 +41,10 @@ class LabJackEmulator(RtuSlave):
         self._kept |= {41000 + n: 199 for n in range(INPUTS)} | {41500 + n: 0 for n in range(INPUTS)}
         facts = {60000: words(7.0), 60004: words(1.0366), 60028: [7, 18_234]}
         self._kept |= {start + k: word for start, pair in facts.items() for k, word in enumerate(pair)}
+
+    def on_network(self) -> NetworkPort:
+        """What is met on its network port; in a simulated lab it is spoken to by RTU."""
+        return NetworkPort(self)
 
     def _read(self, t_s: float, function: int, address: int, count: int) -> list[int]:
         if function not in (READ_HOLDING, READ_INPUT):

@@ -53,16 +53,25 @@ class RtuSlave(Replies):
         self._frame, self._heard_s = b"", 0.0
 
     def take(self, t_s: float, data: bytes) -> None:
-        """Bytes from the master; a frame that is whole, sound and meant for this device is answered."""
+        """Bytes from the master; each frame that is whole, sound and meant for this device is answered."""
         if t_s > self._heard_s + SILENCE_S:
             self._frame = b""
         self._frame, self._heard_s = self._frame + data, t_s
-        many = self._frame[1:2] in (b"\x0f", b"\x10")
-        length = 8 if not many else 9 + (self._frame[6] if len(self._frame) > 6 else 256)
-        if len(self._frame) < length:
+        while len(self._frame) >= (length := self._length()):
+            frame, self._frame = self._frame[:length], self._frame[length:]
+            self._frame_came(t_s, frame)
+
+    def _length(self) -> int:
+        """Of the frame that has begun."""
+        if self._frame[1:2] not in (b"\x0f", b"\x10"):
+            return 8
+        return 9 + (self._frame[6] if len(self._frame) > 6 else 256)
+
+    def _frame_came(self, t_s: float, frame: bytes) -> None:
+        if crc(frame[:-2]) != frame[-2:]:
+            self._frame = b""  # what follows it is out of step
             return
-        frame, self._frame = self._frame[:length], b""
-        if crc(frame[:-2]) != frame[-2:] or frame[0] not in (0, self.device):
+        if frame[0] not in (0, self.device):
             return
         reply = self._answer(t_s, bytes([self.device]) + frame[1:-2])
         if frame[0] or not self.device or frame[1] in self.of_all:  # 0 is for all, and not answered as a rule

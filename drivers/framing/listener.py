@@ -41,6 +41,7 @@ class Listener:
     """
 
     never = (rb".",)  # nothing is ever sent
+    first_s = FIRST_S  # within which one good sample comes
 
     def __init__(self, name: str, link: Link, clock: Clock, who: Identity, begin: Callable[[Mishaps], Parser]) -> None:
         self.name, self._link, self._clock, self._who, self._begin = name, link, clock, who, begin
@@ -50,16 +51,16 @@ class Listener:
     def identify(self) -> Identity:
         """Wait for one good sample. Raises InstrumentError (silent) with the last that came."""
         parser, last = self._begin(Mishaps(self.name)), b""
-        deadline = self._clock.now() + FIRST_S
+        deadline = self._clock.now() + self.first_s
         while self._clock.now() < deadline:
             pieces = self._link.receive(self._clock.now() + 0.05)
             last = (last + b"".join(data for _, data in pieces))[-60:]
             if parser.feed(pieces):
                 return self._who
         raise InstrumentError(
-            f"{self.name}: no good sample in {FIRST_S:g} s; what came ends with {last!r}."
+            f"{self.name}: no good sample in {self.first_s:g} s; what came ends with {last!r}."
             if last
-            else f"{self.name}: nothing came in {FIRST_S:g} s.",
+            else f"{self.name}: nothing came in {self.first_s:g} s.",
             fault="silent",
             remedy="Is it powered and sending? Do the settings in bench.toml fit what it sends?",
         )

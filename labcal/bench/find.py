@@ -25,7 +25,13 @@ IDN = (  # of what answers *IDN?, by its text
     (r"[^,]*,E3631[123]A,.*", "keysight-e36300", "coil"),
     (r"(KORAD|TENMA|VELLEMAN).*", "korad-ka3005p", "coil"),
     (r"METROLAB.*", "metrolab", "reference"),
+    (r"(err[cdv])+", "standa-8smc5", "platform"),  # it does not know the question
     (r"\(C\)[^,]*PHYSIK INSTRUMENTE[^,]*,.*", "pi-gcs2", "platform"),
+)
+SENDS = (  # of what sends lines by itself, by the last of them
+    (rb"\$PMAG.*", "pmag", "dut"),
+    (rb"(\d\d-\d\d-\d{4} +)?\d{5,7}(\.\d+)? +\d{5,6}\.\d+( +\d\d)? *", "gsm", "reference"),
+    (rb".*", "csv-line", "dut or reference"),
 )
 Recognise = Callable[[str], dict[str, str] | None]
 
@@ -49,6 +55,7 @@ class Probe:
     answer: bytes
     driver: str
     kind: str
+    answer_s: float = ANSWER_S
 
 
 PROBES = (  # each ends first what the one before may have left in another's buffer
@@ -58,7 +65,28 @@ PROBES = (  # each ends first what the one before may have left in another's buf
     Probe((b"\n1 WHO*D1\n",), rb"1 OK labcal-coil/1 .*", "microcontroller", "coil"),
     Probe((b"\rVE?\r",), rb"ESP30\d.*", "newport-esp301", "platform"),
     Probe((b"\r\n1VE\r\n",), rb"1VE.*", "newport-smc100", "platform"),
+    Probe((b"\rADR 6\rIDN?\r",), rb"(TDK-?)?LAMBDA, ?(GEN|Z).*", "genesys", "coil"),  # at the address of the factory
+    Probe((b"\0about\0",), rb"[ -~]*POS[ -~]*", "pos-1", "reference", 2.0),
 )
+
+
+@dataclass(frozen=True, slots=True)
+class Telegram:
+    """A question in bytes, and what the answer is by which `driver` is known: `said` has groups of what to show."""
+
+    sent: bytes
+    answer: bytes
+    driver: str
+    kind: str
+
+
+TELEGRAMS = (  # asked last: to what speaks in lines they are the beginning of one
+    Telegram(bytes.fromhex("050000005001"), rb"\x06\0T\0[\x81\x01].{5}([ -~]{3,8}).{72,}", "thorlabs-apt", "platform"),
+    Telegram(bytes.fromhex("01880100000000008a"), rb".\x01\x64\x88([\x01-\x2f].).{3}", "trinamic-tmcl", "platform"),
+    Telegram(b"geti", rb"geti([ -~]{2,4})\0*.{32,}", "standa-8smc5", "platform"),
+    Telegram(b"\xc0\x02\0\x0c\0\x01\0\x08\x80dev.desc" + bytes.fromhex("3d329dabc0"),
+             rb".*\xc0\x03\0.\0\x01\0([ -~]+).{4,8}\xc0.*", "twinleaf", "reference"),
+)  # fmt: skip
 
 
 def places(stated: Sequence[str]) -> list[str]:
@@ -97,7 +125,7 @@ def find(links: Sequence[str], clock: Clock, recognise: Recognise = lambda said:
 
 
 def _serial(device: str, clock: Clock, recognise: Recognise) -> Iterator[Found]:
-    """At each usual rate: listened to, asked in words, then by registers; the first that makes sense is it."""
+    """At each usual rate: listened to, asked in words, by registers, by telegrams; the first that makes sense is it."""
     for baud in BAUDS:
         if found := list(_asked(f"serial://{device}?baud={baud}", clock, PROBES, recognise)):
             yield from found
@@ -106,11 +134,15 @@ def _serial(device: str, clock: Clock, recognise: Recognise) -> Iterator[Found]:
         if found := list(_modbus(f"modbus-rtu://{device}?baud={baud}", clock, RTU)):
             yield from found
             return
+    for baud in BAUDS:
+        if found := list(_telegrams(f"serial://{device}?baud={baud}", clock)):
+            yield from found
+            return
 
 
 def _asked(url: str, clock: Clock, probes: Sequence[Probe], recognise: Recognise) -> Iterator[Found]:
     with suppress(InstrumentError, InputError), closing(open_link(url, clock)) as link:
-        if len(heard := _heard(link, clock, LISTEN_S)) and (talker := _talker(url, heard)):
+        if len(heard := _heard(link, clock, LISTEN_S)) and (talker := _talker(url, heard, SENDS)):
             yield talker
             return
         for probe in probes:
@@ -118,24 +150,39 @@ def _asked(url: str, clock: Clock, probes: Sequence[Probe], recognise: Recognise
             for piece in probe.pieces:
                 if not answer:
                     link.send(piece)
-                    answer = _heard(link, clock, ANSWER_S)
-            for line in re.split(rb"[\r\n]+", answer.strip()):
+                    answer = _heard(link, clock, probe.answer_s)
+            heard += answer
+            for line in re.split(rb"[\r\n\0]+", answer.strip()):
                 if re.fullmatch(probe.answer, line):
                     yield _found(url, line.decode(), probe, recognise)
                     return
+        if talker := _talker(url, heard, SENDS[:-1]):  # one that is slow
+            yield talker
+
+
+def _telegrams(url: str, clock: Clock) -> Iterator[Found]:
+    with suppress(InstrumentError, InputError), closing(open_link(url, clock)) as link:
+        for one in TELEGRAMS:
+            link.send(one.sent)
+            if answer := re.fullmatch(one.answer, _heard(link, clock, ANSWER_S), re.DOTALL):
+                words = answer[1].decode("latin-1")
+                yield Found(url, words if words.isprintable() else f"module {answer[1].hex()}", one.driver, one.kind)
+                return
 
 
 def _heard(link: Link, clock: Clock, seconds: float) -> bytes:
     return b"".join(data for _, data in link.receive(clock.now() + seconds))
 
 
-def _talker(url: str, heard: bytes) -> Found | None:
-    """What sends lines of text by itself."""
+def _talker(url: str, heard: bytes, known: Sequence[tuple[bytes, str, str]]) -> Found | None:
+    """What sends lines of text by itself, if its last one is of a form that is known."""
     lines = [line for line in re.split(rb"[\r\n]+", heard) if line]
     if not lines or not all(re.fullmatch(rb"[ -~]+", line) for line in lines):
         return None
-    driver = "pmag" if lines[-1].startswith(b"$PMAG") else "csv-line"
-    return Found(url, f"sends by itself: {lines[-1].decode()}", driver, "dut or reference")
+    for form, driver, kind in known:
+        if re.fullmatch(form, lines[-1]):
+            return Found(url, f"sends by itself: {lines[-1].decode()}", driver, kind)
+    return None
 
 
 def _found(url: str, said: str, probe: Probe, recognise: Recognise) -> Found:

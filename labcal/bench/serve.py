@@ -140,7 +140,7 @@ class TcpOutlet:
         self._listener.setblocking(False)
         self._host: socket.socket | None = None
         port = self._listener.getsockname()[1]
-        self.url = f"{scheme}://{'socket://' if scheme != 'tcp' else ''}127.0.0.1:{port}"
+        self.url = f"{scheme}://{'' if scheme in ('tcp', 'modbus-tcp') else 'socket://'}127.0.0.1:{port}"
 
     def files(self) -> list[int]:
         """The port, and the connection where there is one."""
@@ -202,7 +202,7 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
         for name, entry in config.instruments.items():
             if entry.link.startswith("emulated://") and loader.line_of(name) not in lines:
                 _, hints, _ = loader.driver(name)
-                emulator = loader.emulator(name)
+                emulator = _met_at(loader.emulator(name))
                 outlet = outlet_of(emulator, speaks_modbus(hints))
                 afterwards.callback(outlet.close)
                 lines[loader.line_of(name)] = (outlet, emulator)
@@ -220,11 +220,17 @@ def serve(path: Path, out: Path, ready: Callable[[], None], *, clock: Clock | No
 def outlet_of(emulator: Emulator, modbus: bool) -> Outlet:
     """The real line that an emulated instrument is put on: a TCP port where it has a network port, else a pty."""
     scheme = "modbus-rtu" if modbus else "serial"
-    if getattr(emulator, "wire", "serial") == "tcp":
-        return TcpOutlet("tcp")
+    if (wire := getattr(emulator, "wire", "serial")) in ("tcp", "modbus-tcp"):
+        return TcpOutlet(wire)
     if sys.platform == "win32":
         return TcpOutlet(scheme)
     return PtyOutlet(scheme, baud_of(emulator), usb=getattr(emulator, "usb", False))
+
+
+def _met_at(emulator: Emulator) -> Emulator:
+    """What stands at its network port, of one that speaks otherwise there than in a simulated lab."""
+    port: Emulator = getattr(emulator, "on_network", lambda: emulator)()
+    return port
 
 
 def baud_of(emulator: Emulator) -> int:

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import sys
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.metadata import entry_points
 from pathlib import Path
+from typing import get_type_hints
 
 import pytest
 
+from labcal.bench import find as looking
 from labcal.bench.clock import RealClock
 from labcal.bench.config import read_config
 from labcal.bench.find import Found, draft, find, places
 from labcal.bench.loading import recogniser
-from labcal.bench.serve import serve
+from labcal.bench.serve import outlet_of, serve
 from labcal.cli import execute
 from labcal.errors import InputError
+from labcal.twin import open_twin
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 PATIENCE_S = 60.0
+LATE = ("gsm", "twinleaf")  # known after all questions: by what it sends, and by the last of them
 MORE = {  # what stands in place of the example's own
     'driver = "tti-pl"\nlink = "emulated://"\nrole = "coil-y"': 'driver = "scpi-table"\nlink = "emulated://"\n'
     'role = "coil-y"\nsettings = { model = "siglent-spd3303x" }',
@@ -68,6 +75,54 @@ def test_each_is_known_by_its_answer_at_its_own_baud_rate(
     one = found_at(links[name])
     assert (one.driver, one.settings) == (driver, settings)
     assert one.link.rpartition("://")[2] == links[name].rpartition("://")[2]
+
+
+@contextmanager
+def on_a_line(name: str, role: str) -> Iterator[str]:
+    """An emulator on a pty, as `bench serve` puts it there."""
+    driver, emulator = (
+        next(iter(entry_points(group=f"labcal.{kind}", name=name))).load() for kind in ("drivers", "emulators")
+    )
+    settings = get_type_hints(driver.__init__)["settings"]()
+    end = emulator(open_twin({}, 1), {role: {}}, settings)
+    outlet, over, clock = outlet_of(end, modbus=False), threading.Event(), RealClock()
+
+    def pump() -> None:
+        while not over.is_set():
+            if data := outlet.read():
+                end.take(clock.now(), data)
+            for _, piece in end.emit(clock.now()):
+                outlet.write(piece)
+            over.wait(0.001)
+
+    (thread := threading.Thread(target=pump, daemon=True)).start()
+    yield outlet.url
+    over.set()
+    thread.join()
+    outlet.close()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ptys")
+@pytest.mark.parametrize(
+    ("name", "role", "said"),
+    [
+        ("genesys", "coil-x", "LAMBDA,GEN40-38"),
+        ("pos-1", "reference", "POS-1 Overhauser magnetometer N 117"),
+        ("gsm", "reference", "sends by itself"),
+        ("thorlabs-apt", "platform", "K10CR1"),
+        ("trinamic-tmcl", "platform", "module"),
+        ("standa-8smc5", "platform", "errc"),
+        ("twinleaf", "reference", "Twinleaf VMR"),
+    ],
+)
+def test_what_speaks_otherwise_is_known_too(name: str, role: str, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    with on_a_line(name, role) as link:
+        monkeypatch.setattr(looking, "BAUDS", (int(link.rpartition("=")[2]),))  # the others are silence
+        if name not in LATE:  # others are asked nothing that they do not know, which takes its time
+            monkeypatch.setattr(looking, "PROBES", tuple(one for one in looking.PROBES if one.driver in ("", name)))
+            monkeypatch.setattr(looking, "RTU", ())
+        one = found_at(link)
+    assert (one.driver, one.said[: len(said)]) == (name, said)
 
 
 def test_the_draft_is_refused_until_limits_are_stated(tmp_path: Path) -> None:

@@ -7,7 +7,9 @@ from pathlib import Path
 
 NEEDS = {  # a file of checks: what it imports
     "test_ea_psu_controller.py": ("ea_psu_controller",),
+    "test_makers_modules.py": ("u6", "nidaqmx"),
     "test_minimalmodbus.py": ("minimalmodbus",),
+    "test_pymodbus.py": ("pymodbus",),
     "test_pymeasure.py": ("pymeasure", "pyvisa_py"),
     "test_pyvisa.py": ("pyvisa", "pyvisa_py"),
     "test_pyvisa_sim.py": ("pyvisa", "pyvisa_sim"),
@@ -16,6 +18,7 @@ NEEDS = {  # a file of checks: what it imports
     "test_pynmea2.py": ("pynmea2",),
     "test_spacepackets.py": ("spacepackets",),
     "test_tenma.py": ("tenma",),
+    "test_tio.py": ("tio",),
     "test_zaber.py": ("zaber_motion", "zaber"),
 }
 TABLES = Path(__file__).parents[2] / "drivers" / "tables"

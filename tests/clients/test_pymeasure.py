@@ -15,6 +15,7 @@ from pymeasure.instruments.keysight import KeysightE3631A, KeysightE36312A
 from pymeasure.instruments.newport import ESP300
 from pymeasure.instruments.rohdeschwarz import HMP4040
 from pymeasure.instruments.siglenttechnologies import SPD1305X
+from pymeasure.instruments.tdk import TDK_Gen40_38
 from served_benches import Line
 from waiting import settled, until
 
@@ -172,3 +173,21 @@ def test_e3631a(line: Line) -> None:
         assert 0 < supply.ch_1.voltage < 6
         supply.output_enabled = False
         assert supply.check_errors() == []
+
+
+@pytest.mark.met("genesys", BY, "its address, identity, set-points, foldback, output, mode, current, a voltage refused")
+def test_genesys(line: Line) -> None:
+    with opened(TDK_Gen40_38, line, write_termination=None, read_termination=None) as supply:
+        assert supply.id == ["LAMBDA", "GEN40-38"]
+        supply.remote = "REM"
+        supply.voltage_setpoint, supply.current_setpoint = 20, 0.5
+        assert (supply.voltage_setpoint, supply.current_setpoint) == (20, 0.5)
+        assert not supply.foldback_enabled
+        assert supply.mode == "OFF"
+        supply.output_enabled = True
+        assert settled(lambda: supply.current, 0.5)
+        assert supply.mode == "CC"
+        assert 0 < supply.voltage < 20
+        assert supply.ask("PV 43") == "E01"  # above 95 % of its over-voltage protection
+        supply.output_enabled = False
+        assert settled(lambda: supply.current, 0.0)

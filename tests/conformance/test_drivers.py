@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from drivers.framing import tio
 from drivers.framing.tmcl import summed
 from labcal.bench.clock import RealClock
 from labcal.bench.links import EmulatedLink, WiredLink, open_link
@@ -34,8 +35,10 @@ SETTINGS: dict[str, dict[str, Any]] = {  # what a driver cannot do without
         "file": str(ROOT / "tests" / "drivers" / "magnetometer.dbc"),
         "signals": {"x": "Field.Bx", "y": "Field.By", "z": "Field.Bz", "count": "Field.Counter"},
     },
+    "daq-inputs": {"uT_per_V": (10.0, 10.0, 10.0)},
     "labjack-t7": {"uT_per_V": (10.0, 10.0, 10.0)},
     "velmex-vxm": {"home": "negative"},
+    "gsm": {"period_s": 0.1},
     "pos-1": {"period_s": 0.15},  # faster than any is, so that there are samples enough
 }
 FORBIDDEN = {  # a message of each driver's deny-list
@@ -76,6 +79,7 @@ FORBIDDEN = {  # a message of each driver's deny-list
     "ea-ps2000b": [bytes.fromhex(h) for h in ("f100266400017b", "f10036f0f00307", "f100360a0a013b", "f00001000f")],
     "keysight-e36300": [b"*RST\n", b"*SAV 1\n", b"OUTP:PAIR SER\n", b"OUTP:TRAC ON\n", b"CAL:SEC:STAT OFF\n"],
     "korad-ka3005p": [b"SAV1", b"RCL1", b"rcl2\n", b"TRACK1"],
+    "genesys": [b"RST\r", b"SAV\r", b"rcl\r", b"\\\r", b"AST 1\r", b"FLD ON\r", b"RMT LLO\r", b"\xa1", b"PC 1\rRST\r"],
     "newport-esp301": [b"1PR5\r", b"1MV+\r", b"1DH\r", b"SM\r", b"RS\r", b"1PA5;1PR5\r", b"1SN7\r"],
     "newport-smc100": [b"1PR5\r\n", b"1PW1\r\n", b"1RS\r\n", b"1SA2\r\n", b"1ZX3\r\n"],
     "oriental-az": [bytes.fromhex(h) for h in ("01060058", "011000580010200000000000000002", "0110007C00020400000040")],
@@ -93,6 +97,10 @@ FORBIDDEN = {  # a message of each driver's deny-list
         )
     ],
     "pos-1": [b"standby on\0", b"time 12:00:00\0", b"auto 5\0", b"mode binary\0", b"run\0auto 5\0"],
+    "daq-inputs": [b"dac 0 5\n", b"who\nwho\n", b"ain 0,1,2 single 10 1"],
+    "gsm": [b"F"],
+    "twinleaf": [tio.request(1, b"dev.reset"), tio.request(2, b"dev.name", b"a"), tio.request(3, b"dev.desc", b"a"),
+                 tio.packet(tio.HEARTBEAT) * 2, b"dev.desc\r"],
     "manual": [b"x"],
     "pi-gcs2": [b"MVR 1 5\n", b"POS 1 0\n", b"SEP 100 1 0x50 4\n", b"SPA 1 0x1 9\n", b"RBT\n", b"MOV 1 5\nMVR 1 5\n"],
     "standa-8smc5": [b"movr" + bytes(14), b"left", b"rigt", b"save", b"spos" + bytes(22), b"cmdf", b"getsleft"],

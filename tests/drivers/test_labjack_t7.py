@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import socket
 import struct
 import threading
-from contextlib import closing
+import time
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
 from typing import Any
 
 import numpy as np
@@ -14,11 +15,13 @@ from frames import read, rtu
 from pydantic import TypeAdapter, ValidationError
 
 from drivers.emulators.labjack_t7 import LabJackEmulator
+from drivers.emulators.modbus_tcp import NetworkPort
 from drivers.labjack_t7 import LabJackT7, Settings
 from labcal.bench.clock import RealClock
 from labcal.bench.driver_kit.testing import Exchange, scripted
 from labcal.bench.links import open_link
 from labcal.bench.links.modbus import modbus_link
+from labcal.bench.serve import outlet_of
 from labcal.errors import InstrumentError
 from labcal.testing.drivers import installed
 from labcal.twin import open_twin
@@ -113,29 +116,30 @@ def test_settings_that_cannot_be_are_refused(stated: dict[str, Any], told: str) 
         TypeAdapter(Settings).validate_python(stated)
 
 
-class ModbusTcp(threading.Thread):
-    """The emulator behind a Modbus TCP port: the same requests, with another head and no checksum."""
+@contextmanager
+def served(emulator: LabJackEmulator) -> Iterator[str]:
+    """Its network port, on a port of this computer, as `bench serve` puts it there; the link to it."""
+    outlet, over = outlet_of(port := emulator.on_network(), modbus=True), threading.Event()
 
-    def __init__(self, settings: Settings) -> None:
-        super().__init__(daemon=True)
-        self._server, self._clock = socket.create_server(("127.0.0.1", 0)), RealClock()
-        self._emulator = LabJackEmulator(open_twin({}, 1), {"reference": {}}, settings)
-        self.url = f"modbus-tcp://127.0.0.1:{self._server.getsockname()[1]}?timeout_ms=30000"
+    def pump() -> None:
+        while not over.is_set():
+            if data := outlet.read():
+                port.take(time.monotonic(), data)
+            outlet.write(b"".join(piece for _, piece in port.emit(time.monotonic())))
+            time.sleep(0.001)
 
-    def run(self) -> None:
-        with self._server, self._server.accept()[0] as host:
-            while head := host.recv(6, socket.MSG_WAITALL):
-                frame = host.recv(int.from_bytes(head[4:6]), socket.MSG_WAITALL)
-                now = self._clock.now()
-                self._emulator.take(now, rtu(frame.hex()))
-                reply = b"".join(piece for _, piece in self._emulator.emit(now + 1.0))[:-2]
-                host.sendall(head[:4] + len(reply).to_bytes(2) + reply)
+    (thread := threading.Thread(target=pump, daemon=True)).start()
+    yield f"{outlet.url}?timeout_ms=30000"
+    over.set()
+    thread.join()
+    outlet.close()
 
 
 def test_it_is_read_over_modbus_tcp() -> None:
     settings, clock = Settings(uT_per_V=(10.0, 10.0, 10.0), inputs=(0, 2, 4), differential=True), RealClock()
-    (port := ModbusTcp(settings)).start()
-    with closing(open_link(port.url, clock)) as line:
+    emulator = LabJackEmulator(open_twin({}, 1), {"reference": {}}, settings)
+    with served(emulator) as url, closing(open_link(url, clock)) as line:
+        assert url.startswith("modbus-tcp://127.0.0.1:")
         line.never.add(LabJackT7.never, settings.address)
         driver = LabJackT7("t7", modbus_link(line, clock), clock, settings)
         assert driver.identify().serial == "476986"
@@ -144,6 +148,39 @@ def test_it_is_read_over_modbus_tcp() -> None:
         with pytest.raises(InstrumentError, match="never sent"):
             modbus_link(line, clock).write_register(1, 1000, 1)  # DAC0
     assert 10_000 < np.linalg.norm(blocks[0].values[0]) < 100_000
+
+
+PRODUCT = "0000 0006 {unit} 03 EA60 0002"
+T7 = "0000 0007 {unit} 03 04 40E0 0000"
+
+
+def port() -> NetworkPort:
+    return LabJackEmulator(open_twin({}, 1), {"reference": {}}, Settings(**SCALE)).on_network()
+
+
+def said(network: NetworkPort, t_s: float) -> str:
+    return b"".join(piece for _, piece in network.emit(t_s + 1.0)).hex().upper()
+
+
+@pytest.mark.parametrize("unit", ["01", "00", "FF"])
+def test_its_network_port_answers_each_request_by_its_number_whatever_unit_is_named(unit: str) -> None:
+    network = port()
+    asked = bytes.fromhex("0001" + PRODUCT.format(unit=unit) + "0002" + PRODUCT.format(unit=unit))
+    network.take(0.0, asked[:5])
+    network.take(0.1, asked[5:])
+    told = "0001" + T7.format(unit=unit) + "0002" + T7.format(unit=unit)
+    assert said(network, 0.1) == told.replace(" ", "")
+
+
+def test_its_network_port_refuses_by_exception_and_gets_over_what_is_no_request() -> None:
+    network = port()
+    network.take(0.0, bytes.fromhex("0007 0000 0006 01 06 03E8 0001"))  # DAC0
+    assert said(network, 0.0) == "0007000000030186" + "01"
+    for t_s, noise in enumerate((b"*IDN?\r\n" * 9, bytes.fromhex("0008 0000 0005 01 2B 0E 01 00"), b"\0\x09"), 1):
+        network.take(5.0 * t_s, noise)
+        assert said(network, 5.0 * t_s) == ""
+    network.take(60.0, bytes.fromhex("0009" + PRODUCT.format(unit="01")))
+    assert said(network, 60.0) == ("0009" + T7.format(unit="01")).replace(" ", "")
 
 
 def test_a_differential_input_without_its_pair_reads_nothing_and_is_noted() -> None:

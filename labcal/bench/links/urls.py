@@ -10,7 +10,7 @@ from labcal.errors import InputError
 
 SERIAL = ("serial", "modbus-rtu")
 NETWORK = ("tcp", "udp", "modbus-tcp")
-OTHERS = ("usbtmc", "visa", "can", "manual", "emulated")
+OTHERS = ("usbtmc", "visa", "can", "daq", "manual", "emulated")
 NUMBERS = {"baud": 1, "bitrate": 1, "gap_ms": 0, "timeout_ms": 1}  # the least of each
 CHOICES = {
     "bytesize": ("5", "6", "7", "8"), "parity": ("N", "E", "O", "M", "S"), "stopbits": ("1", "1.5", "2"),

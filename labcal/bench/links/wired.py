@@ -1,4 +1,4 @@
-"""serial://, tcp://, udp://, usbtmc://, visa://, can://: real lines. One that is lost stays so until opened anew."""
+"""serial://, tcp://, udp://, usbtmc://, visa://, can://, daq://: real lines. A lost one stays so until opened anew."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ import serial
 from labcal.bench.clock import Clock
 from labcal.bench.links import devices, hosts
 from labcal.bench.links.canbus import CanPort
+from labcal.bench.links.daq import DaqPort
 from labcal.bench.links.deny import DenyList
 from labcal.bench.links.echo import Echo
 from labcal.bench.links.gone import failed, is_gone, not_open, stands
@@ -332,5 +333,7 @@ def _open(url: str, address: str, options: dict[str, str]) -> Port:
         return VisaPort(address, options)
     if scheme == "can":
         return CanPort(address, options)
+    if scheme == "daq":
+        return DaqPort(address)
     host, port = place(url, scheme, address)
     return UdpPort(host, port) if scheme == "udp" else TcpPort(host, port)

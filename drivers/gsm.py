@@ -1,0 +1,87 @@
+"""GSM-19 and GSM-90 Overhauser magnetometers: an absolute scalar reference that sends a line a reading (RS-232)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+from pydantic import Field
+
+from drivers.framing.listener import Array, Listener, Pieces, values_again
+from drivers.framing.mishaps import Mishaps
+from labcal.bench.clock import Clock
+from labcal.bench.driver_kit.framing import Lines
+from labcal.bench.driver_kit.roles import Identity
+from labcal.bench.driver_kit.settings import NotNegative, Positive
+from labcal.bench.links import Link
+from labcal.record.stream import Block
+
+LINE = re.compile(  # date and time where it sends them, the field in nT, the quality of its signal
+    rb"(?:(?:\d\d-\d\d-\d{4} +)?\d{5,7}(?:\.\d+)? +)?(\d{5,6}\.\d{1,3})(?: +(\d{2,3}))?"
+)
+LEAST_nT, MOST_nT = 10_000.0, 120_000.0
+LONGEST, PATIENT_PERIODS = 80, 3.0
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """`period_s`: how often it has been set to measure. `delay_s`: from the middle of a measurement to its line.
+
+    A reading whose quality (99 is the best) is below `least_quality` is noted and dropped, and so is one that says
+    none, unless `least_quality` is 0.
+    """
+
+    period_s: Positive = 3.0
+    delay_s: NotNegative = 0.5
+    least_quality: Annotated[int, Field(ge=0, le=99)] = 50
+    model: str = "GSM"
+    serial: str = ""
+
+
+class Gsm(Listener):
+    """It is set on its keys to measure at a steady beat and to send as it measures; nothing is sent to it."""
+
+    roles = ("reference",)
+
+    def __init__(self, name: str, link: Link, clock: Clock, settings: Settings) -> None:
+        self.settings = settings
+        who = Identity("GEM Systems", settings.model, settings.serial)
+        super().__init__(name, link, clock, who, lambda mishaps: Parser(name, settings, mishaps))
+        self.first_s = max(self.first_s, PATIENT_PERIODS * settings.period_s)
+
+    @staticmethod
+    def parse_again(settings: Settings, raw: bytes) -> Array:
+        """The samples (n, 1) of lines as a record keeps them, by the parser that read them."""
+        return values_again(Parser("", settings, Mishaps("")), [(0.0, b"\n" + raw)])
+
+
+class Parser:
+    """Lines in any cutting, into blocks; the first after the start may be cut and is dropped."""
+
+    def __init__(self, source: str, settings: Settings, mishaps: Mishaps) -> None:
+        self._source, self._settings, self._mishaps = source, settings, mishaps
+        self._lines = Lines(longest=LONGEST, skip_first=True)
+
+    def feed(self, pieces: Pieces) -> list[Block]:
+        """The block of the lines that these pieces complete [nT]."""
+        taken = [(stamp, line, self._value(stamp, line)) for stamp, line in self._lines.feed(pieces) if line.strip()]
+        if self._lines.too_long:
+            self._mishaps.note("bad frame", pieces[-1][0], self._lines.too_long)
+            self._lines.too_long = 0
+        good = [(stamp, line, value) for stamp, line, value in taken if value is not None]
+        if not good:
+            return []
+        stamps = np.array([stamp for stamp, _, _ in good]) - self._settings.delay_s
+        values = np.array([[value] for _, _, value in good])
+        return [Block("reference", self._source, ("ref_f",), stamps, values, b"".join(b"%b\n" % g[1] for g in good))]
+
+    def _value(self, stamp: float, line: bytes) -> float | None:
+        """The field [nT]; None, noted, where it is none, or not a good one."""
+        found = LINE.fullmatch(line.strip(b"\r \t\0"))
+        least = self._settings.least_quality
+        if found and LEAST_nT <= float(found[1]) <= MOST_nT and (not least or int(found[2] or 0) >= least):
+            return float(found[1])
+        self._mishaps.note("bad frame", stamp)
+        return None
