@@ -68,12 +68,12 @@ def as_positions(
     """Standstills as a run, for what its declarations do to them: the reference (n, 3) [nT, C] in each, no readings.
 
     `body_from_cage` (n, 3, 3) are the DUT's attitudes, `u_mounting_deg` how well its axes are known in its body; 0 is
-    not stated.
+    not stated. Where no attitude is told, nothing hangs on the platform's axis.
     """
     field = np.asarray(reference_nT, dtype=float)
     n = len(field)
     attitudes = [None] * n if body_from_cage is None else [tuple(map(_vector, R)) for R in np.asarray(body_from_cage)]
-    u_cage = bench.config.platform.u_axis_cage_deg
+    u_cage = None if body_from_cage is None else bench.config.platform.u_axis_cage_deg
     return Run(
         run_id="positions",
         started_utc=bench.clock.utc().isoformat(),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import numpy as np
@@ -69,3 +70,26 @@ def test_a_half_turn_that_is_missed_is_in_the_zero_and_one_that_nobody_states_is
     assert stated.measured[spread].u == pytest.approx(np.hypot(100 / np.sqrt(2), open_.measured[spread].u), rel=0.02)
     assert "the half turns, the cage" in notes(open_)
     assert "not stated" not in notes(stated)
+
+
+def test_a_sphere_s_map_and_verdict_are_as_uncertain_as_the_reference(ran: Run) -> None:
+    short = {"n_directions": 8, "magnitudes_nT": "20000,50000", "dwell_s": 0.5, "verify": 2}
+    two_years_ago = (datetime.now(UTC) - timedelta(days=730)).date()
+    aged = "u_offset_nT = 3.0", f'u_offset_nT = 3.0\nu_drift_nT_per_year = 150.0\ncalibration = "{two_years_ago}"'
+    good, bad, old = (
+        ran("field-sphere", **short),
+        ran("field-sphere", edits=WORSE, **short),
+        ran("field-sphere", edits=[aged], **short),
+    )
+    for found, u_K, u_k in ((bad, 5e-3, 300.0), (old, 0.0, 300.0)):
+        assert found.measured["K xx"].u == pytest.approx(max(u_K, good.measured["K xx"].u), rel=0.1)
+        assert found.measured["k x"].u == pytest.approx(u_k, rel=0.1)
+        # of the two fields the scale moves 20 and 50 µT, the zeros all three components
+        rms = np.sqrt(u_K**2 * (20e3**2 + 50e3**2) / 2 + 3 * u_k**2)
+        name = "verify: rms error"
+        assert good.value(name) == pytest.approx(found.value(name), rel=1e-3)
+        assert 0.5 * rms < found.measured[name].u < 1.5 * rms
+    assert good.measured["verify: rms error"].u < 20
+    assert "alignment" in notes(good)
+    assert "drift since its own calibration" in notes(good)
+    assert "drift since its own calibration" not in notes(old)
