@@ -29,7 +29,7 @@ def test_verify_is_as_uncertain_as_its_reference(ran: Run) -> None:
     scale_and_zero = np.hypot(5e-3 * 35_000, 300 / np.sqrt(3))
     assert 0.3 * scale_and_zero < bad.measured["before: rms magnitude error"].u < 2 * scale_and_zero
     assert "alignment" in notes(good)
-    assert "The DUT's mounting." in notes(good)
+    assert "mounting uncertainty not included" in notes(good)
 
 
 def test_a_mounting_that_is_stated_is_in_the_heading(ran: Run) -> None:
@@ -37,7 +37,34 @@ def test_a_mounting_that_is_stated_is_in_the_heading(ran: Run) -> None:
     open_ = ran("verify", **SMALL)
     heading = "before: rms heading error"
     assert stated.measured[heading].u > 0.05 > 5 * open_.measured[heading].u
-    assert "The DUT's mounting." not in notes(stated)
+    assert "mounting uncertainty not included" not in notes(stated)
+
+
+def test_the_platform_s_angle_is_in_the_heading(ran: Run) -> None:
+    angle = "angle_sign = 1", "angle_sign = 1\nangle_noise_deg = 0.4\nu_axis_cage_deg = 0.001"
+    stated, open_ = ran("verify", edits=[angle], **SMALL), ran("verify", **SMALL)
+    rms, largest = "before: rms heading error", "before: largest heading error"
+    assert stated.measured[rms].u == pytest.approx(np.hypot(0.4 / np.sqrt(4), open_.measured[rms].u), rel=0.02)
+    assert stated.measured[largest].u == pytest.approx(np.hypot(0.4, open_.measured[largest].u), rel=0.02)
+    assert "The platform's angle." in notes(open_)
+    assert "The direction of the platform's axis in the cage." in notes(open_)
+    assert "platform" not in notes(stated)
+
+
+@pytest.mark.parametrize(
+    ("procedure", "given", "name"),
+    [
+        ("play-field", {"duration_s": 20, "step_s": 10, "limit_nT": 1000}, "rms tracking error"),
+        ("field-hold", {"duration_s": 10, "period_s": 2, "limit_nT": 1000}, "rms error while held"),
+    ],
+)
+def test_a_field_is_held_as_well_as_the_reference_can_tell(
+    ran: Run, procedure: str, given: dict[str, Any], name: str
+) -> None:
+    good, bad = ran(procedure, **given), ran(procedure, edits=WORSE, **given)
+    assert bad.measured[name].u > np.sqrt(3) * 300.0 / 2  # three zeros, beside a scale that may take some of it off
+    assert good.measured[name].u < 30.0
+    assert "alignment" in notes(good)
 
 
 def test_linearity_s_slope_is_as_uncertain_as_the_reference_s_scale_and_its_departure_is_not(ran: Run) -> None:
