@@ -15,6 +15,7 @@ from labcal.bench.steps import Plan, Procedure, Work, coils_off, energise, measu
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError, InstrumentError
 from labcal.record.stream import Event
+from procedures.tracking_error import rms_error
 
 NEEDS, LASTS_MIN = "a vector reference", 3
 
@@ -68,8 +69,7 @@ def _held(
             yield from energise(bench, target)
             frozen.moved_nT += gain * float(np.linalg.norm(error))
     settled = np.array(errors[rounds // 4 :])
-    rms = float(np.sqrt(np.mean(np.sum(settled**2, axis=1))))
-    yield from measured(bench, "rms error while held", rms, rms / np.sqrt(2 * len(settled)), "nT", limit_nT)
+    yield from rms_error(bench, "rms error while held", settled + target, target, limit_nT)
     ambient = bench.cage.ambient_nT.tolist()
     yield Event(bench.clock.now(), "ambient", "the ambient field as tracked", {"ambient_nT": ambient})
 

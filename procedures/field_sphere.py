@@ -14,6 +14,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.mounting import attitude, set_up
 from labcal.bench.parameters import Limits
 from labcal.bench.position import position
+from labcal.bench.stated import as_positions
 from labcal.bench.steps import (
     Blocks,
     Plan,
@@ -29,11 +30,13 @@ from labcal.bench.steps import (
 )
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
-from labcal.fit.declared import of_vectors
 from labcal.fit.field_sphere import SphereFit, fit_sphere
 from labcal.fit.harmonics import Shell, shells
 from labcal.model.affine import MAP_PARAMETERS
+from labcal.record import Run
 from labcal.record.stream import Event
+from labcal.uncertainty import declared_errors
+from labcal.uncertainty.verdicts import u_declared, uncovered
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration", 12
 
@@ -88,6 +91,8 @@ def field_sphere(
         yield plan.begin(bench, "sphere")
         seen = yield from _visited(bench, fields, dwell_s, attitude(bench, axis), mode)
         fit = _fitted(bench, seen)
+        if left := uncovered(as_positions(bench, seen.field_nT), ["the DUT's mounting"]):
+            yield note(bench, left)
         found = shells(seen.field_nT, fit.residual_nT)
         yield from _told(bench, fit, seen, found, drift_nT)
         if verify:
@@ -182,10 +187,10 @@ def _means(bench: Bench, found: Sequence[Blocks]) -> Visits:
 
 
 def _fitted(bench: Bench, seen: Visits) -> SphereFit:
+    told = as_positions(bench, seen.field_nT)
+    others = [(error, told_by(error.change(told))) for error in declared_errors(told)]
     try:
-        return fit_sphere(
-            seen.reading, seen.field_nT, seen.t_s, lambda affine: of_vectors(bench.reference_stated, affine)
-        )
+        return fit_sphere(seen.reading, seen.field_nT, seen.t_s, others)
     except ValueError as error:
         raise InputError(str(error)) from error
 
@@ -227,13 +232,28 @@ def _data(fit: SphereFit, found: Sequence[Shell]) -> dict[str, object]:
 
 
 def _verified(bench: Bench, fit: SphereFit, seen: Visits, unseen: Visits, error_nT: float) -> Work[None]:
-    """Errors at fields that no fit has seen, the largest in units of its U (k = 2); the reference is taken as true."""
+    """Errors at fields that no fit has seen, as uncertain as the reference that tells them.
+
+    The largest is told in units of its U by noise alone (k = 2): fit and test have the reference in common.
+    """
     late = fit.drift_nT_per_s * (unseen.t_s - seen.t_s.mean())[:, None]
-    error = fit.affine.apply(unseen.reading) - late - unseen.field_nT
-    rms = float(np.sqrt(np.mean(np.sum(error**2, axis=1))))
-    yield from measured(bench, "verify: rms error", rms, unseen.u_nT * np.sqrt(3 / len(error)), "nT", error_nT)
+    calibrated = fit.affine.apply(unseen.reading) - late
+
+    def rms(told: Run) -> float:
+        return float(np.sqrt(np.mean(np.sum((calibrated - told_by(told)) ** 2, axis=1))))
+
+    told = as_positions(bench, unseen.field_nT)
+    u = float(np.hypot(unseen.u_nT * np.sqrt(3 / len(calibrated)), u_declared(told, rms)))
+    yield from measured(bench, "verify: rms error", rms(told), u, "nT", error_nT)
     U = 2 * np.sqrt(_variance(fit, unseen.reading) + unseen.u_nT**2)
-    yield from measured(bench, "verify: largest error in units of U", float(np.abs(error / U).max()), 0.0, "1")
+    largest = float(np.abs((calibrated - unseen.field_nT) / U).max())
+    yield from measured(bench, "verify: largest error in units of U by noise", largest, 0.0, "1")
+
+
+def told_by(positions: Run) -> Array:
+    """The fields (n, 3) [nT, C] as the reference tells them."""
+    assert positions.reference_vector is not None
+    return positions.reference_vector
 
 
 def _variance(fit: SphereFit, reading: Array) -> Array:

@@ -19,6 +19,7 @@ from labcal.bench.steps import (
     energise,
     measure_ambient,
     measured,
+    note,
     ready,
     recorded,
 )
@@ -158,6 +159,7 @@ def _told(bench: Bench, source: FieldSource, followed: Followed, limit_nT: float
     """Error, latency and jitter into the record, and what was lost on the way."""
     latency, n = np.array(followed.latencies_s), len(followed.latencies_s)
     rms, u_rms = followed.rms_nT
+    yield note(bench, "Not covered by the uncertainty of the tracking error: the reference's own errors.")
     yield from measured(bench, "rms tracking error", rms, u_rms, "nT", limit_nT)
     if n > 1:
         scatter = float(latency.std(ddof=1))

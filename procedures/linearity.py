@@ -63,8 +63,7 @@ def linearity(
             readings.append(dut_nT(bench, blocks).mean)
         yield from coils_off(bench)
     positions = as_positions(bench, fields, [at_zero] * len(fields), u_mounting_deg)
-    unknown = [] if u_mounting_deg else ["the DUT's mounting"]
-    if left := uncovered(positions, ["the reference's own linearity", *unknown]):
+    if left := uncovered(positions, ["the reference's own linearity"]):
         yield note(bench, left)
     along_DUT = np.array(readings) @ along_B
     true = in_body(positions) @ along_B

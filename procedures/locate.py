@@ -191,15 +191,31 @@ def _told(bench: Bench, found: dict[str, Found], apart_mm: float, misfit_mm: flo
 
 
 def _of_the_coils(bench: Bench, reference: Found, dut: Found) -> Work[None]:
-    """What each coil's field at the reference is more than at the DUT: the share of the cage's own gradient."""
+    """What each coil's field at the reference is more than at the DUT: the share of the cage's own gradient.
+
+    As uncertain as the two places, and as the coils' size and the balance of their halves, which move those as well.
+    """
     geometry = _geometry(bench)
     corners = SQUARE if geometry.shape == "square" else ROUND
     coils = Coils(np.array(geometry.size_m), np.array(geometry.spacing), bench.cage.matrix_nT_per_A, corners)
-    by = 1e6 * _departure(coils, reference.place.place_m, dut.place.place_m)
-    larger = replace(coils, size_m=coils.size_m + geometry.u_size_m)
-    u = np.abs(1e6 * _departure(larger, reference.place.place_m, dut.place.place_m) - by)
-    for axis, one, other in zip(AXES, by, u, strict=True):
-        yield from measured(bench, f"coil {axis}: field at the reference over that at the DUT", one, other, "ppm")
+    there, here = reference.place.place_m, dut.place.place_m
+    by = 1e6 * _departure(coils, there, here)
+    other = [
+        replace(coils, size_m=coils.size_m + geometry.u_size_m),
+        *(replace(coils, imbalance=geometry.u_halves * one) for one in np.eye(3)),
+    ]
+    shifted = zip(other, reference.shifts_m, dut.shifts_m, strict=True)  # other coils, and so other places
+    moved = [_departure(changed, there + one, here + another) for changed, one, another in shifted]
+    moved += [_departure(coils, there + step, here) for step in _one_by_one(reference.place.covariance)]
+    moved += [_departure(coils, there, here + step) for step in _one_by_one(dut.place.covariance)]
+    u = np.linalg.norm(1e6 * np.array(moved) - by, axis=0)
+    for axis, value, u_axis in zip(AXES, by, u, strict=True):
+        yield from measured(bench, f"coil {axis}: field at the reference over that at the DUT", value, u_axis, "ppm")
+
+
+def _one_by_one(covariance: Array) -> Array:
+    """Steps (3, 3), one a row, independent of each other, whose squares add up to `covariance`."""
+    return np.asarray(np.linalg.cholesky(covariance).T)
 
 
 def _departure(coils: Coils, there_m: Array, here_m: Array) -> Array:

@@ -21,7 +21,6 @@ from labcal.bench.steps import (
     coils_off,
     energise,
     measure_ambient,
-    measured,
     ready,
     record,
     recorded,
@@ -31,6 +30,7 @@ from labcal.errors import InputError
 from labcal.record.physical import LARGEST_FIELD_nT
 from labcal.record.run import Segment
 from procedures.from_outside import follow
+from procedures.tracking_error import rms_error
 
 NEEDS, LASTS_MIN = "the DUT at rest in the cage; a table of the field, an orbit, or a simulator", 10
 
@@ -75,8 +75,7 @@ def play_field(
         yield plan.begin(bench, "play")
         errors = yield from recorded(bench, Segment("play", "free"), _played(bench, b, holds))
         yield from coils_off(bench)
-    rms = float(np.sqrt(np.mean(np.sum(errors**2, axis=1))))
-    yield from measured(bench, "rms tracking error", rms, rms / np.sqrt(2 * len(errors)), "nT", limit_nT)
+    yield from rms_error(bench, "rms tracking error", errors + b, b, limit_nT)
 
 
 def _played(bench: Bench, b_nT: Array, holds_s: Array) -> Work[Array]:

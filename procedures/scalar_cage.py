@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import fields
+from functools import partial
 from itertools import combinations
 from typing import Annotated, TypeVar
 
@@ -13,7 +14,8 @@ from numpy.typing import NDArray
 
 from labcal.bench.bench import Bench
 from labcal.bench.parameters import Limits
-from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, ready, record
+from labcal.bench.stated import as_positions
+from labcal.bench.steps import Plan, Procedure, Work, coils_off, drive, measured, note, ready, record
 from labcal.bench.streams.samples import samples
 from labcal.errors import InputError
 from labcal.fit.scalar_cage import (
@@ -25,7 +27,10 @@ from labcal.fit.scalar_cage import (
     largest_En,
     with_matrix,
 )
+from labcal.record import Run
 from labcal.record.stream import Event, Prompt
+from labcal.uncertainty import declared_errors
+from labcal.uncertainty.verdicts import u_declared, uncovered
 from procedures.field_sphere import lattice, strided
 
 NEEDS, LASTS_MIN = "an absolute scalar sensor in the cage's centre", 7
@@ -135,14 +140,18 @@ def _told(
     bench: Bench, first: Magnitudes, second: Magnitudes, fresh: NDArray[np.bool_], error_nT: float, square_deg: float
 ) -> Work[None]:
     """Both methods, each by its own fields, and together; then what fields tell that no fit has seen."""
-    stated = bench.config.reference
 
     def fitted(seen: Magnitudes, start: ScalarCage | None = None) -> ScalarCage:
-        sensor = {"u_zero_nT": stated.u_offset_nT, "u_scale_ppm": stated.u_scale_ppm}
-        return _asked(lambda: fit_scalar_cage(seen, **sensor, start=start))
+        told = as_positions(bench, seen.magnitude_nT)
+        others = [(error, told_by(error.change(told))) for error in declared_errors(told)]
+        return _asked(lambda: fit_scalar_cage(seen, others=others, start=start))
 
     turning = second.select(~fresh)
     every = joined(first, turning)
+    if left := uncovered(
+        as_positions(bench, every.magnitude_nT), ["the supplies' currents", "where the sensor was put"]
+    ):
+        yield note(bench, left)
     found = fitted(every)
     for name, values, u, unit, limit in _rows(found, square_deg):
         for part, value, uncertainty in zip(name, values, u, strict=True):
@@ -171,17 +180,30 @@ def _rows(found: ScalarCage, square_deg: float) -> list[tuple[list[str], Array, 
 
 
 def _verified(bench: Bench, found: ScalarCage, seen: Magnitudes, fresh: Magnitudes, error_nT: float) -> Work[None]:
-    """Rms error of the magnitude at fields that no fit has seen: with bench.toml's matrix, and with the one found."""
+    """Rms error of the magnitude at fields that no fit has seen: with bench.toml's matrix, and with the one found.
+
+    Each as uncertain as the sensor that tells the magnitudes.
+    """
     stated = bench.cage.matrix_nT_per_A
-    before = np.linalg.norm(fresh.currents_A @ stated.T + with_matrix(stated, seen), axis=1) - fresh.magnitude_nT
-    after = found.magnitude_nT(fresh) - fresh.magnitude_nT
-    u = float(np.std(found.residual_nT)) / np.sqrt(len(fresh))
-    yield from measured(bench, "verify: rms error with bench.toml's matrix", _rms(before), u, "nT")
-    yield from measured(bench, "verify: rms error", _rms(after), u, "nT", error_nT)
+    before = np.linalg.norm(fresh.currents_A @ stated.T + with_matrix(stated, seen), axis=1)
+    noise = float(np.std(found.residual_nT)) / np.sqrt(len(fresh))
+    told = as_positions(bench, fresh.magnitude_nT)
+    rows = (("verify: rms error with bench.toml's matrix", before, None),
+            ("verify: rms error", found.magnitude_nT(fresh), error_nT))  # fmt: skip
+    for name, made_nT, limit in rows:
+        figure = partial(_rms_error, made_nT)
+        u = float(np.hypot(noise, u_declared(told, figure)))
+        yield from measured(bench, name, figure(told), u, "nT", limit)
 
 
-def _rms(values: Array) -> float:
-    return float(np.sqrt(np.mean(values**2)))
+def _rms_error(made_nT: Array, told: Run) -> float:
+    return float(np.sqrt(np.mean((made_nT - told_by(told)) ** 2)))
+
+
+def told_by(positions: Run) -> Array:
+    """The magnitudes (n,) [nT] as the sensor tells them."""
+    assert positions.reference_magnitude is not None
+    return positions.reference_magnitude
 
 
 def _data(found: ScalarCage, seen: Magnitudes) -> dict[str, object]:

@@ -50,13 +50,15 @@ ANOTHER_CLOCK_S = 1e9  # this run's times are not those of the run that was fitt
 class Seen:
     """Means at each position: `reading` (n, 3) [DUT unit], the reference and attitudes as a run, channels (n,).
 
-    `u_nT` is the standard uncertainty of one component of DUT less reference, by noise.
+    `u_nT` is the standard uncertainty of one component of DUT less reference, by noise; `u_angle_deg` that of each
+    angle by itself.
     """
 
     t_s: Array
     reading: Array
     positions: Run  # B but for one phase
     u_nT: float
+    u_angle_deg: float
     channels: dict[str, Array]
 
 
@@ -90,13 +92,24 @@ def verify(
             found.append((yield from recorded(bench, still, record(bench, dwell_s))))
         yield from coils_off(bench)
     seen = _seen(bench, found, axis, u_mounting_deg)
-    if left := uncovered(seen.positions, [] if u_mounting_deg else ["the DUT's mounting"]):
+    if left := uncovered(seen.positions, _unknown(bench)):
         yield note(bench, left)
     yield from _judge(bench, "before", seen.reading * bench.config.dut.nominal_nT_per_unit, seen, axis)
     if calibration is not None:
         names, modes = np.full(positions, "verify"), np.full(positions, mode)
         after = apply(calibration, Readings(seen.reading, seen.t_s + ANOTHER_CLOCK_S, names, modes, seen.channels))
         yield from _judge(bench, "after", after.field_nT, seen, axis, heading_deg, error_nT)
+
+
+def _unknown(bench: Bench) -> list[str]:
+    """What nobody stated of the platform."""
+    axis = [] if bench.config.platform.u_axis_cage_deg else ["the direction of the platform's axis in the cage"]
+    return axis if _u_angle_deg(bench) else [*axis, "the platform's angle"]
+
+
+def _u_angle_deg(bench: Bench) -> float:
+    """Standard uncertainty of one angle: the platform's noise, or how well a dial is read; 0 where neither is known."""
+    return bench.config.platform.angle_noise_deg or (bench.by_hand.u_reading_deg if bench.by_hand else 0.0)
 
 
 def spread(bench: Bench, count: int, magnitude_nT: float) -> tuple[Array, Array]:
@@ -121,7 +134,14 @@ def _seen(bench: Bench, found: list[list[Block]], axis: str, u_mounting_deg: flo
     u = float(np.sqrt(np.mean([spot.u**2 for spot in spots])))
     names = [channel.name for channel in bench.dut.channels]
     channels = {name: np.array([samples(b, "channel", name).mean[0] for b in found]) for name in names}
-    return Seen(np.array([s.t_s.mean() for s in dut]), np.array([s.mean for s in dut]), positions, u, channels)
+    return Seen(
+        np.array([s.t_s.mean() for s in dut]),
+        np.array([s.mean for s in dut]),
+        positions,
+        u,
+        _u_angle_deg(bench),
+        channels,
+    )
 
 
 def _judge(
@@ -134,7 +154,8 @@ def _judge(
     error_nT: float | None = None,
 ) -> Work[None]:
     level = float(np.median(np.linalg.norm(in_body(seen.positions), axis=1)))
-    rows = (("heading", np.degrees(seen.u_nT / level), "deg", heading_deg), ("magnitude", seen.u_nT, "nT", error_nT))
+    u_heading = float(np.hypot(np.degrees(seen.u_nT / level), seen.u_angle_deg))
+    rows = (("heading", u_heading, "deg", heading_deg), ("magnitude", seen.u_nT, "nT", error_nT))
     for which, (name, u, unit, limit) in enumerate(rows):
         judged = (("rms", rms, u / np.sqrt(len(field_nT)), limit), ("largest", largest, u, None))
         for what, figure, noise, allowed in judged:

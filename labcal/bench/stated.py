@@ -67,13 +67,15 @@ def as_positions(
 ) -> Run:
     """Standstills as a run, for what its declarations do to them: the reference (n, 3) [nT, C] in each, no readings.
 
+    Of a scalar reference its magnitude (n,) [nT].
+
     `body_from_cage` (n, 3, 3) are the DUT's attitudes, `u_mounting_deg` how well its axes are known in its body; 0 is
-    not stated.
+    not stated. Where no attitude is told, nothing hangs on the platform's axis.
     """
     field = np.asarray(reference_nT, dtype=float)
     n = len(field)
     attitudes = [None] * n if body_from_cage is None else [tuple(map(_vector, R)) for R in np.asarray(body_from_cage)]
-    u_cage = bench.config.platform.u_axis_cage_deg
+    u_cage = None if body_from_cage is None else bench.config.platform.u_axis_cage_deg
     return Run(
         run_id="positions",
         started_utc=bench.clock.utc().isoformat(),
@@ -88,7 +90,8 @@ def as_positions(
         t_s=np.arange(n, dtype=float),
         segment_index=np.arange(n, dtype=np.intp),
         reading=np.zeros((n, 3)),
-        reference_vector=field.copy(),
+        reference_vector=field.copy() if field.ndim == 2 else None,
+        reference_magnitude=field.copy() if field.ndim == 1 else None,
         environment=stated_environment(bench),
     )
 

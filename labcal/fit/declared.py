@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Protocol
-
 import numpy as np
 from numpy.typing import NDArray
 
 from labcal.geometry import skew, unit
 from labcal.model import AffineMap
 from labcal.record import Run
-from labcal.uncertainty import Contribution, covariance_of, declared_errors
+from labcal.uncertainty import Contribution, conditions, covariance_of, declared_errors
 
 Array = NDArray[np.float64]
 SYMMETRIC = np.zeros((12, 9))  # K row by row, then k, from the six elements of a symmetric K, then k
@@ -31,41 +29,39 @@ def widen(run: Run, affine: AffineMap, covariance: Array, *, frame_known: bool) 
 
 def contributions(run: Run, affine: AffineMap, *, frame_known: bool) -> tuple[Contribution, ...]:
     """What each error that `run` declares does to K and k (12,), one source each."""
-    return of_vectors(run.reference, affine, mounting_rad(run)) if frame_known else _of_magnitudes(run, affine)
+    return _of_vectors(run, affine) if frame_known else _of_magnitudes(run, affine)
 
 
-class Stated(Protocol):
-    """What is stated of a vector reference; None is unknown."""
+def _of_vectors(run: Run, affine: AffineMap) -> tuple[Contribution, ...]:
+    """What each declared error does to K and k (12,), where the fields that are fitted are the reference's vectors.
 
-    @property
-    def u_scale_ppm(self) -> float | None:
-        """Of one factor common to its axes."""
-        ...
-
-    @property
-    def u_offset_nT(self) -> float | None:
-        """Of the zero of each axis."""
-        ...
-
-    @property
-    def u_align_deg(self) -> float | None:
-        """Of a turn about each axis."""
-        ...
-
-
-def of_vectors(reference: Stated, affine: AffineMap, mounting_rad: float = 0.0) -> tuple[Contribution, ...]:
-    """What each declared error does to K and k (12,), where the fields that are fitted are the reference's vectors."""
-    found = list[Contribution]()
+    What changes through the run counts by its root mean square, a factor of one axis for all of them.
+    """
+    reference, found = run.reference, list[Contribution]()
     if ppm := reference.u_scale_ppm:
         found.append(_known("reference scale", ppm, "ppm", 1e-6 * ppm * affine.parameters))
     if zero := reference.u_offset_nT:
-        for name, axis in zip("xyz", np.eye(12)[9:], strict=True):
-            found.append(_known(f"reference zero {name}", zero, "nT", zero * axis))
-    u = float(np.hypot(mounting_rad, np.radians(reference.u_align_deg or 0.0)))
+        found += _zeros("reference zero", zero, "nT", zero)
+    for source, u, unit_of, by in conditions.zeros(run):
+        found += _zeros(source, u, unit_of, _rms(by))
+    for source, u, unit_of, by in conditions.factors(run):
+        found.append(_known(source, u, unit_of, _rms(np.abs(by).max(axis=1)) * affine.parameters))
+    u = float(np.hypot(mounting_rad(run), np.radians(reference.u_align_deg or 0.0)))
     for name, turn in zip("xyz", skew(u * np.eye(3)) if u else (), strict=False):
         step = np.concatenate([(turn @ affine.K).ravel(), turn @ affine.k_nT])
         found.append(_known(f"alignment about {name}", float(np.degrees(u)), "deg", step))
     return tuple(found)
+
+
+def _zeros(source: str, u: float, unit_of: str, by_nT: float) -> list[Contribution]:
+    """One for each axis."""
+    return [
+        _known(f"{source} {name}", u, unit_of, by_nT * axis) for name, axis in zip("xyz", np.eye(12)[9:], strict=True)
+    ]
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2)))
 
 
 def _known(source: str, u: float, unit: str, shift: Array) -> Contribution:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from labcal.fit.autocorrelation import variance_inflation
 from labcal.model import AffineMap
-from labcal.uncertainty import Contribution, covariance_of
+from labcal.uncertainty import Contribution, DeclaredError, covariance_of
 
 Array = NDArray[np.float64]
 UNKNOWNS = 5  # of one component: a row of K, k, drift
@@ -47,9 +47,12 @@ def fit_sphere(
     reading: ArrayLike,
     field_nT: ArrayLike,
     t_s: ArrayLike,
-    declared: Callable[[AffineMap], Sequence[Contribution]] = lambda affine: (),
+    others: Sequence[tuple[DeclaredError, Array]] = (),
 ) -> SphereFit:
-    """Least squares of fields (n, 3) [nT] on mean readings (n, 3) at `t_s` (n,); `declared` adds what residuals hide.
+    """Least squares of fields (n, 3) [nT] on mean readings (n, 3) at `t_s` (n,).
+
+    `others` are errors that are declared of the fields, each with the fields (n, 3) as they would have been told with
+    one standard deviation of it: the same least squares moves by so much.
 
     With A = [m, −1, −(t − t̄)] (n, 5) and residuals' covariance S = RᵀR / (n − 5) (3, 3), cov = S ⊗ (AᵀA)⁻¹
     (Gauss-Markov, several responses), widened where neighbours in time correlate. The noise of a mean of some seconds
@@ -73,9 +76,15 @@ def fit_sphere(
         X[4] / lasts,
         np.sqrt(wider * np.diag(scatter) * each[4, 4]),
         wider * _placed(scatter, each[:4, :4]),
-        tuple(declared(affine)),
+        tuple(_contribution(error, np.linalg.lstsq(A, there - b, rcond=None)[0], size) for error, there in others),
         residual,
     )
+
+
+def _contribution(error: DeclaredError, X: Array, size: float) -> Contribution:
+    """What the error does to K row by row, then k (12,), by the solution (5, 3) of the change alone."""
+    shift = AffineMap(X[:3].T / size, X[3]).parameters
+    return Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift)
 
 
 def _refuse(A: Array) -> None:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
 from labcal.fit.autocorrelation import variance_inflation
-from labcal.uncertainty import Contribution, covariance_of
+from labcal.uncertainty import Contribution, DeclaredError, covariance_of
 
 Array = NDArray[np.float64]
 UPPER = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))  # elements of A, in their order
@@ -149,15 +149,15 @@ def by_components(seen: Magnitudes) -> tuple[Array, Array]:
 def fit_scalar_cage(
     seen: Magnitudes,
     *,
-    u_zero_nT: float | None = None,
-    u_scale_ppm: float | None = None,
+    others: Sequence[tuple[DeclaredError, Array]] = (),
     start: ScalarCage | None = None,
 ) -> ScalarCage:
     """The most likely A, b0, ρ and drift of the magnitudes `seen`, by Gauss-Newton from `by_components` or `start`.
 
     dF = b̂ · db with b = A (I + ρ∘s) + b0 + S(t) c, S a cubic spline's columns about their mean. Covariance: of the
-    residuals, with degrees of freedom taken off, widened where neighbours in time correlate; and the shift by what is
-    declared of the sensor's zero and scale. Raises ValueError where the rows do not determine all twelve.
+    residuals, with degrees of freedom taken off, widened where neighbours in time correlate; and the shift by each of
+    `others`, errors that are declared of the sensor, with the magnitudes (n,) as it would have told them.
+    Raises ValueError where the rows do not determine all twelve.
     """
     A, b0 = by_components(seen) if start is None else (start.matrix_nT_per_A, start.ambient_nT)
     theta = np.r_[[A[i, j] for i, j in UPPER], b0, np.zeros(3)]
@@ -176,7 +176,7 @@ def fit_scalar_cage(
     size = np.linalg.norm(J, axis=0)
     bread = np.linalg.inv((J / size).T @ (J / size)) / np.outer(size, size)
     covariance = wider * float(left @ left) / spare * bread
-    declared = _declared(seen, J, u_zero_nT, u_scale_ppm)
+    declared = tuple(_contribution(error, _solved(J, F - seen.magnitude_nT)[:PARAMETERS]) for error, F in others)
     found = replace(course, coefficients_nT=drift)
     return ScalarCage(
         _upper(theta[:6]), theta[6:9], theta[9:12], found, covariance[:PARAMETERS, :PARAMETERS], declared, left
@@ -246,15 +246,5 @@ def _solved(J: Array, y: Array) -> Array:
     return np.asarray(np.linalg.lstsq(J / size, y, rcond=None)[0] / size)
 
 
-def _declared(
-    seen: Magnitudes, J: Array, u_zero_nT: float | None, u_scale_ppm: float | None
-) -> tuple[Contribution, ...]:
-    errors: Sequence[tuple[str, float | None, str, Array]] = (
-        ("sensor's zero", u_zero_nT, "nT", np.full(len(seen), u_zero_nT or 0.0)),
-        ("sensor's scale", u_scale_ppm, "ppm", 1e-6 * (u_scale_ppm or 0.0) * seen.magnitude_nT),
-    )
-    return tuple(
-        Contribution(source, "B", "normal", u, unit, np.inf, _solved(J, change)[:PARAMETERS])
-        for source, u, unit, change in errors
-        if u
-    )
+def _contribution(error: DeclaredError, shift: Array) -> Contribution:
+    return Contribution(error.source, "B", "normal", error.u, error.unit, np.inf, shift)

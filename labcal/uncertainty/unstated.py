@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from labcal.record import Reference, Run
+from labcal.record import Run, Segment
 from labcal.uncertainty import conditions
 
 ALL_COVERED = "All that the run states of its reference and mounting is covered."
@@ -13,11 +13,23 @@ def not_stated(run: Run) -> tuple[str, ...]:
     if run.reference.kind == "none":
         return ("The field itself: there is no reference.",)
     said = []
-    if left := _of_the_reference(run.reference):
+    if left := _of_the_reference(run):
         said.append(f"Of the reference, because the run does not state it: {', '.join(left)}.")
-    if any(segment.u_axis_body_deg is None for segment in run.segments if segment.axis_body is not None):
+    if any(segment.u_axis_body_deg is None for segment in run.segments if _mounted(segment)):
         said.append("Frame as mounted; mounting uncertainty not included.")
+    if any(segment.u_axis_cage_deg is None for segment in run.segments if _about_an_axis_of_the_cage(run, segment)):
+        said.append("The direction of the platform's axis in the cage.")
     return tuple(said) or (ALL_COVERED,)
+
+
+def _mounted(segment: Segment) -> bool:
+    """Whether its frame is that of a mounting: by an axis of the body, or by an attitude in the cage."""
+    return segment.axis_body is not None or (segment.body_from_cage is not None and segment.reference_frame == "cage")
+
+
+def _about_an_axis_of_the_cage(run: Run, segment: Segment) -> bool:
+    """Whether the reference is carried into the body about an axis that stands in the cage."""
+    return run.reference.kind == "vector" and segment.axis_cage is not None and segment.reference_frame == "cage"
 
 
 def not_covered(run: Run) -> tuple[str, ...]:
@@ -54,13 +66,15 @@ def _since_its_certificate(run: Run) -> list[str]:
     return left if drift and conditions.years_since(run) is not None else [*left, "drift since its own calibration"]
 
 
-def _of_the_reference(reference: Reference) -> list[str]:
+def _of_the_reference(run: Run) -> list[str]:
+    reference = run.reference
+    timed = all(segment.u_time_s is not None for segment in run.segments)  # each for itself
     stated = {
         "noise": reference.noise_nT,
         "scale": reference.u_scale_ppm,
         "zero": reference.u_offset_nT,
         "alignment": reference.u_align_deg if reference.kind == "vector" else 0.0,
-        "time": reference.u_time_s,
+        "time": 0.0 if timed else reference.u_time_s,
         "own calibration": reference.calibration or reference.certificate,
     }
     return [word for word, value in stated.items() if value is None]

@@ -46,11 +46,17 @@ def uncovered(run: Run, more: Iterable[str] = ()) -> str:
 
 
 def _other_way(run: Run, changed: Run) -> Run:
-    """The run with the opposite error, from the run with an error: vectors mirrored, attitudes turned back."""
-    assert run.reference_vector is not None
-    assert changed.reference_vector is not None
-    segments = tuple(map(_turned_back, run.segments, changed.segments))
-    return replace(run, reference_vector=2 * run.reference_vector - changed.reference_vector, segments=segments)
+    """The run with the opposite error, from the run with an error: fields mirrored, attitudes turned back."""
+    return replace(
+        run,
+        reference_vector=_mirrored(run.reference_vector, changed.reference_vector),
+        reference_magnitude=_mirrored(run.reference_magnitude, changed.reference_magnitude),
+        segments=tuple(map(_turned_back, run.segments, changed.segments)),
+    )
+
+
+def _mirrored(here: Array | None, there: Array | None) -> Array | None:
+    return None if here is None or there is None else 2 * here - there
 
 
 def _turned_back(here: Segment, there: Segment) -> Segment:

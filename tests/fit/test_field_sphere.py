@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labcal.fit.declared import of_vectors
 from labcal.fit.field_sphere import SphereFit, fit_sphere
 from labcal.fit.vector.ml import ml
 from labcal.record import Dut, Reference, Run, Segment
+from labcal.uncertainty import DeclaredError
 from procedures.field_sphere import played
 
 TRUE_K = np.array([[1.06, 0.04, -0.03], [-0.02, 0.94, 0.05], [0.03, -0.06, 1.02]])
@@ -81,20 +81,19 @@ def test_every_direction_is_played_at_every_magnitude_and_zero_is_visited() -> N
     assert np.diff(zeros).max() <= 13
 
 
-def test_what_is_declared_of_the_reference_widens_the_covariance_as_its_errors_move_the_map() -> None:
+def test_what_is_declared_of_the_reference_moves_the_map_as_its_errors_would() -> None:
     """By differences: the fields as another reference would have told them."""
     m, b, t = visits(1)
-    stated = Reference("vector", u_scale_ppm=400.0, u_offset_nT=30.0, u_align_deg=0.2)
-    wide = fit_sphere(m, b, t, lambda affine: of_vectors(stated, affine))
     plain, turned = fit_sphere(m, b, t), np.radians(0.2)
     z = np.array([[1, -turned, 0], [turned, 1, 0], [0, 0, 1]])
-    others = {"reference scale": b * (1 + 4e-4), "reference zero y": b + [0, 30.0, 0], "alignment about z": b @ z.T}
-    for source, there in others.items():
-        shift = next(c.shift for c in wide.contributions if c.source == source)
+    others = {"scale": b * (1 + 4e-4), "zero y": b + [0, 30.0, 0], "turn about z": b @ z.T}
+    stated = [(DeclaredError(name, 1.0, "nT", lambda run: run), there) for name, there in others.items()]
+    wide = fit_sphere(m, b, t, stated)
+    assert [c.source for c in wide.contributions] == list(others)
+    for part, there in zip(wide.contributions, others.values(), strict=True):
         moved = fit_sphere(m, there, t).affine.parameters - plain.affine.parameters
-        scale = np.r_[np.full(9, 1e-6), np.full(3, 0.05)]
-        assert min(np.abs((moved - s * shift) / scale).max() for s in (1, -1)) < 1
-    assert len(wide.contributions) == 7
+        assert np.abs(moved).max() > 1e-4
+        assert part.shift == pytest.approx(moved, rel=1e-6, abs=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from labcal.fit.scalar_cage import Magnitudes, ScalarCage, by_components, fit_scalar_cage, largest_En, with_matrix
+from labcal.uncertainty import DeclaredError
 from procedures.scalar_cage import components, joined, rotating
 
 COILS = np.array([[50_100.0, -250.0, 180.0], [-310.0, 49_800.0, 90.0], [-170.0, 160.0, 50_300.0]])
@@ -82,8 +83,9 @@ def test_errors_over_sixty_runs_are_as_large_as_their_uncertainty() -> None:
 def test_what_is_declared_of_the_sensor_moves_the_answer_as_its_errors_would() -> None:
     rows = joined(*both(2))
     plain = fit_scalar_cage(rows)
-    wide = fit_scalar_cage(rows, u_zero_nT=5.0, u_scale_ppm=20.0)
     others = rows.magnitude_nT + 5.0, rows.magnitude_nT * (1 + 2e-5)
+    stated = [(DeclaredError(name, 1.0, "nT", lambda run: run), F) for name, F in zip("ab", others, strict=True)]
+    wide = fit_scalar_cage(rows, others=stated)
     for part, F in zip(wide.contributions, others, strict=True):
         moved = fit_scalar_cage(replace(rows, magnitude_nT=F)).parameters - plain.parameters
         u = np.sqrt(np.diag(plain.covariance))

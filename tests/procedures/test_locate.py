@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable
 from typing import Any
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from labcal.testing import check_procedure
+from labcal.twin import open_twin
 
 Run = Callable[..., Any]
 ALL = 'halves = ["x", "y", "z"]'
@@ -37,12 +39,24 @@ def z_of(found: Any, dut: np.ndarray, reference: np.ndarray) -> np.ndarray:
     return np.concatenate([*places, apart]) / np.concatenate(u)
 
 
+def z_of_the_coils(found: Any, twin: str, seed: int, dut: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """Errors (3,) of how much more each coil makes at the reference than at the DUT, over their uncertainty."""
+    coils = open_twin(tomllib.loads(twin), seed).coil_field
+    there, here = (
+        np.linalg.norm([coils.at(one[None], place)[0] for one in np.eye(3)], axis=1) for place in (reference, dut)
+    )
+    told = [found.measured[f"coil {axis}: field at the reference over that at the DUT"] for axis in "xyz"]
+    true = 1e6 * (there / here - 1)
+    return np.array([(one.value - is_) / one.u for one, is_ in zip(told, true, strict=True)])
+
+
 @pytest.mark.parametrize("names", ["xyz", "z"])
 def test_both_places_are_the_twins_within_what_is_stated(ran: Run, names: str) -> None:
     twin, dut, reference = lab(1)
     found = ran("locate", twin, 1, [halves(names)], dwell_s=1.0)
     z = z_of(found, dut, reference)
     assert np.abs(z).max() < 4, z
+    assert np.abs(z_of_the_coils(found, twin, 1, dut, reference)).max() < 4
     assert max(found.event("locate").data["u_reference_from_dut_m"]) < (1e-3 if names == "xyz" else 3e-3)
     assert all(m.verdict in ("PASS", "") or "less what is stated" in m.name for m in found.measured.values())
 
@@ -75,13 +89,16 @@ def test_without_halves_it_is_refused_and_says_what_to_state(
 
 @pytest.mark.slow
 def test_errors_over_fifty_labs_in_units_of_their_uncertainty(ran: Run) -> None:
-    z = np.array(
-        [z_of(ran("locate", lab(seed)[0], seed, [halves("xyz")], dwell_s=1.0), *lab(seed)[1:]) for seed in range(50)]
-    )
-    rms, within = np.sqrt(np.mean(z**2, axis=0)), float(np.mean(np.abs(z) < 2))
-    print(f"rms z {np.round(rms, 2)}, within U {within:.3f}")
-    assert 0.75 < np.sqrt(np.mean(z**2)) < 1.25
-    assert within > 0.88
+    places, coils = list[np.ndarray](), list[np.ndarray]()
+    for seed in range(50):
+        found, one = ran("locate", lab(seed)[0], seed, [halves("xyz")], dwell_s=1.0), lab(seed)
+        places.append(z_of(found, *one[1:]))
+        coils.append(z_of_the_coils(found, one[0], seed, *one[1:]))
+    for z in (np.array(places), np.array(coils)):
+        within = float(np.mean(np.abs(z) < 2))
+        print(f"rms z {np.round(np.sqrt(np.mean(z**2, axis=0)), 2)}, within U {within:.3f}")
+        assert 0.75 < np.sqrt(np.mean(z**2)) < 1.25
+        assert within > 0.88
 
 
 def test_it_keeps_what_every_procedure_keeps(bench_file: Callable[..., Any]) -> None:

@@ -40,6 +40,18 @@ def test_matrix_squareness_and_ambient_are_the_twins_within_what_is_stated(ran: 
     assert found.value("components against constant modulus, largest E_n") < 1.6
 
 
+def test_a_verdict_is_as_uncertain_as_the_sensor(ran: Run) -> None:
+    given = {"n_directions": 16, "dwell_s": 0.5, "verify": 4, "error_nT": 1000}
+    worse = [*SCALAR, ("u_scale_ppm = 1.0", "u_scale_ppm = 1000.0\nu_offset_nT = 200.0")]
+    good, bad = ran("scalar-cage", sensor(1), 1, SCALAR, **given), ran("scalar-cage", sensor(1), 1, worse, **given)
+    name = "verify: rms error"
+    assert bad.measured[name].u == pytest.approx(np.hypot(1e-3 * 50e3, 200.0), rel=0.02)
+    assert good.measured[name].u < 1
+    said = " ".join(i.text for i in good.items if getattr(i, "kind", "") == "note")
+    assert "zero, time" in said
+    assert "The supplies' currents." in said
+
+
 @pytest.mark.slow
 def test_errors_over_fifty_labs_in_units_of_their_uncertainty(ran: Run) -> None:
     z, before, after, apart = list[np.ndarray](), list[float](), list[float](), list[float]()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ def test_verify_is_as_uncertain_as_its_reference(ran: Run) -> None:
     scale_and_zero = np.hypot(5e-3 * 35_000, 300 / np.sqrt(3))
     assert 0.3 * scale_and_zero < bad.measured["before: rms magnitude error"].u < 2 * scale_and_zero
     assert "alignment" in notes(good)
-    assert "The DUT's mounting." in notes(good)
+    assert "mounting uncertainty not included" in notes(good)
 
 
 def test_a_mounting_that_is_stated_is_in_the_heading(ran: Run) -> None:
@@ -36,7 +37,34 @@ def test_a_mounting_that_is_stated_is_in_the_heading(ran: Run) -> None:
     open_ = ran("verify", **SMALL)
     heading = "before: rms heading error"
     assert stated.measured[heading].u > 0.05 > 5 * open_.measured[heading].u
-    assert "The DUT's mounting." not in notes(stated)
+    assert "mounting uncertainty not included" not in notes(stated)
+
+
+def test_the_platform_s_angle_is_in_the_heading(ran: Run) -> None:
+    angle = "angle_sign = 1", "angle_sign = 1\nangle_noise_deg = 0.4\nu_axis_cage_deg = 0.001"
+    stated, open_ = ran("verify", edits=[angle], **SMALL), ran("verify", **SMALL)
+    rms, largest = "before: rms heading error", "before: largest heading error"
+    assert stated.measured[rms].u == pytest.approx(np.hypot(0.4 / np.sqrt(4), open_.measured[rms].u), rel=0.02)
+    assert stated.measured[largest].u == pytest.approx(np.hypot(0.4, open_.measured[largest].u), rel=0.02)
+    assert "The platform's angle." in notes(open_)
+    assert "The direction of the platform's axis in the cage." in notes(open_)
+    assert "platform" not in notes(stated)
+
+
+@pytest.mark.parametrize(
+    ("procedure", "given", "name"),
+    [
+        ("play-field", {"duration_s": 20, "step_s": 10, "limit_nT": 1000}, "rms tracking error"),
+        ("field-hold", {"duration_s": 10, "period_s": 2, "limit_nT": 1000}, "rms error while held"),
+    ],
+)
+def test_a_field_is_held_as_well_as_the_reference_can_tell(
+    ran: Run, procedure: str, given: dict[str, Any], name: str
+) -> None:
+    good, bad = ran(procedure, **given), ran(procedure, edits=WORSE, **given)
+    assert bad.measured[name].u > np.sqrt(3) * 300.0 / 2  # three zeros, beside a scale that may take some of it off
+    assert good.measured[name].u < 30.0
+    assert "alignment" in notes(good)
 
 
 def test_linearity_s_slope_is_as_uncertain_as_the_reference_s_scale_and_its_departure_is_not(ran: Run) -> None:
@@ -69,3 +97,26 @@ def test_a_half_turn_that_is_missed_is_in_the_zero_and_one_that_nobody_states_is
     assert stated.measured[spread].u == pytest.approx(np.hypot(100 / np.sqrt(2), open_.measured[spread].u), rel=0.02)
     assert "the half turns, the cage" in notes(open_)
     assert "not stated" not in notes(stated)
+
+
+def test_a_sphere_s_map_and_verdict_are_as_uncertain_as_the_reference(ran: Run) -> None:
+    short = {"n_directions": 8, "magnitudes_nT": "20000,50000", "dwell_s": 0.5, "verify": 2}
+    two_years_ago = (datetime.now(UTC) - timedelta(days=730)).date()
+    aged = "u_offset_nT = 3.0", f'u_offset_nT = 3.0\nu_drift_nT_per_year = 150.0\ncalibration = "{two_years_ago}"'
+    good, bad, old = (
+        ran("field-sphere", **short),
+        ran("field-sphere", edits=WORSE, **short),
+        ran("field-sphere", edits=[aged], **short),
+    )
+    for found, u_K, u_k in ((bad, 5e-3, 300.0), (old, 0.0, 300.0)):
+        assert found.measured["K xx"].u == pytest.approx(max(u_K, good.measured["K xx"].u), rel=0.1)
+        assert found.measured["k x"].u == pytest.approx(u_k, rel=0.1)
+        # of the two fields the scale moves 20 and 50 µT, the zeros all three components
+        rms = np.sqrt(u_K**2 * (20e3**2 + 50e3**2) / 2 + 3 * u_k**2)
+        name = "verify: rms error"
+        assert good.value(name) == pytest.approx(found.value(name), rel=1e-3)
+        assert 0.5 * rms < found.measured[name].u < 1.5 * rms
+    assert good.measured["verify: rms error"].u < 20
+    assert "alignment" in notes(good)
+    assert "drift since its own calibration" in notes(good)
+    assert "drift since its own calibration" not in notes(old)

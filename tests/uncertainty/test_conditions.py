@@ -11,6 +11,8 @@ import pytest
 
 from labcal.errors import InputError
 from labcal.fit import fit
+from labcal.fit.declared import contributions
+from labcal.model import AffineMap
 from labcal.record import Channel, Run
 from labcal.store import bundle_of, load_bundle, save_bundle
 from labcal.uncertainty import declared_errors
@@ -87,6 +89,36 @@ def test_the_map_follows(run: Run) -> None:
     drift_nT = 10.0 * 730.0 / 365.25
     assert np.sqrt(more) == pytest.approx([drift_nT] * 3, rel=0.6)
     assert (more > 0).all()
+
+
+def test_a_closed_form_s_map_follows_as_well(run: Run) -> None:
+    """`pso-axis` adds what each error does in closed form (`labcal.fit.declared`)."""
+    affine = AffineMap(np.diag([1.1, 0.9, 1.0]), np.array([100.0, -200.0, 300.0]))
+    shift = {c.source: c.shift for c in contributions(run, affine, frame_known=True)}
+    drifted = shift["reference's drift since its certificate y"]
+    assert drifted == pytest.approx([0] * 10 + [10.0 * 730.0 / 365.25, 0], rel=1e-3)
+    assert shift["reference's temperature, scale"] == pytest.approx(200e-6 * affine.parameters)  # 4 K of 50 ppm
+    assert shift["reference's temperature, zero z"][11] == pytest.approx(20.0)
+    assert shift["gradient over the distance x"][9] == pytest.approx(20.0)
+    assert shift["coils' gradient over the distance x"] == pytest.approx(400e-6 * affine.parameters)
+
+
+def test_the_platform_s_axis_and_a_mounting_are_named_where_nobody_states_them(run: Run) -> None:
+    axis, mounted = "The direction of the platform's axis in the cage.", "Frame as mounted; mounting uncertainty"
+    known = {"u_axis_cage_deg": 0.1, "u_axis_body_deg": 0.1, "u_time_s": 1e-3}
+
+    def said(**more: object) -> str:
+        return " ".join(not_covered(replace(run, segments=tuple(replace(s, **known | more) for s in run.segments))))
+
+    assert axis not in said()
+    assert mounted not in said()
+    assert "time" not in said()  # each segment states its own
+    assert axis in said(u_axis_cage_deg=None)
+    assert mounted in said(u_axis_body_deg=None)
+    assert "time" in said(u_time_s=None)
+    at_rest = {"kind": "static", "axis_body": None, "axis_cage": None, "body_from_cage": tuple(map(tuple, np.eye(3)))}
+    assert mounted in said(u_axis_body_deg=None, **at_rest)
+    assert axis not in said(u_axis_cage_deg=None, **at_rest)
 
 
 def test_what_is_not_stated_is_named(run: Run) -> None:
