@@ -23,6 +23,7 @@ TOLERANCE = 1e-3  # a smaller number in a comparison is arithmetic's
 KINDS = {
     "budget of a search": (
         "candidates.changepoints:PEAKS EDGE APART", "candidates.spectral_lines:PEAKS BELOW_NYQUIST",
+        "candidates.few_rows:ROUNDS HALVINGS NEARLY",
         "data.checks:OFFSETS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED",
         "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
@@ -33,6 +34,7 @@ KINDS = {
         "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
     ),
     "size of a sample": (
+        "candidates.few_rows:ROWS",
         "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
         "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
         "findings.residual_tests:MIN_ROWS MIN_VISITS",
@@ -48,7 +50,7 @@ KINDS = {
     ),
     "arithmetic and computing time": (
         "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "closures:SHARE SETTLED_S",
-        "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
+        "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY", "candidates.few_rows:SETTLED SLOPE_STEP",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
         "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",

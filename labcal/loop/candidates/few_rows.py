@@ -2,7 +2,7 @@
 
 A device off the centre of the coils stands at a place with three angles, each form there has some thirty columns: a
 grid of it over all rows would cost more than all other candidates. On a few hundred rows every grid point is one small
-least-squares problem beside base and accepted effects; from the best one on the place is found by variable projection
+least-squares problem beside base and accepted effects; from the best ones on the place is found by variable projection
 (Golub & Pereyra, SIAM J. Numer. Anal. 10, 413, 1973). A form that could not have the evidence of a name is not made.
 """
 
@@ -18,31 +18,64 @@ from numpy.typing import NDArray
 
 from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.candidates.scorer import CandidateSet
-from labcal.loop.noise.nuisance import explained_by_each, gram_pinv
+from labcal.loop.noise.nuisance import MIN_NEW_SHARE, explained_by_each
 from labcal.model.effects import Family, Term, families
 
 Array = NDArray[np.float64]
 ROWS = 250  # about so many are looked at
-BEST = 2  # grid points that are refined
-EVALUATIONS = 12  # of the residual's derivatives, at most
+ROUNDS = ((8, 2), (2, 8))  # so many of the best points are refined by so many steps; then of those the best
+HALVINGS = 4  # of a step that takes off less
+SETTLED = 1e-4  # of the sum of squares: a step that takes off no more ends it
+SLOPE_STEP = 0.01  # of a grid step, over which a derivative is taken
 NEARLY = 2.0  # times its gain at a grid point a form may gain at its best
 
 
 def few_rows(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Candidate]:
     """Forms with such parameters where they take most off the residual that the accepted effects leave."""
-    taken = {c.family.id for one in accepted for c in one.parts}
-    found: list[Candidate] = []
-    for family, forms in pool.store.memo.get("few rows", (), lambda: _forms(pool)):
-        if family.id not in taken:
-            found += _at_their_best(_Rows.of(pool, accepted), family, forms)
+    taken = {part.family.id for one in accepted for part in one.parts}
+    open_to = [f for f in pool.store.memo.get("few rows", (), lambda: _searched(pool)) if f.family.id not in taken]
+    if not open_to:
+        return []
+    rows = _Rows.of(pool, accepted)
+    return [candidate for forms in open_to for candidate in _at_their_best(rows, forms)]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Forms:
+    """The forms of a family that are searched here, smallest first: all stand at the place of the first."""
+
+    family: Family
+    terms: tuple[Term, ...]
+    points: tuple[Term, ...]  # the first of them, all over its grid
+    columns: Array  # (points, m, q, p) whitened, on few rows
+
+
+def _searched(pool: CandidateSet) -> list[_Forms]:
+    """Every family that has such forms on this problem."""
+    found, number = [], _numbers(pool)
+    for family in (f for f in families() if f.found_by("few rows") and is_observable(pool.problem, f)):
+        terms = [term for term in family.candidates(pool.problem.run) if term.found_by("few rows")]
+        if terms:
+            terms.sort(key=lambda term: len(term.parameters))
+            grids = itertools.product(*(shape.grid for shape in terms[0].shape))
+            points = tuple(_at(terms[0], np.array(values)) for values in grids)
+            columns = np.stack([_columns(pool, number, point) for point in points])
+            found.append(_Forms(family, tuple(terms), points, columns))
     return found
 
 
-def _forms(pool: CandidateSet) -> list[tuple[Family, list[Term]]]:
-    """The forms of each family that are searched here, smallest first: all stand at the place of the first."""
-    able = [family for family in families() if family.found_by("few rows") and is_observable(pool.problem, family)]
-    found = [(f, [t for t in f.candidates(pool.problem.run) if t.found_by("few rows")]) for f in able]
-    return [(f, sorted(forms, key=lambda t: len(t.parameters))) for f, forms in found if forms]
+def _numbers(pool: CandidateSet) -> NDArray[np.intp]:
+    """The numbers of a few rows of the problem."""
+    return np.arange(0, len(pool.problem), max(len(pool.problem) // ROWS, 1))
+
+
+def _columns(pool: CandidateSet, number: NDArray[np.intp], term: Term) -> Array:
+    """The whitened columns (m, q, p) of a term on some rows."""
+    return np.asarray(pool.problem.whiten[number] @ term.columns(pool.problem.scene.select(number)))
+
+
+def _at(term: Term, values: Array) -> Term:
+    return term.with_values(**dict(zip([s.name for s in term.shape], values.tolist(), strict=True)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,21 +84,28 @@ class _Rows:
 
     pool: CandidateSet
     number: NDArray[np.intp]  # of the rows, in the problem
-    taken: Array  # (m q, b) columns of base and accepted effects
+    taken: Array  # (m q, b) orthonormal columns of base and accepted effects
     left: Array  # (m q,)
 
     @classmethod
     def of(cls, pool: CandidateSet, accepted: Sequence[Candidate]) -> _Rows:
-        number = np.arange(0, len(pool.problem), max(len(pool.problem) // ROWS, 1))
+        number = _numbers(pool)
         number = number[pool.rows[number]]
         A = np.concatenate([pool.problem.T[number], *(pool.columns(c)[number] for c in accepted)], axis=2)
-        return cls(pool, number, A.reshape(-1, A.shape[2]), pool.residual(accepted)[number].ravel())
+        A = A.reshape(-1, A.shape[2])
+        basis = np.linalg.svd(A / np.maximum(np.linalg.norm(A, axis=0), 1e-300), full_matrices=False)[0]
+        y = pool.problem.y[number].ravel()
+        return cls(pool, number, basis, y - basis @ (basis.T @ y))
 
-    def columns(self, term: Term) -> Array:
-        """The whitened columns (m q, p) of a term on these rows."""
-        problem = self.pool.problem
-        made = problem.whiten[self.number] @ term.columns(problem.scene.select(self.number))
-        return np.asarray(made.reshape(-1, made.shape[2]))
+    def beside(self, term: Term) -> Array:
+        """What a term leaves too (m q,)."""
+        columns = _columns(self.pool, self.number, term).reshape(len(self.left), -1)
+        new = columns - self.taken @ (self.taken.T @ columns)
+        new = new / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+        values, vectors = np.linalg.eigh(new.T @ new)
+        kept = vectors[:, values > MIN_NEW_SHARE]
+        along = kept.T @ (new.T @ self.left) / values[values > MIN_NEW_SHARE]
+        return np.asarray(self.left - new @ (kept @ along))
 
     def gain(self, taken_off: float) -> float:
         """The log-likelihood that goes with a fall of the sum of squares, as if all rows were white noise."""
@@ -73,48 +113,48 @@ class _Rows:
         return -0.5 * self.pool.n_data * float(np.log(max(1 - taken_off / whole, 1e-12)))
 
 
-def _at_their_best(rows: _Rows, family: Family, forms: Sequence[Term]) -> list[Candidate]:
-    """The forms of a family at the place that suits the first best; none where it could not be likely."""
-    first, trials = forms[0], prod(len(shape.grid) for shape in forms[0].shape)
-    points, falls = _on_grid(rows, first)
-    best = np.argsort(-falls)[:BEST]
-    needs = rows.pool.penalty(Candidate(family, first, trials), len(first.parameters))
-    if NEARLY * rows.gain(float(falls[best[0]])) < needs:
+def _at_their_best(rows: _Rows, forms: _Forms) -> list[Candidate]:
+    """The forms of a family at the place that suits the first best; none where they could not be likely."""
+    falls = _on_grid(rows, forms)
+    first = Candidate(forms.family, forms.terms[0], prod(len(shape.grid) for shape in forms.terms[0].shape))
+    if NEARLY * rows.gain(float(falls.max())) < rows.pool.penalty(first, len(first.term.parameters)):
         return []
-    at = max((_refined(rows, points[i]) for i in best), key=lambda found: found[1])[0]
-    return [Candidate(family, replace(form, shape=at.shape), trials) for form in forms]
+    found = [(forms.points[i], float(falls[i])) for i in np.argsort(-falls)]
+    for count, steps in ROUNDS:
+        found = sorted((_refined(rows, point, steps) for point, _ in found[:count]), key=lambda one: -one[1])
+    return [replace(first, term=replace(term, shape=found[0][0].shape)) for term in forms.terms]
 
 
-def _on_grid(rows: _Rows, term: Term) -> tuple[list[Term], Array]:
-    """The term at each grid point, and what it takes off the sum of squares there."""
-    grids = itertools.product(*(shape.grid for shape in term.shape))
-    points = [term.with_values(**dict(zip([s.name for s in term.shape], at, strict=True))) for at in grids]
-    each = np.stack([_columns_of(rows, point) for point in points])
-    gram, cross = np.swapaxes(each, 1, 2) @ each, np.swapaxes(each, 1, 2) @ rows.taken
-    return points, explained_by_each(gram, cross, rows.left @ each, gram_pinv(rows.taken))
+def _on_grid(rows: _Rows, forms: _Forms) -> Array:
+    """What the first form takes off the sum of squares at each grid point (points,)."""
+    seen = rows.pool.rows[_numbers(rows.pool)]
+    each = forms.columns[:, seen].reshape(len(forms.points), len(rows.left), -1)
+    across = np.swapaxes(each, 1, 2)
+    return explained_by_each(across @ each, across @ rows.taken, rows.left @ each, np.eye(rows.taken.shape[1]))
 
 
-def _columns_of(rows: _Rows, point: Term) -> Array:
-    """Its columns on these rows at unit length."""
-    found = rows.columns(point)
-    return found / np.maximum(np.linalg.norm(found, axis=0), 1e-300)
+def _refined(rows: _Rows, point: Term, steps: int) -> tuple[Term, float]:
+    """The term some Gauss-Newton steps from a point, and what it takes off the sum of squares there."""
+    t_s = rows.pool.problem.scene.t_s
+    values = np.array([shape.value for shape in point.shape])
+    small = SLOPE_STEP * np.array([high - low for low, high in (shape.bracket(t_s) for shape in point.shape)])
+    left = rows.beside(point)
+    for _ in range(steps):
+        slopes = [(rows.beside(_at(point, values + step)) - left) / step.max() for step in np.diag(small)]
+        there, then = _stepped(
+            rows, point, values, np.linalg.lstsq(np.column_stack(slopes), -left, rcond=None)[0], left
+        )
+        gained, values, left = float(left @ left - then @ then), there, then
+        if gained <= SETTLED * float(left @ left):
+            break
+    return _at(point, values), float(rows.left @ rows.left - left @ left)
 
 
-def _refined(rows: _Rows, point: Term) -> tuple[Term, float]:
-    """The term at its best near a grid point, and what it takes off the sum of squares there."""
-    from scipy.optimize import least_squares
-
-    basis = np.linalg.qr(rows.taken)[0]
-    names = [shape.name for shape in point.shape]
-
-    def at(values: Array) -> Term:
-        return point.with_values(**dict(zip(names, values.tolist(), strict=True)))
-
-    def left(values: Array) -> Array:
-        columns = _columns_of(rows, at(values))
-        new = columns - basis @ (basis.T @ columns)
-        return np.asarray(rows.left - new @ np.linalg.lstsq(new, rows.left, rcond=1e-6)[0])
-
-    start = np.array([shape.value for shape in point.shape])
-    found = least_squares(left, start, diff_step=1e-3, x_scale=30.0, max_nfev=EVALUATIONS)
-    return at(found.x), float(rows.left @ rows.left - 2 * found.cost)
+def _stepped(rows: _Rows, point: Term, values: Array, step: Array, left: Array) -> tuple[Array, Array]:
+    """The values a step on, or a part of it that leaves less than `left`, and what they leave; else the same."""
+    for _ in range(HALVINGS):
+        then = rows.beside(_at(point, values + step))
+        if then @ then < left @ left:
+            return values + step, then
+        step = step / 2
+    return values, left

@@ -22,8 +22,8 @@ SYMMETRIC = {"xx": (0, 0), "yy": (1, 1), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2
 SURROUNDINGS = "o"  # whatever the coils do
 DRIVES = (*AXES, SURROUNDINGS)
 NAME = re.compile(r"([xyzo])([1-4]s?)_([xyz]+)")
-LON = Shape("place_lon_deg", 0.0, "deg", (30.0, 90.0, 150.0, 210.0, 270.0, 330.0), PLACE)
-LAT = Shape("place_lat_deg", 0.0, "deg", (20.0, 65.0), PLACE)  # of half the sphere: the other half has other signs
+LON = Shape("place_lon_deg", 0.0, "deg", tuple(range(0, 360, 45)), PLACE)
+LAT = Shape("place_lat_deg", 0.0, "deg", (12.0, 40.0, 70.0), PLACE)  # half the sphere: the other half has other signs
 UP = Shape("place_up_deg", 0.0, "deg", (-30.0, 0.0, 30.0), PLACE)
 PLACES = (LON, LAT, UP)
 
