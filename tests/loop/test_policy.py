@@ -35,13 +35,14 @@ KINDS = {
     ),
     "size of a sample": (
         "candidates.few_rows:ROWS",
-        "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
+        "data.base_model:MIN_ROWS", "data.gaps:TWO_SAMPLES", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
         "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
         "findings.residual_tests:MIN_ROWS MIN_VISITS",
         "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS",
     ),
     "setting of an estimator": (
-        "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
+        "data.gaps:AT_A_LEVEL MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST",
+        "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "noise.marginal:RATIOS",

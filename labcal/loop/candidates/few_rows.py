@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from labcal.loop.candidates.library import Candidate, is_observable
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.noise.nuisance import MIN_NEW_SHARE, explained_by_each
-from labcal.model.effects import Family, Term, families
+from labcal.model.effects import Family, Scene, Term, families
 
 Array = NDArray[np.float64]
 ROWS = 250  # about so many are looked at
@@ -59,7 +59,8 @@ def _searched(pool: CandidateSet) -> list[_Forms]:
             terms.sort(key=lambda term: len(term.parameters))
             grids = itertools.product(*(shape.grid for shape in terms[0].shape))
             points = tuple(_at(terms[0], np.array(values)) for values in grids)
-            columns = np.stack([_columns(pool, number, point) for point in points])
+            scene, whiten = pool.problem.scene.select(number), pool.problem.whiten[number]
+            columns = np.stack([whiten @ point.columns(scene) for point in points])
             found.append(_Forms(family, tuple(terms), points, columns))
     return found
 
@@ -67,11 +68,6 @@ def _searched(pool: CandidateSet) -> list[_Forms]:
 def _numbers(pool: CandidateSet) -> NDArray[np.intp]:
     """The numbers of a few rows of the problem."""
     return np.arange(0, len(pool.problem), max(len(pool.problem) // ROWS, 1))
-
-
-def _columns(pool: CandidateSet, number: NDArray[np.intp], term: Term) -> Array:
-    """The whitened columns (m, q, p) of a term on some rows."""
-    return np.asarray(pool.problem.whiten[number] @ term.columns(pool.problem.scene.select(number)))
 
 
 def _at(term: Term, values: Array) -> Term:
@@ -83,7 +79,8 @@ class _Rows:
     """A few rows of a set, with what the base and the accepted effects span there and what they leave."""
 
     pool: CandidateSet
-    number: NDArray[np.intp]  # of the rows, in the problem
+    scene: Scene
+    whiten: Array  # (m, q, 3)
     taken: Array  # (m q, b) orthonormal columns of base and accepted effects
     left: Array  # (m q,)
 
@@ -95,11 +92,12 @@ class _Rows:
         A = A.reshape(-1, A.shape[2])
         basis = np.linalg.svd(A / np.maximum(np.linalg.norm(A, axis=0), 1e-300), full_matrices=False)[0]
         y = pool.problem.y[number].ravel()
-        return cls(pool, number, basis, y - basis @ (basis.T @ y))
+        scene, whiten = pool.problem.scene.select(number), pool.problem.whiten[number]
+        return cls(pool, scene, whiten, basis, y - basis @ (basis.T @ y))
 
     def beside(self, term: Term) -> Array:
         """What a term leaves too (m q,)."""
-        columns = _columns(self.pool, self.number, term).reshape(len(self.left), -1)
+        columns = (self.whiten @ term.columns(self.scene)).reshape(len(self.left), -1)
         new = columns - self.taken @ (self.taken.T @ columns)
         new = new / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
         values, vectors = np.linalg.eigh(new.T @ new)

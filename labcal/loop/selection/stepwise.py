@@ -22,6 +22,7 @@ from labcal.loop.selection.admission import (
     evidence_of_its_own,
     is_its_own,
     min_material_drop,
+    plain_evidence,
 )
 from labcal.loop.selection.pairs import score_pairs
 from labcal.loop.selection.related import related_columns
@@ -91,6 +92,9 @@ def _material_pair(
             continue
         one = refined(pool, pair.one, [*accepted, pair.other])
         both = [one, refined(pool, pair.other, [*accepted, one])]
+        each = (plain_evidence(pool, [*accepted, *(o for o in both if o is not c)], c) for c in both)
+        if any(nats < policy.POLICY.min_evidence for nats in each):
+            continue
         if backward_check(pool, [*accepted, *both])[-2:] == both:
             return both
     return []

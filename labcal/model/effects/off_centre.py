@@ -10,6 +10,7 @@ body, but for its height along the platform axis, and known in direction only; t
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 import numpy as np
 
@@ -53,15 +54,19 @@ def columns(names: Names, lon_deg: float, lat_deg: float, up_deg: float, rig: Ri
     `x2_x`: of second degree about x, in proportion to the reference along x; `o1_xy` in proportion to nothing.
     """
     place = _place(rig, *np.radians([lon_deg, lat_deg, up_deg]))
+    harmonics, drive, which = _arranged(names)
+    fields = np.stack([_harmonic(degree, axis, place) for degree, axis in harmonics], axis=2)
     drives = np.column_stack([rig.reference_nT, np.ones(len(place))])
-    made: dict[tuple[str, str], Array] = {}
-    out = np.empty((len(place), 3, len(names)))
-    for column, (name, _) in enumerate(names):
-        drive, degree, which = _parts(name)
-        if (degree, which) not in made:
-            made[degree, which] = place @ traceless(which) if degree == "1" else _about_axis(degree, which, place)
-        out[:, :, column] = drives[:, [DRIVES.index(drive)]] * made[degree, which]
-    return out
+    return np.asarray(fields[:, :, which] * drives[:, None, drive])
+
+
+@lru_cache(maxsize=8)
+def _arranged(names: Names) -> tuple[list[tuple[str, str]], list[int], list[int]]:
+    """The harmonics (degree and axis) that parameters have, and the places of each one's drive and harmonic."""
+    parts = [_parts(name) for name, _ in names]
+    harmonics = list(dict.fromkeys((degree, which) for _, degree, which in parts))
+    places = {harmonic: place for place, harmonic in enumerate(harmonics)}
+    return harmonics, [DRIVES.index(d) for d, _, _ in parts], [places[degree, which] for _, degree, which in parts]
 
 
 def _parts(name: str) -> tuple[str, str, str]:
@@ -75,6 +80,10 @@ def _place(rig: Rig, lon: float, lat: float, up: float) -> Array:
     """The place in C (n, 3): `up` from the plane in which the lever (`lon`, `lat` in the body) turns."""
     lever = np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
     return np.asarray(np.cos(up) * (lever @ rig.to_body) + np.sin(up) * np.nan_to_num(rig.axis_cage))
+
+
+def _harmonic(degree: str, which: str, place: Array) -> Array:
+    return place @ traceless(which) if degree == "1" else _about_axis(degree, which, place)
 
 
 def _about_axis(degree: str, axis: str, place: Array) -> Array:
