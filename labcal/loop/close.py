@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from labcal.loop import policy
 from labcal.loop.assemble import assemble
-from labcal.loop.candidates.library import Cause
-from labcal.loop.candidates.scorer import CandidateSet
+from labcal.loop.candidates.library import Candidate, Cause
+from labcal.loop.candidates.scorer import CandidateSet, Tell, silent
 from labcal.loop.data.base_model import fit_base, least_squares, noise_model, select_rows
 from labcal.loop.data.checks import check_data
 from labcal.loop.data.gaps import unresolved_gaps
@@ -27,10 +28,10 @@ from labcal.loop.selection.joint_fit import joint_fit
 from labcal.loop.selection.members import told_apart
 from labcal.loop.selection.proof import Evidence, prove, relinearised, without_outliers
 from labcal.loop.selection.select import Selection, select, stepwise
+from labcal.loop.telling import NOTHING, Progress, Telling
 from labcal.model.effects.set_aside import OUTLIERS, SATURATION
 from labcal.record import Run
 
-Progress = Callable[[str], None]
 LONG_s = 20.0  # still to go: a person is told
 STILL = 1.5  # times what the first selection took, the rest takes
 
@@ -40,25 +41,36 @@ def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: b
 
     Rows in unresolved gaps of a channel that supports a cause are left out, and all is decided again on the others.
     Where structure remains that no known effect carries, an empirical term is built and proven: shipped where
-    `empirical` asks for it, else proposed.
+    `empirical` asks for it, else proposed. Stopped by Ctrl-C, it tells what it knows so far.
     """
+    telling = Telling(progress)
+    try:
+        return _closed(run, telling, empirical=empirical)
+    except KeyboardInterrupt:
+        telling.stopped()
+        raise
+
+
+def _closed(run: Run, telling: Telling, *, empirical: bool) -> ClosedLoop:
     while True:
         started_s = time.monotonic()
-        progress("fitting the base model")
+        telling.step("fitting the base model")
         problem, level, stuck = prepare(run)
         if (finding := check_data(problem, level)) is not None:
             return without_search(run, problem, level, stuck, finding)
-        progress("weighing every effect")
-        base_set = candidates_of(run, problem)
+        telling.step("weighing every effect")
+        base_set = candidates_of(run, problem, tell=partial(_told, telling))
         pool = relinearised(base_set)
+        telling.known = so_far(pool, stepwise(pool)[0])
         if (left_s := STILL * (time.monotonic() - started_s)) > LONG_s:
-            progress(f"this run takes about {left_s:.0f} s more and may be stopped; {so_far(pool)}")
+            telling.step(f"this run takes about {left_s:.0f} s more and may be stopped")
         selection = select(pool, level)
         gaps = unresolved_gaps(run, _supporting_channels(selection))
         if not gaps.any():
             break
         run = run.select(~gaps)
-    progress(f"holding out blocks of time; {so_far(pool, selection)}")
+    telling.known = so_far(pool, selection.accepted)
+    telling.step("holding out blocks of time")
     found = prove(base_set, pool, selection, level)
     found, after = final_fit(problem, found, selection)
     found = told_apart(found)
@@ -68,14 +80,22 @@ def close_loop(run: Run, progress: Progress = lambda text: None, *, empirical: b
     return with_empirical(run, found, closed, before, aside, ship=empirical)
 
 
-def so_far(pool: CandidateSet, selection: Selection | None = None) -> str:
-    """What is known before the proof, in words: the effects selected, and what they leave of the rows searched."""
-    accepted = stepwise(pool)[0] if selection is None else selection.accepted
+def _told(telling: Telling, pool: CandidateSet, accepted: Sequence[Candidate], doing: str) -> None:
+    """What a search is doing beside what it has accepted."""
+    beside = f" beside {_named(accepted)}" if accepted else ""
+    telling.weighing(f"weighing {doing}{beside}", so_far(pool, accepted))
+
+
+def so_far(pool: CandidateSet, accepted: Sequence[Candidate]) -> str:
+    """What is known before the proof, in words: the effects accepted, and what they leave of the rows searched."""
     if not accepted:
-        return "so far nothing has the evidence of a name"
+        return NOTHING
     before, after = (rms(pool.residual(some)[pool.rows]) for some in ((), accepted))
-    named = " and ".join(c.label for c in accepted)
-    return f"so far {named}, not proven yet: {before:.1f} to {after:.1f} times the noise"
+    return f"so far {_named(accepted)}, not proven yet: {before:.1f} to {after:.1f} times the noise"
+
+
+def _named(accepted: Sequence[Candidate]) -> str:
+    return " and ".join(c.label for c in accepted)
 
 
 def _supporting_channels(found: Selection) -> set[str]:
@@ -84,9 +104,9 @@ def _supporting_channels(found: Selection) -> set[str]:
     return {name for s in scored for name in s.candidate.term.channels}
 
 
-def candidates_of(run: Run, problem: LinearProblem, only: Cause | None = None) -> CandidateSet:
+def candidates_of(run: Run, problem: LinearProblem, only: Cause | None = None, tell: Tell = silent) -> CandidateSet:
     """Every candidate, or those of one cause `only`, on the rows that are no outliers."""
-    pool = CandidateSet.of(problem, _min_noise_level(run))
+    pool = CandidateSet.of(problem, _min_noise_level(run), tell)
     if only is not None:
         pool = pool.restricted_to([c for c in pool.candidates if c.cause == only])
     return without_outliers(pool)

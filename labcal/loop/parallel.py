@@ -9,6 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import TypeVar
 
+from labcal.errors import Stopped
+
 Item = TypeVar("Item")
 Outcome = TypeVar("Outcome")
 CORES = min(os.cpu_count() or 1, 2)
@@ -16,16 +18,31 @@ _thread = threading.local()
 
 
 def parallel_map(work: Callable[[Item], Outcome], items: Iterable[Item]) -> list[Outcome]:
-    """`work` done on each item, in their order; serially where a worker of this very function asks for it."""
+    """`work` done on each item, in their order; serially where a worker of this very function asks for it.
+
+    Where it ends early, by Ctrl-C say, workers stop at their next item, and nobody waits for the rest.
+    """
     items = list(items)
     if min(CORES, len(items)) < 2 or getattr(_thread, "is_worker", False):
-        return list(map(work, items))
-    with ThreadPoolExecutor(CORES, "loop", initializer=_mark_as_worker) as workers:
-        return list(workers.map(work, items))
+        return [work(item) for item in items if _goes_on()]
+    ends = threading.Event()
+    with ThreadPoolExecutor(CORES, "loop", initializer=_mark_as_worker, initargs=(ends,)) as workers:
+        try:
+            return list(workers.map(work, items))
+        except BaseException:
+            ends.set()
+            raise
 
 
-def _mark_as_worker() -> None:
-    _thread.is_worker = True
+def _mark_as_worker(ends: threading.Event) -> None:
+    _thread.is_worker, _thread.ends = True, ends
+
+
+def _goes_on() -> bool:
+    """True; raises Stopped in a worker whose work nobody waits for any more."""
+    if (ends := getattr(_thread, "ends", None)) is not None and ends.is_set():
+        raise Stopped
+    return True
 
 
 @contextmanager

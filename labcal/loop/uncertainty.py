@@ -15,6 +15,7 @@ from labcal.loop.closures import after_effects
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.bounded import weighed_spectra
 from labcal.loop.noise.coloured import grams_of_bands
+from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit, derivatives
 from labcal.model.affine import MAP_PARAMETERS
 from labcal.uncertainty import Contribution, DeclaredError, FitNoise, Sources, declared_errors
@@ -79,6 +80,22 @@ def uncertainty_of(found: JointFit) -> Sources:
         for error, shift in zip(errors, shifts.T, strict=True)
     ]
     return Sources(_of_noise(found, A, inverse, D), tuple(contributions))
+
+
+def chances_of_nought(found: JointFit) -> list[float]:
+    """How often an effect that is not there would seem as large, of each term: all its parameters together (Wald)."""
+    from scipy.special import chdtrc
+
+    C, start, out = uncertainty_of(found).covariance, found.problem.T.shape[2], list[float]()
+    for beta in found.beta:
+        part = C[start : start + len(beta), start : start + len(beta)]
+        u = np.sqrt(np.maximum(np.diag(part), 1e-300))
+        values, vectors = np.linalg.eigh(part / np.outer(u, u))
+        known = values > RANK_TOLERANCE * values[-1]
+        along = vectors[:, known].T @ (beta / u)
+        out.append(float(chdtrc(max(known.sum(), 1), np.sum(along**2 / values[known]))))
+        start += len(beta)
+    return out
 
 
 def _changed(found: JointFit, error: DeclaredError) -> Array:

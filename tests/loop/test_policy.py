@@ -23,6 +23,7 @@ TOLERANCE = 1e-3  # a smaller number in a comparison is arithmetic's
 KINDS = {
     "budget of a search": (
         "candidates.changepoints:PEAKS EDGE APART", "candidates.spectral_lines:PEAKS BELOW_NYQUIST",
+        "candidates.few_rows:ROUNDS HALVINGS NEARLY",
         "data.checks:OFFSETS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED",
         "selection.crossval:FOLDS BLOCKS DRAWS TWO_BLOCKS INTERVAL_95", "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
@@ -33,13 +34,15 @@ KINDS = {
         "empirical.inputs:MOST_CHANNELS", "noise.cross_correlation:MAX_LAG",
     ),
     "size of a sample": (
-        "data.base_model:MIN_ROWS", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
+        "candidates.few_rows:ROWS",
+        "data.base_model:MIN_ROWS", "data.gaps:TWO_SAMPLES", "data.checks:QUICK_FIT_ROWS", "data.noise_floor:ROWS_EACH",
         "data.outliers:NEIGHBOUR_READINGS WINDOW LONGEST_OUTLIER WIDE_WINDOW LONGEST_BURST",
         "findings.residual_tests:MIN_ROWS MIN_VISITS",
         "findings.run_findings:MIN_COMMON_ROWS", "noise.autocorrelation:LAGS",
     ),
     "setting of an estimator": (
-        "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST", "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
+        "data.gaps:AT_A_LEVEL MOSTLY", "data.decimate:TARGET_ROWS MAX_TURN_RAD LINE_CONTRAST",
+        "data.noise_floor:MIN_STEPS_PER_ROW STEP_TOLERANCE",
         "findings.residual_tests:CELLS SIZES", "noise.bands:BANDS_PER_OCTAVE CORNERS RATIOS INDISTINGUISHABLE",
         "selection.discrepancy:DEGREES HARMONICS", "selection.misfit:HARMONICS LATE_ROWS SMEARED_ROWS KEPT",
         "noise.bounded:CORNERS POWERS SIZES WHITE_ODDS", "noise.marginal:RATIOS",
@@ -47,8 +50,8 @@ KINDS = {
         "noise.periodogram:LONGEST PADDING", "selection.related:RANDOM_DIRECTIONS", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
-        "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "closures:SHARE SETTLED_S",
-        "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY",
+        "candidates.columns:GROUP_COLUMNS", "close:LONG_s STILL", "telling:QUIET_s", "closures:SHARE SETTLED_S",
+        "candidates.refine:SECANT_ROUNDS ROUGHLY EXACTLY", "candidates.few_rows:SETTLED SLOPE_STEP",
         "candidates.scorer:GROUP_SHARE LONG_RUN PRIMES CACHE_NUMBERS", "data.batch_fit:ALTERNATIONS SLACK",
         "data.checks:AXIS_ROUNDING MIN_FIELD_nT", "data.credible:WILD", "findings.run_findings:ONE_SIGNAL",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from labcal import session
-from labcal.loop import close
+from labcal.loop import close, telling
 
 
 def test_a_long_run_says_how_long_and_what_is_known_so_far(
@@ -33,3 +33,45 @@ def test_where_nothing_is_there_it_says_so(making: ModuleType, tmp_path: Path) -
     close.close_loop(session.load_run(str(making.written(tmp_path, rows, segments))), said.append)
     assert said[-1] == "holding out blocks of time; so far nothing has the evidence of a name"
     assert not any("may be stopped" in text for text in said)
+
+
+def _stopped_in(place: str, making: ModuleType, folder: Path, patch: pytest.MonkeyPatch) -> str:
+    """What is said last where Ctrl-C comes in a function of the loop."""
+    rows, segments = making.recorded(seconds=30.0)
+    rows["dut"] = rows["dut"] + 200 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
+
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    patch.setattr(f"labcal.loop.{place}", interrupted)
+    said: list[str] = []
+    with pytest.raises(KeyboardInterrupt):
+        close.close_loop(session.load_run(str(making.written(folder, rows, segments))), said.append)
+    return said[-1]
+
+
+@pytest.mark.parametrize(
+    ("place", "doing", "known"),
+    [
+        ("close.check_data", "fitting the base model", "nothing is known yet"),
+        ("selection.select.likelier_forms", "weighing", "so far offset-current (i_load), not proven yet"),
+        ("selection.proof.nested_selection", "weighing the selection on each part", "so far offset-current"),
+        ("close.final_fit", "weighing what does as well", "so far offset-current (i_load), not proven yet"),
+    ],
+)  # fmt: skip
+def test_stopped_it_tells_what_it_did_and_what_it_knows(
+    place: str, doing: str, known: str, making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = _stopped_in(place, making, tmp_path, monkeypatch)
+    assert said.startswith(f"stopped while {doing}")
+    assert known in said
+
+
+def test_a_long_search_says_what_it_weighs(making: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(telling, "QUIET_s", -1.0)
+    rows, segments = making.recorded(seconds=30.0)
+    rows["dut"] = rows["dut"] + 200 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
+    said: list[str] = []
+    close.close_loop(session.load_run(str(making.written(tmp_path, rows, segments))), said.append)
+    assert any(text.startswith("weighing every effect beside offset-current (i_load); so far") for text in said)
+    assert any(text.startswith("weighing what does as well beside offset-current (i_load)") for text in said)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,13 @@ GROUP_SHARE = 0.25  # of a group has to be asked for before all of it is scored
 LONG_RUN = 5000  # rows: fewer may have more prime factors, so that mostly none is dropped for a fast transform
 PRIMES = 2 * 3 * 5 * 7 * 11 * 13  # of the length of a short run
 CACHE_NUMBERS = 12_000_000  # in all transformed columns: more are not kept
+
+
+Tell = Callable[["CandidateSet", Sequence[Candidate], str], None]  # what is weighed beside what is accepted
+
+
+def silent(pool: CandidateSet, accepted: Sequence[Candidate], doing: str) -> None:
+    """Tell nobody."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,6 +63,7 @@ class CandidateSet:
     valid: Mask  # (N,) rows of the full problem that are no outliers
     part: bool = False  # whether its rows are a part of another set's
     shared: ColumnStore | None = None  # the columns, where another set has them
+    tell: Tell = silent  # a person who waits
     store: ColumnStore = field(init=False)
     bands: Bands = field(init=False)
     base: Array = field(init=False)  # (n, q, t) orthonormal, spans the transformed tangent
@@ -72,11 +81,11 @@ class CandidateSet:
         self.y = cosine_transform(self.problem.y[self.transformed_rows])[:, :, None]
 
     @classmethod
-    def of(cls, problem: LinearProblem, min_noise_level: float) -> CandidateSet:
+    def of(cls, problem: LinearProblem, min_noise_level: float, tell: Tell = silent) -> CandidateSet:
         """The whole library on all rows, or on means of them where there are many."""
         fewer = decimate(problem)
         rows, valid = (np.ones(len(p), dtype=bool) for p in (fewer, problem))
-        return cls(fewer, expand_library(fewer), rows, min_noise_level, valid)
+        return cls(fewer, expand_library(fewer), rows, min_noise_level, valid, tell=tell)
 
     def cached(self, what: Hashable, about: Sequence[Hashable], make: Callable[[], Kept]) -> Kept:
         """What `make` gives on these rows, made once for `what` and these very objects."""
@@ -119,7 +128,8 @@ class CandidateSet:
             return self
         bins = self.problem.bins
         rows = ~outlying if bins is None else ~bins.any(outlying)
-        return CandidateSet(self.problem, self.candidates, rows, self.min_noise_level, ~outlying, shared=self.store)
+        shared: dict[str, Any] = {"shared": self.store, "tell": self.tell}
+        return CandidateSet(self.problem, self.candidates, rows, self.min_noise_level, ~outlying, **shared)
 
     def restricted_to(self, candidates: list[Candidate]) -> CandidateSet:
         """Fewer candidates on the same rows."""

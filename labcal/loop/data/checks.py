@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
 from labcal.loop.data.batch_fit import BatchFit
+from labcal.loop.data.credible import without_wild_rows
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.parallel import parallel_map
@@ -43,11 +44,14 @@ class DataFault:
 
 
 def check_data(problem: LinearProblem, level: NoiseFloor) -> Finding | None:
-    """The fault that explains a gross misfit of the base model; else None."""
+    """The fault that explains a gross misfit of the base model; else None.
+
+    A few wild rows are no such misfit: a frame, a clock or a unit that is wrong is so in all rows.
+    """
     field = float(np.sqrt(np.mean(problem.observations.magnitude**2)))
     if (finding := _dead_axis(problem) or _units(problem, field)) is not None:
         return finding
-    left = float(np.sqrt(np.mean(problem.length_nT(problem.residual_nT) ** 2)))
+    left = float(np.sqrt(np.mean(problem.length_nT(without_wild_rows(problem.residual_nT)) ** 2)))
     law = policy.POLICY
     if left < law.floor_ratio * level.nT:
         return None

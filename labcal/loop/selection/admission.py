@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from labcal.loop import policy
 from labcal.loop.candidates.library import Candidate
@@ -27,14 +27,25 @@ def material_beside(pool: CandidateSet, null_model: NullModel) -> float:
 
 def is_its_own(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> bool:
     """Whether a cause has the evidence of a name beside whatever the accepted forms may miss."""
-    return not accepted or evidence_of_its_own(pool, accepted, found.candidate) >= policy.POLICY.min_evidence
+    least = policy.POLICY.min_evidence
+    return not accepted or all(nats >= least for nats in _beside_each(pool, accepted, found.candidate))
 
 
 def evidence_of_its_own(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:
     """The evidence for what no other form in the inputs of an accepted effect takes [nats]: the least of them."""
-    plain = pool.score(candidate, pool.null_model(accepted, related_columns(pool, accepted))).evidence
+    return min(_beside_each(pool, accepted, candidate))
+
+
+def plain_evidence(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:
+    """The evidence beside accepted effects and their related forms [nats]: never less than what is its own."""
+    return pool.score(candidate, pool.null_model(accepted, related_columns(pool, accepted))).evidence
+
+
+def _beside_each(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> Iterator[float]:
+    """The evidence beside all accepted ones, then beside what each may miss, which takes far longer [nats]."""
+    yield plain_evidence(pool, accepted, candidate)
     spans = (span for one in accepted for span in misfits(pool, [one]))
-    return min([plain, *(pool.score(candidate, pool.null_model(accepted, [span])).evidence for span in spans)])
+    yield from (pool.score(candidate, pool.null_model(accepted, [span])).evidence for span in spans)
 
 
 def earns_its_extension(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> bool:

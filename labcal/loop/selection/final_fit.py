@@ -1,9 +1,14 @@
-"""The fit that goes into the file: map, phases and effects together, no worse than the steps that chose the effects."""
+"""The fit that goes into the file: map, phases and effects together, no worse than the steps that chose the effects.
+
+An effect that is no more than its uncertainty there, declared errors included, is none: it is given up as well.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+
+import numpy as np
 
 from labcal.fit.vector.ml import estimate
 from labcal.fit.vector.observations import SCALAR
@@ -13,7 +18,8 @@ from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.selection.crossval import rms
 from labcal.loop.selection.joint_fit import JointFit, joint_fit
 from labcal.loop.selection.proof import Evidence, prove
-from labcal.loop.selection.select import Selection
+from labcal.loop.selection.select import Selection, contribution
+from labcal.loop.uncertainty import chances_of_nought
 
 
 def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> tuple[Evidence, JointFit]:
@@ -22,12 +28,21 @@ def final_fit(problem: LinearProblem, found: Evidence, selection: Selection) -> 
     while found.accepted:
         fitted = _nearest(problem, found)
         left = in_sample_rms(fitted)
-        if arrives(left, found):
+        given_up = _least_certain(found, fitted) if arrives(left, found) else len(found.accepted) - 1
+        if given_up is None:
             return _as_told(found, left), fitted
-        count = len(found.accepted) - 1
-        astray[found.accepted[count].cause] = left
-        found = _proven_again(found, selection, count, astray)
+        astray[found.accepted[given_up].cause] = left
+        found = _proven_again(found, selection, given_up, astray)
     return found, base_fit(problem, found)
+
+
+def _least_certain(found: Evidence, fitted: JointFit) -> int | None:
+    """The place of the accepted effect that is likeliest nought; None where none may be."""
+    chances = chances_of_nought(fitted)
+    ends = np.cumsum([len(chosen.parts) for chosen in found.accepted])
+    each = [min(part) for part in np.split(np.array(chances), ends[:-1])]
+    place = int(np.argmax(each))
+    return place if each[place] > policy.POLICY.significance else None
 
 
 def arrives(left_nT: float, found: Evidence) -> bool:
@@ -62,11 +77,15 @@ def _nearest(problem: LinearProblem, found: Evidence) -> JointFit:
     return min(fitted, joint_fit(found.pool.whole, terms, found.pool.valid), key=in_sample_rms)
 
 
-def _proven_again(found: Evidence, selection: Selection, count: int, astray: Mapping[Cause, float]) -> Evidence:
-    """The evidence for the first `count` effects alone."""
-    fewer = replace(selection, accepted=selection.accepted[:count], contributions=selection.contributions[:count])
-    again = prove(found.base_set, found.pool, fewer, found.level)
-    return replace(again, refused={**found.refused, **again.refused}, astray=dict(astray))
+def _proven_again(found: Evidence, selection: Selection, place: int, astray: Mapping[Cause, float]) -> Evidence:
+    """The evidence for the other effects than the one at `place`."""
+    pool, kept = found.pool, [c for i, c in enumerate(found.accepted) if i != place]
+    steps = [contribution(pool, found.blocks, kept, i) for i in range(len(kept))]
+    again = prove(
+        found.base_set, pool, replace(selection, accepted=tuple(kept), contributions=tuple(steps)), found.level
+    )
+    given_up = {found.accepted[place].cause: found.contributions[place]}
+    return replace(again, refused={**found.refused, **again.refused, **given_up}, astray=dict(astray))
 
 
 def base_fit(problem: LinearProblem, found: Evidence) -> JointFit:

@@ -11,7 +11,14 @@ from labcal.loop.candidates.available import all_candidates
 from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.data.noise_floor import NoiseFloor
-from labcal.loop.selection.crossval import BlockFolds, HeldOutErrors, cross_validate, fixed_choice
+from labcal.loop.selection.crossval import (
+    BlockFolds,
+    HeldOutErrors,
+    cross_validate,
+    fixed_choice,
+    residual_lengths,
+    rms,
+)
 from labcal.loop.selection.discrepancy import stands_beside_discrepancy
 from labcal.loop.selection.equivalents import Equivalent, equally_likely
 from labcal.model.effects.regressors import WEATHER, stretches
@@ -36,6 +43,7 @@ def first_unsupported(
     for i in range(len(steps) - 1, 0, -1):
         begins = _first_of_its_cause(accepted, i)
         remains = begins and misfit_remains(steps[begins:], level, policy.POLICY.max_misfit_of_later)
+        remains = remains and not reaches_the_noise(pool, accepted, level)
         if remains and not stands_beside_discrepancy(pool, accepted, accepted[i]):
             return i
     return None
@@ -99,6 +107,17 @@ def misfit_remains(steps: Sequence[HeldOutErrors], level: NoiseFloor, share: flo
     """Whether what all effects leave above the noise exceeds this share of what they took off."""
     before, after = steps[0].before, steps[-1].after
     return after > policy.POLICY.floor_ratio * level.nT and after**2 - level.nT**2 > share * (before**2 - after**2)
+
+
+def reaches_the_noise(pool: CandidateSet, accepted: Sequence[Candidate], level: NoiseFloor) -> bool:
+    """Whether the effects leave no more than noise of the rows that they are fitted to, their parameters counted.
+
+    What held-out blocks then leave above it is no misfit of a form: the other blocks do not pin its parameters down.
+    """
+    left = pool.residual_everywhere(accepted)[0][pool.valid]
+    open_to = left.size - pool.whole.T.shape[2] - sum(c.size for c in accepted)
+    spread = rms(residual_lengths(pool.whole, left, pool.valid)) * np.sqrt(left.size / max(open_to, 1))
+    return bool(spread <= policy.POLICY.floor_ratio * level.nT)
 
 
 def improves(step: HeldOutErrors) -> bool:

@@ -53,7 +53,9 @@ def prove(base_set: CandidateSet, pool: CandidateSet, selection: Selection, leve
     """Cross-validate a selection: its error is that of selections repeated without each held-out fold."""
     accepted, blocks = selection.accepted, selection.blocks
     while True:
+        pool.tell(pool, accepted, "the selection on each part of the blocks")
         cv_error = cross_validate(pool, blocks, nested_selection(level, blocks, len(accepted)))
+        pool.tell(pool, accepted, "what does as well")
         equivalents = tuple(tuple(equivalent_models(pool, blocks, accepted, one)) for one in accepted)
         reportable = n_reportable(pool, cv_error, level, accepted, equivalents)
         if reportable == len(accepted):
@@ -108,7 +110,7 @@ def relinearised(pool: CandidateSet) -> CandidateSet:
     if not accepted or (pool.problem.kind == "vector" and not _is_nonlinear(pool, accepted)):
         return pool
     around = joint_fit(pool.whole, [c.term for c in accepted], pool.valid)
-    again = CandidateSet.of(around.uncorrected(), pool.min_noise_level)
+    again = CandidateSet.of(around.uncorrected(), pool.min_noise_level, pool.tell)
     return without_outliers(again, None if pool.valid.all() else ~pool.valid)
 
 

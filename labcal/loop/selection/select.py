@@ -94,7 +94,7 @@ def _select_once(pool: CandidateSet, blocks: BlockFolds | None, most: int, refus
     likelier = likelier_forms(pool, accepted, refused)
     simple = _simplest(pool, blocks, prefer_computable(pool, blocks, likelier, refused))
     kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
-    contributions = [_contribution(pool, blocks, kept, i) for i in range(len(kept))]
+    contributions = [contribution(pool, blocks, kept, i) for i in range(len(kept))]
     return _Round(kept, rankings, contributions, blocks, {c.cause for c in simple} - {c.cause for c in kept})
 
 
@@ -128,7 +128,7 @@ def stepwise(
     return pool.cached(("forward", most, frozenset(refused)), (), lambda: stepwise_forward(pool, most, refused))
 
 
-def _contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], place: int) -> HeldOutErrors:
+def contribution(pool: CandidateSet, blocks: BlockFolds, accepted: Sequence[Candidate], place: int) -> HeldOutErrors:
     """Held-out errors without and with one effect, those before it in; with the next one where only both improve."""
     before, also = list(accepted[:place]), list(accepted[place + 1 : place + 2])
     alone = cross_validate(pool, blocks, fixed_choice([*before, accepted[place]]), before)

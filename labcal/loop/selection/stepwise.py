@@ -22,6 +22,7 @@ from labcal.loop.selection.admission import (
     evidence_of_its_own,
     is_its_own,
     min_material_drop,
+    plain_evidence,
 )
 from labcal.loop.selection.pairs import score_pairs
 from labcal.loop.selection.related import related_columns
@@ -39,6 +40,7 @@ def stepwise_forward(
     rankings: list[list[Scored]] = []
     out_of_play, left = set(refused), set[Cause]()
     while len(accepted) < most:
+        pool.tell(pool, accepted, "every effect")
         open_to = [c for c in all_candidates(pool, accepted) if not _already_accepted(c, accepted)]
         if accepted and _is_white(pool, accepted) and not _is_likely(at_last := pool.rank(open_to, accepted)):
             rankings.append(at_last)
@@ -84,6 +86,7 @@ def _material_pair(
     refused: Collection[Cause],
 ) -> list[Candidate]:
     """Two causes that are material together, each earning its place beside the other; none where no two do."""
+    pool.tell(pool, accepted, "pairs that hide each other")
     null_model = pool.null_model(accepted, related_columns(pool, accepted))
     open_to = [w for w in ranking if not _already_accepted(w.candidate, accepted)]
     for pair in score_pairs(pool, null_model, open_to, {*refused, *(c.cause for c in accepted)}):
@@ -91,6 +94,9 @@ def _material_pair(
             continue
         one = refined(pool, pair.one, [*accepted, pair.other])
         both = [one, refined(pool, pair.other, [*accepted, one])]
+        each = (plain_evidence(pool, [*accepted, *(o for o in both if o is not c)], c) for c in both)
+        if any(nats < policy.POLICY.min_evidence for nats in each):
+            continue
         if backward_check(pool, [*accepted, *both])[-2:] == both:
             return both
     return []
