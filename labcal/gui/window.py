@@ -33,6 +33,7 @@ from labcal.gui.widgets.key_sheet import described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.sounds import is_on, switch
+from labcal.run_door import goes_on_at
 
 PREBUILD_DELAY_MS = 400
 POLL_MS = 20  # between two looks whether the imports or a run are done
@@ -307,15 +308,17 @@ def _palette(theme: Theme) -> QPalette:
     return palette
 
 
-def open_window(bench: str | None) -> Window:
-    """The window on `bench`, else on the last one."""
-    app_state = AppState()
+def open_window(bench: str | None, *, watched: bool = False, worker: int = 0) -> Window:
+    """The window on `bench`, else on the last one; or come back to the run that goes on in the process `worker`."""
+    app_state = AppState(watched=watched)
     window = Window(app_state)
+    if comes_back := bool(worker) and goes_on_at(worker):
+        app_state.come_back(worker)
     window.resize(window.size().boundedTo(window.screen().availableSize()))
     window.show()
     QTimer.singleShot(PREBUILD_DELAY_MS, window, window.prebuild)
     app_state.request(ListPeople(), app_state.login.take_people)
     chosen = bench or str(app_state.settings.value("bench", "") or "")
-    if chosen and (bench or Path(chosen).is_file()):
+    if not comes_back and chosen and (bench or Path(chosen).is_file()):
         QTimer.singleShot(0, app_state, lambda: app_state.open_bench(chosen))
     return window
