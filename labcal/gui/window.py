@@ -119,7 +119,7 @@ class Window(Frame):
         self.size_switch.clicked.connect(self.toggle_wall)
         self.sound_switch.clicked.connect(self._other_sound)
         self.language_switch.clicked.connect(lambda: self.language_wanted.emit(following(spoken())))
-        self.next.clicked.connect(lambda: app_state.go(app_state.path.next()))
+        self.next.clicked.connect(self._go_on)
         described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.click), self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
         self._show_path()
@@ -231,6 +231,16 @@ class Window(Frame):
     def _show_path(self) -> None:
         path = self.app_state.path
         self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()}, path.next().words)
+
+    def _go_on(self) -> None:
+        """To what is next; where it is to say who and what, into the field that is wanted."""
+        to, state = self.app_state.path.next(), self.app_state.lab.state
+        self.app_state.go(to)
+        if to.page == "Start" and state.bench:
+            wanted = [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
+            wanted += [self.top.operator] * (not state.operator)
+            for entry in wanted[:1]:
+                entry.setFocus()
 
     def _scanned(self, text: str) -> None:
         """A serial; on the locked screen a badge."""

@@ -41,7 +41,8 @@ def first(what: str) -> bool:
 
 def act(window: window_module.Window) -> None:
     state, run = window.app_state, window.app_state.run
-    if number == 0 and state.facts and first("start"):
+    built = all(page.ready for page in window.lazy_pages.values())  # else on a busy computer it stands still meanwhile
+    if number == 0 and state.facts and built and first("start"):
         state.set_identity(operator="J. Doe", dut="EM-07")
         window.open_page("History")
         state.start(procedure, dict(one.split("=") for one in settings.split(";")))
@@ -49,10 +50,10 @@ def act(window: window_module.Window) -> None:
         run.answer(run.prompt.choices[0])
     if run.segment is not None and first("there"):
         steps, order = [name for name, _ in run.steps()], run.order
-        say("there", number, window.page_shown(), state.bench_worker.pid, order.procedure, order.dut, run.began, *steps)
+        say("there", number, window.page_shown(), state.bench_worker.pid, order.procedure, order.dut, *steps)
         do(window)
     if run.state == "ended" and first("end"):
-        say("ended", run.status)
+        say("ended", run.status, run.message)
         window.leave()
 
 

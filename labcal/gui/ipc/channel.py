@@ -101,7 +101,7 @@ class Channel:
 
     def run_begins(self, simulated: bool, going: GoesOn | None = None) -> None:
         """From here on a hang-up means abort, not exit; where somebody watches the window, that it may come back."""
-        self._on_bench, self.control = True, Control()
+        self._on_bench, self.control = True, Control(to_be_resumed=True)
         if self._watched and going is not None:
             self._door, self._past = self._door or Door(), Past(going)
         if not simulated:

@@ -22,6 +22,7 @@ from labcal.gui.ipc.answers import Bench, CoilEnd, Greeting, Identified, Switche
 from labcal.gui.ipc.client import WATCHED, Client
 from labcal.gui.ipc.messages import Command, GoesOn, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
 from labcal.gui.viewmodels.login import LoginViewModel
@@ -163,9 +164,10 @@ class AppState(QObject):
         self.study_vm.open(run)
 
     def go(self, to: Next) -> None:
-        """Open the page of what is next, with its run; Calibrate shows the preflight."""
+        """Open the page of what is next, with its run, and begin it; Calibrate shows the preflight."""
         if to.run:
             self.study_vm.open(to.run)
+            self.study_vm.fit("ml") if to.page == "Fit" else self.study_vm.close_loop()
         if to.page == "Run" and not self.run.alive:
             self.open_procedure("preflight")
         self.page_requested.emit(to.page)
@@ -199,7 +201,7 @@ class AppState(QObject):
 
     def serial_objection(self, serial: str) -> str:
         """Why this is no serial on this bench; "" where it is one."""
-        return serials.objection(serial, serials.USUAL if self.facts is None else self.facts.serial_pattern)
+        return in_words(serials.objection(serial, serials.USUAL if self.facts is None else self.facts.serial_pattern))
 
     def objection(self) -> str:
         """What is missing before a run may start; "" where nothing is."""
@@ -272,7 +274,7 @@ class AppState(QObject):
         self.off_worker.request(SwitchOff(self.bench), self._off_known, self._off_failed)
 
     def _off_known(self, said: SwitchedOff) -> None:
-        words = "; ".join(f"{axis.axis}: {axis.words}" for axis in said.coils)
+        words = "; ".join(f"{axis.axis}: {in_words(axis.words)}" for axis in said.coils)
         self.lab.update(message=self.tr("Read back: {0}").format(words))
         witness = state.Witness("disagrees", said.doubt) if said.doubt else state.Witness()
         before = self.known or state.LabState(())

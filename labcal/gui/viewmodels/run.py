@@ -29,6 +29,7 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import Fault, with_instrument_names
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.record.stream import NOT_USED, Block, Event, Item, Measurement, Prompt, SegmentClosed, SegmentOpened, Step
@@ -320,7 +321,7 @@ class RunViewModel(QObject):
         self._over()
 
     def _last_words(self) -> str:
-        said = self._told or self.status
+        said = in_words(self._told or self.status)
         return self.tr("Run {0}: {1}").format(self.run_id, said) if self.run_id else said
 
     def _failed(self, fault: Fault) -> None:
